@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// One sub-command per file. Each adds itself to the program; its work runs when the command line
+// was understood and leaves its exit code behind.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <utility>
+
+#include "app/cli/scene_input.h"
+#include "model/base/result.h"
+
+namespace sline::cli {
+
+enum class Exit : int {
+  done = 0,      ///< also where parts of a scene were left out with a warning
+  failed = 1,    ///< nothing could be read, no picture could be made, or the result not be written
+  wrongUse = 2,  ///< unknown flags, values out of range, names that no structure has
+};
+
+void addRender(CLI::App& program, Exit& exit);
+void addLines(CLI::App& program, Exit& exit);
+void addCurvature(CLI::App& program, Exit& exit);
+void addInfo(CLI::App& program, Exit& exit);
+void addDemo(CLI::App& program, Exit& exit);
+
+/// Says what went wrong on standard error and hands the exit code on.
+inline Exit complain(const Error& error, Exit code) {
+  std::cerr << "sline: " << error.text() << '\n';
+  return code;
+}
+
+/// A sub-command whose flags live as long as the program: `declare(command, flags)` names them,
+/// `run(flags)` does the work.
+template <class Flags, class Declare, class Run>
+void addCommand(CLI::App& program, Exit& exit,
+                const std::pair<std::string, std::string>& nameAndHelp, const Declare& declare,
+                const Run& run) {
+  CLI::App* command = program.add_subcommand(nameAndHelp.first, nameAndHelp.second);
+  const auto flags = std::make_shared<Flags>();
+  declare(*command, *flags);
+  command->callback([flags, run, &exit] { exit = run(*flags); });
+}
+
+inline constexpr const char* inputHelp =
+    "Mesh files (obj, stl, ply, off, vtk, vtp, gltf, glb), folders of them, 3D Slicer scenes "
+    "(mrml)";
+inline constexpr const char* frameHelp =
+    "How the files' coordinates map to the patient: LPS or RAS overrides what the files say or "
+    "their names suggest, `file` leaves coordinates as they are";
+inline constexpr const char* smoothHelp =
+    "auto smooths surfaces that show the steps of a label map and refines coarse ones, off leaves "
+    "all as they are, a number smooths all that many times";
+
+}  // namespace sline::cli

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/json_values.h"
+
+#include <array>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+
+namespace sline::cli {
+
+Json jsonNumber(float value) {
+  assert(std::isfinite(value));
+  std::array<char, 32> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  double nearest = double(value);
+  std::from_chars(digits.data(), end, nearest);
+  return nearest;
+}
+
+Json jsonPoint(const glm::vec3& p) {
+  return Json::array({jsonNumber(p.x), jsonNumber(p.y), jsonNumber(p.z)});
+}
+
+Json jsonBox(const model::Box& box) {
+  if (box.empty())
+    return nullptr;
+  return Json::array({jsonPoint(box.low), jsonPoint(box.high)});
+}
+
+std::string jsonText(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace sline::cli

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+// `sline lines`: the line segments of a mesh for one camera, as JSON.
+#include "render/lines/lines.h"
+
+#include <algorithm>
+#include <array>
+
+#include "app/cli/camera_file.h"
+#include "app/cli/command.h"
+#include "app/cli/json_values.h"
+#include "app/cli/text_file.h"
+#include "app/cli/values.h"
+#include "model/geometry/spatial_order.h"
+#include "render/lines/visibility.h"
+
+namespace sline::cli {
+
+namespace {
+
+struct LinesFlags {
+  InputFlags input;
+  std::string camera;
+  std::string size;
+  std::string output;
+  std::string gamma = "2";
+  std::vector<std::string> kinds{"contour", "suggestive"};
+};
+
+constexpr std::array<const char*, 3> kindNames{"contour", "suggestive", "silhouette"};
+
+struct LinesOrder {
+  model::ImportOptions import;
+  model::Camera camera;
+  Gamma gamma;
+  std::vector<std::string> kinds;
+
+  bool wants(std::string_view kind) const {
+    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+  }
+};
+
+Result<LinesOrder> understoodLines(const LinesFlags& flags) {
+  LinesOrder order;
+  InputFlags input = flags.input;
+  if (input.smooth.empty())
+    input.smooth = "off";
+  const Result<model::ImportOptions> options = importOptions(input);
+  if (!options.ok())
+    return options.error();
+  order.import = *options;
+  if (const Result<Size> size = parseSize(flags.size); !size.ok())
+    return size.error();
+  const Result<Gamma> gamma = parseGamma(flags.gamma);
+  if (!gamma.ok())
+    return gamma.error();
+  order.gamma = *gamma;
+  const Result<model::Camera> camera = readCamera(flags.camera);
+  if (!camera.ok())
+    return camera.error();
+  order.camera = *camera;
+  order.kinds = flags.kinds;
+  return order;
+}
+
+/// Collects the segments of all structures, kind by kind.
+class LinesDocument {
+ public:
+  explicit LinesDocument(const LinesOrder& order) : m_order(order) {
+    for (const std::string& kind : order.kinds)
+      m_kinds[kind] = {{"segments", Json::array()}, {"thresholds", Json::object()}};
+  }
+
+  void add(const model::MeshPtr& mesh) {
+    const model::SurfacePtr surface = model::prepareSurface(mesh);
+    const model::Bvh bvh(mesh, model::spatialOrder(*mesh));
+    render::LineRequest request;
+    request.contours = m_order.wants("contour") || m_order.wants("silhouette");
+    request.suggestive = m_order.wants("suggestive");
+    request.thresholds = render::suggestiveThresholds(m_order.gamma);
+    request.twoSided = render::needsTwoSides(*surface, m_order.camera);
+    const render::LineSet lines = render::extractLines(*surface, m_order.camera, request);
+    m_featureSize.push_back(surface->featureSize);
+
+    const auto visible = [&](const std::vector<render::Segment>& segments) {
+      return render::visibleSegments(*surface, bvh, m_order.camera, segments);
+    };
+    if (m_order.wants("contour"))
+      append("contour", lines.contours, visible(lines.contours));
+    if (m_order.wants("suggestive"))
+      append("suggestive", lines.suggestive, visible(lines.suggestive));
+    if (m_order.wants("silhouette")) {
+      const std::vector<bool> outline =
+          render::silhouetteSegments(*surface, bvh, m_order.camera, lines.contours);
+      std::vector<render::Segment> segments;
+      for (std::size_t i = 0; i < outline.size(); ++i)
+        if (outline[i])
+          segments.push_back(lines.contours[i]);
+      append("silhouette", segments, visible(segments));
+    }
+  }
+
+  std::string text() {
+    const render::LineThresholds thresholds = render::suggestiveThresholds(m_order.gamma);
+    Json sizes = Json::array();
+    for (const float size : m_featureSize)
+      sizes.push_back(jsonNumber(size));
+    const Json featureSize = sizes.size() == 1 ? sizes.front() : sizes;
+    for (auto& [name, kind] : m_kinds.items()) {
+      Json& used = kind["thresholds"];
+      used["gamma"] = jsonNumber(m_order.gamma.value());
+      if (name == "suggestive") {
+        used["t_d"] = jsonNumber(thresholds.minimumDerivative);
+        used["theta_c"] = jsonNumber(thresholds.minimumAngle);
+      }
+      used["feature_size_mm"] = featureSize;
+    }
+    return jsonText(Json{{"kinds", m_kinds}}) + "\n";
+  }
+
+ private:
+  void append(const char* kind, const std::vector<render::Segment>& segments,
+              const std::vector<bool>& visible) {
+    Json& list = m_kinds[kind]["segments"];
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      const render::Segment& s = segments[i];
+      list.push_back({{"a", jsonPoint(s.a)},
+                      {"b", jsonPoint(s.b)},
+                      {"opacity", jsonNumber(0.5f * (s.opacityA + s.opacityB))},
+                      {"visible", bool(visible[i])}});
+    }
+  }
+
+  const LinesOrder& m_order;
+  Json m_kinds = Json::object();
+  std::vector<float> m_featureSize;
+};
+
+Exit runLines(const LinesFlags& flags) {
+  const Result<LinesOrder> order = understoodLines(flags);
+  if (!order.ok())
+    return complain(order.error(), Exit::wrongUse);
+  Progress progress;
+  const Result<model::Imported> imported = readInputs(flags.input.inputs, order->import, progress);
+  if (!imported.ok())
+    return complain(imported.error(), Exit::failed);
+  LinesDocument document(*order);
+  for (const model::Node& node : imported->scene.nodes())
+    if (!node.isGroup())
+      document.add(node.mesh);
+  const Status written = writeText(flags.output, document.text());
+  return written.ok() ? Exit::done : complain(written.error(), Exit::failed);
+}
+
+void declareLines(CLI::App& command, LinesFlags& flags) {
+  command.add_option("MESH", flags.input.inputs, inputHelp)->required()->expected(1);
+  command.add_option("--camera", flags.camera, "A camera as in `sline render --camera`")
+      ->required()
+      ->type_name("FILE.json");
+  command
+      .add_option("--size", flags.size,
+                  "The picture's width and height in pixels; segments outside of it are kept")
+      ->required()
+      ->type_name("WxH");
+  command.add_option("-o,--output", flags.output, "Where to write the JSON")
+      ->required()
+      ->type_name("FILE.json");
+  command.add_option("--kinds", flags.kinds, "Which lines")
+      ->delimiter(',')
+      ->check(CLI::IsMember({kindNames[0], kindNames[1], kindNames[2]}))
+      ->type_name("contour,suggestive,silhouette")
+      ->default_str("contour,suggestive");
+  command.add_option("--gamma", flags.gamma, "Sets the thresholds of suggestive contours, above 1")
+      ->type_name("G")
+      ->capture_default_str();
+  command.add_option("--smooth", flags.input.smooth, smoothHelp)
+      ->type_name("auto|off|N")
+      ->default_str("off");
+  command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
+  command.footer(
+      "Writes {\"kinds\":{\"contour\":{\"segments\":[{\"a\":[x,y,z],\"b\":[x,y,z],\"opacity\":1,\n"
+      "\"visible\":true}, …],\"thresholds\":{…}}, …}}. `visible` tells whether the middle of the\n"
+      "segment can be seen past its own structure. Thresholds: t_d and theta_c (radians) with\n"
+      "which suggestive contours were kept, and F, the radius of the bounding sphere, that makes\n"
+      "them dimensionless (a list where the file holds several structures). With `--frame file`\n"
+      "the camera is in the file's coordinates too.");
+}
+
+}  // namespace
+
+void addLines(CLI::App& program, Exit& exit) {
+  addCommand<LinesFlags>(program, exit, {"lines", "Write the line segments of a mesh as JSON"},
+                         declareLines, runLines);
+}
+
+}  // namespace sline::cli

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// The `sline` program: line illustrations of anatomy without a display.
+#include <exception>
+#include <new>
+
+#include "app/cli/command.h"
+
+namespace {
+
+using sline::cli::Exit;
+
+constexpr const char* description =
+    "Sline turns segmented anatomy into line drawings.\n"
+    "One number, gamma, sets how each structure is drawn: 0 silhouette, 1 contours, 2 suggestive\n"
+    "contours, 3 hatching, 4 with shading, 5 shaded surface. Positions are millimetres in the\n"
+    "patient frame LPS (+x to the patient's left, +y to the back, +z to the head).";
+constexpr const char* footer =
+    "Exit codes: 0 done (parts that are missing or broken are left out, with a warning);\n"
+    "1 nothing could be read, drawn or written; 2 wrong use.\n"
+    "`sline COMMAND --help` explains a command.";
+
+int run(int argc, char** argv) {
+  CLI::App program(description, "sline");
+  program.footer(footer);
+  program.set_version_flag("--version", "sline " SLINE_VERSION);
+  program.require_subcommand(1);
+  program.get_formatter()->column_width(34);
+
+  Exit exit = Exit::done;
+  sline::cli::addRender(program, exit);
+  sline::cli::addLines(program, exit);
+  sline::cli::addCurvature(program, exit);
+  sline::cli::addInfo(program, exit);
+  sline::cli::addDemo(program, exit);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& message) {
+    return program.exit(message) == 0 ? int(Exit::done) : int(Exit::wrongUse);
+  }
+  return int(exit);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::cerr << "sline: there is not enough memory. Close other programs or draw fewer parts.\n";
+  } catch (const std::exception& failure) {
+    std::cerr << "sline: a library failed: " << failure.what() << ".\n";
+  }
+  return int(Exit::failed);
+}

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/picture_flags.h"
+
+#include <algorithm>
+#include <array>
+
+#include "app/cli/camera_file.h"
+#include "app/cli/image_file.h"
+#include "app/cli/names.h"
+#include "model/edit/style.h"
+#include "render/gpu/headless/context.h"
+
+namespace sline::cli {
+
+namespace {
+
+/// "VALUE" or "NAME=VALUE" for each text.
+template <class T, class Parse>
+Status parseAssignments(const std::vector<std::string>& texts, const Parse& parse,
+                        std::vector<Assignment<T>>& assignments) {
+  for (const std::string& text : texts) {
+    const std::optional<NamedValue> named = splitNamed(text);
+    const Result<T> value = parse(named ? named->value : text);
+    if (!value.ok())
+      return value.error();
+    if (named && model::normalisedName(named->name).empty())
+      return Error{.reason = "\"" + text + "\" names no structure",
+                   .remedy = "Write NAME=" + named->value};
+    assignments.push_back({named ? std::optional<std::string>(named->name) : std::nullopt, *value});
+  }
+  return Unit{};
+}
+
+std::size_t depthOf(const model::Scene& scene, model::NodeId id) {
+  std::size_t depth = 0;
+  for (const model::Node* node = scene.find(id); node; node = scene.find(node->parent))
+    ++depth;
+  return depth;
+}
+
+/// One patch for one node and all below it.
+struct Patch {
+  model::NodeId node;
+  std::size_t depth = 0;  ///< 0: the root
+  model::Style style;
+};
+
+template <class T>
+Status collect(const model::Scene& scene, const std::vector<Assignment<T>>& assignments,
+               std::optional<T> model::Style::*field, std::vector<Patch>& patches) {
+  for (const Assignment<T>& assignment : assignments) {
+    model::Style style;
+    style.*field = assignment.value;
+    if (!assignment.name) {
+      patches.push_back({model::rootId, 0, style});
+      continue;
+    }
+    const auto ids = nodesNamed(scene, *assignment.name);
+    if (!ids.ok())
+      return ids.error();
+    for (const model::NodeId id : *ids)
+      patches.push_back({id, depthOf(scene, id), style});
+  }
+  return Unit{};
+}
+
+std::vector<model::NodeId> allBelow(const model::Scene& scene, model::NodeId id) {
+  std::vector<model::NodeId> ids;
+  for (const model::Node& node : scene.nodes())
+    if (scene.isBelow(node.id, id))
+      ids.push_back(node.id);
+  return ids;
+}
+
+Result<model::Scene> withOnly(const model::Scene& scene, const std::vector<std::string>& names) {
+  std::vector<model::NodeId> shown;
+  for (const std::string& name : names) {
+    const auto ids = nodesNamed(scene, name);
+    if (!ids.ok())
+      return ids.error();
+    shown.insert(shown.end(), ids->begin(), ids->end());
+  }
+  return model::withOnlyVisible(scene, shown).scene;
+}
+
+/// Fits the camera to the vertices themselves; a slanted structure leaves much of its box empty.
+model::Camera fittedToVisible(const model::Scene& scene, const model::Camera& camera,
+                              float aspect) {
+  std::vector<glm::vec3> points;
+  for (const model::Node& node : scene.nodes())
+    if (!node.isGroup() && scene.resolve(node.id).visible)
+      points.insert(points.end(), node.mesh->positions().begin(), node.mesh->positions().end());
+  return model::fitted(camera, points, aspect);
+}
+
+Error unknownView(const model::Scene& scene, const std::string& view) {
+  std::vector<std::string> names(model::anatomicalViewNames.begin(),
+                                 model::anatomicalViewNames.end());
+  for (const model::View& saved : scene.views())
+    names.push_back(saved.name);
+  Error error = unknownName("view", view, names);
+  std::string all;
+  for (const std::string& name : names)
+    all += (all.empty() ? "" : ", ") + name;
+  error.remedy = "There are: " + all;
+  return error;
+}
+
+}  // namespace
+
+Result<PictureOrder> understood(const PictureFlags& flags) {
+  PictureOrder order;
+  order.output = flags.output;
+  order.view = flags.view;
+  order.only = flags.only;
+  if (Status named = checkImageName(flags.output); !named.ok())
+    return named.error();
+  const Result<Size> size = parseSize(flags.size);
+  if (!size.ok())
+    return size.error();
+  order.size = *size;
+  const Result<render::Background> background = parseBackground(flags.background);
+  if (!background.ok())
+    return background.error();
+  order.background = *background;
+  if (!flags.fill.empty()) {
+    const Result<model::Fill> fill = parseFill(flags.fill);
+    if (!fill.ok())
+      return fill.error();
+    order.fill = *fill;
+  }
+  if (Status parsed = parseAssignments(flags.gammas, parseGamma, order.gammas); !parsed.ok())
+    return parsed.error();
+  if (Status parsed = parseAssignments(flags.colours, parseColour, order.colours); !parsed.ok())
+    return parsed.error();
+  for (const Assignment<Colour>& assignment : order.colours)
+    if (!assignment.name)
+      return Error{.reason = "a colour is given without the name of a structure or group",
+                   .remedy = "Write NAME=#rrggbb"};
+  if (!flags.cameraFile.empty()) {
+    const Result<model::Camera> camera = readCamera(flags.cameraFile);
+    if (!camera.ok())
+      return camera.error();
+    order.camera = *camera;
+  }
+  return order;
+}
+
+Result<model::Scene> styled(const model::Scene& scene, const PictureOrder& order) {
+  std::vector<Patch> patches;
+  if (order.fill) {
+    model::Style style;
+    style.fill = order.fill;
+    patches.push_back({model::rootId, 0, style});
+  }
+  if (Status ok = collect(scene, order.gammas, &model::Style::gamma, patches); !ok.ok())
+    return ok.error();
+  if (Status ok = collect(scene, order.colours, &model::Style::colour, patches); !ok.ok())
+    return ok.error();
+  std::stable_sort(patches.begin(), patches.end(),
+                   [](const Patch& a, const Patch& b) { return a.depth < b.depth; });
+  model::Scene result = scene;
+  for (const Patch& patch : patches)
+    result = model::withStyle(result, allBelow(scene, patch.node), patch.style).scene;
+  return order.only.empty() ? result : withOnly(result, order.only);
+}
+
+Result<model::Camera> cameraFor(const model::Scene& scene, const PictureOrder& order) {
+  if (order.camera)
+    return *order.camera;
+  const std::string wanted = model::normalisedName(order.view);
+  for (const model::View& saved : scene.views())
+    if (model::normalisedName(saved.name) == wanted)
+      return saved.camera;
+  const auto view = model::anatomicalViewNamed(wanted);
+  if (!view)
+    return unknownView(scene, order.view);
+  const float aspect = order.size.aspect();
+  return fittedToVisible(scene, model::anatomicalCamera(*view, scene.visibleBounds(), aspect),
+                         aspect);
+}
+
+Status drawToFile(const model::Scene& scene, const model::Camera& camera, const PictureOrder& order,
+                  Progress& progress) {
+  if (scene.visibleBounds().empty())
+    warn("no structure is visible: the picture is empty");
+  const auto context = render::gpu::HeadlessContext::create();
+  if (!context.ok())
+    return context.error();
+  progress.note("Drawing with " + (*context)->driver());
+  const auto picture = render::Picture::create();
+  if (!picture.ok())
+    return picture.error();
+  progress.show(0.0, "preparing surfaces");
+  (*picture)->prepare(scene);
+  progress.show(0.5, "drawing");
+  const Result<render::Image> image = (*picture)->render(
+      scene, camera,
+      {.width = order.size.width, .height = order.size.height, .background = order.background});
+  if (!image.ok())
+    return image.error();
+  progress.show(0.9, "writing " + order.output);
+  return writeImage(*image, order.output);
+}
+
+}  // namespace sline::cli

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+// The flags that say how a scene is drawn, shared by `render` and `demo`.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/progress.h"
+#include "app/cli/values.h"
+#include "model/base/result.h"
+#include "model/scene/scene.h"
+#include "render/picture/picture.h"
+
+namespace sline::cli {
+
+/// As typed.
+struct PictureFlags {
+  std::string output;
+  std::string size = "1280x720";
+  std::string view = "anterior";
+  std::string cameraFile;
+  std::string fill;
+  std::string background = "white";
+  std::vector<std::string> gammas;
+  std::vector<std::string> colours;
+  std::vector<std::string> only;
+};
+
+/// A value for all structures (no name) or for those of that name.
+template <class T>
+struct Assignment {
+  std::optional<std::string> name;
+  T value;
+};
+
+/// Understood, but not yet held against a scene.
+struct PictureOrder {
+  std::string output;
+  Size size;
+  render::Background background = render::Background::white;
+  std::optional<model::Camera> camera;  ///< from a file; else `view`
+  std::string view;
+  std::optional<model::Fill> fill;
+  std::vector<Assignment<Gamma>> gammas;
+  std::vector<Assignment<Colour>> colours;
+  std::vector<std::string> only;
+};
+
+/// An error is a wrong use, here and in the next two.
+Result<PictureOrder> understood(const PictureFlags& flags);
+/// The scene with styles and visibility as ordered. A group's value holds for all in it; what is
+/// said of a structure or an inner group wins over what is said of a group around it, whatever the
+/// order of the flags.
+Result<model::Scene> styled(const model::Scene& scene, const PictureOrder& order);
+/// The camera of the file; else the saved view of that name, else the anatomical view fitted to
+/// the visible structures.
+Result<model::Camera> cameraFor(const model::Scene& scene, const PictureOrder& order);
+
+/// Draws without a display and writes the file.
+Status drawToFile(const model::Scene& scene, const model::Camera& camera, const PictureOrder& order,
+                  Progress& progress);
+
+}  // namespace sline::cli

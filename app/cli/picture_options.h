@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/picture_flags.h"
+
+namespace sline::cli {
+
+/// Declares the flags of `PictureFlags` on a sub-command.
+inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
+  const auto many = [](CLI::Option* option) {
+    return option->take_all()->type_size(1)->expected(1, CLI::detail::expected_max_vector_size);
+  };
+  command
+      .add_option("-o,--output", flags.output,
+                  "The picture: png, tiff, exr or jpg by its extension")
+      ->required()
+      ->type_name("FILE");
+  command.add_option("--size", flags.size, "Width and height in pixels, 16 to 20000 each")
+      ->type_name("WxH")
+      ->capture_default_str();
+  CLI::Option* view = command
+                          .add_option("--view", flags.view,
+                                      "anterior, posterior, left, right, superior or inferior, "
+                                      "fitted to what is visible; or a saved view of the scene")
+                          ->type_name("NAME")
+                          ->capture_default_str();
+  command
+      .add_option("--camera", flags.cameraFile,
+                  "A camera in millimetres, LPS: {\"projection\":\"perspective\",\"eye\":[x,y,z],"
+                  "\"target\":[x,y,z],\"up\":[x,y,z],\"fovy_deg\":30}, or \"orthographic\" with "
+                  "\"height_mm\"")
+      ->type_name("FILE.json")
+      ->excludes(view);
+  many(command.add_option("--gamma", flags.gammas,
+                          "0 silhouette … 5 shaded surface, for all (--gamma 2) or for a structure "
+                          "or group (--gamma liver=4); may be given again"))
+      ->type_name("[NAME=]G");
+  many(command.add_option("--only", flags.only,
+                          "Draws these structures and groups alone; may be given again"))
+      ->type_name("NAME");
+  many(command.add_option("--color,--colour", flags.colours,
+                          "The colour of a structure, or of all in a group"))
+      ->type_name("NAME=#rrggbb");
+  command
+      .add_option("--fill", flags.fill,
+                  "What hides behind unfilled structures: none lets it show through, paper hides "
+                  "it, tint hides it behind a thin wash of colour")
+      ->type_name("none|paper|tint");
+  command.add_option("--background", flags.background, "What lies behind the drawing")
+      ->type_name("white|paper|dark|transparent")
+      ->capture_default_str();
+}
+
+}  // namespace sline::cli

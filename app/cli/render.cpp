@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// `sline render`: files in, a picture out.
+#include "app/cli/command.h"
+#include "app/cli/picture_options.h"
+
+namespace sline::cli {
+
+namespace {
+
+struct RenderFlags {
+  InputFlags input;
+  PictureFlags picture;
+};
+
+Exit runRender(const RenderFlags& flags) {
+  const Result<model::ImportOptions> options = importOptions(flags.input);
+  if (!options.ok())
+    return complain(options.error(), Exit::wrongUse);
+  const Result<PictureOrder> order = understood(flags.picture);
+  if (!order.ok())
+    return complain(order.error(), Exit::wrongUse);
+
+  Progress progress;
+  const Result<model::Imported> imported = readInputs(flags.input.inputs, *options, progress);
+  if (!imported.ok())
+    return complain(imported.error(), Exit::failed);
+  const Result<model::Scene> scene = styled(imported->scene, *order);
+  if (!scene.ok())
+    return complain(scene.error(), Exit::wrongUse);
+  const Result<model::Camera> camera = cameraFor(*scene, *order);
+  if (!camera.ok())
+    return complain(camera.error(), Exit::wrongUse);
+  const Status drawn = drawToFile(*scene, *camera, *order, progress);
+  if (!drawn.ok()) {
+    progress.wipe();
+    return complain(drawn.error(), Exit::failed);
+  }
+  return Exit::done;
+}
+
+void declareRender(CLI::App& command, RenderFlags& flags) {
+  command.add_option("INPUT", flags.input.inputs, inputHelp)->required();
+  addPictureOptions(command, flags.picture);
+  command.add_option("--smooth", flags.input.smooth, smoothHelp)
+      ->type_name("auto|off|N")
+      ->default_str("auto");
+  command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
+  command.footer(
+      "NAME is a structure's or a group's name (`sline info` lists them); case and the difference\n"
+      "between space, '_' and '-' do not matter. A group's value holds for all in it; the "
+      "innermost\n"
+      "name wins. Name the inputs first: --only, --gamma and --color take all that follows them, "
+      "up\n"
+      "to the next flag.\n\n"
+      "  sline render pelvis/ -o pelvis.png --gamma 1 --gamma bladder=4 --view anterior\n"
+      "  sline render liver.stl -o liver.tiff --size 4000x3000 --background transparent");
+}
+
+}  // namespace
+
+void addRender(CLI::App& program, Exit& exit) {
+  addCommand<RenderFlags>(program, exit, {"render", "Draw a picture of meshes, folders and scenes"},
+                          declareRender, runRender);
+}
+
+}  // namespace sline::cli

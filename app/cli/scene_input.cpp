@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/scene_input.h"
+
+#include "app/cli/values.h"
+
+namespace sline::cli {
+
+Result<model::ImportOptions> importOptions(const InputFlags& flags) {
+  model::ImportOptions options;
+  if (!flags.frame.empty()) {
+    const auto frame = parseFrame(flags.frame);
+    if (!frame.ok())
+      return frame.error();
+    options.frame = *frame;
+  }
+  if (!flags.smooth.empty()) {
+    const auto smoothing = parseSmoothing(flags.smooth);
+    if (!smoothing.ok())
+      return smoothing.error();
+    options.smoothing = *smoothing;
+  }
+  return options;
+}
+
+Result<model::Imported> readInputs(const std::vector<std::string>& inputs,
+                                   const model::ImportOptions& options, Progress& progress) {
+  const std::vector<std::filesystem::path> paths(inputs.begin(), inputs.end());
+  auto imported =
+      model::importInputs(paths, options, [&progress](double done, const std::string& what) {
+        progress.show(done, what);
+        return true;
+      });
+  progress.wipe();
+  if (!imported.ok())
+    return imported;
+  for (const model::ImportWarning& warning : imported->report.warnings)
+    warn(warning.file.empty() ? warning.reason : warning.file + ": " + warning.reason);
+  return imported;
+}
+
+}  // namespace sline::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reading what a sub-command works on: the same flags and the same messages everywhere.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/progress.h"
+#include "model/base/result.h"
+#include "model/import/import.h"
+
+namespace sline::cli {
+
+/// As typed; empty texts leave the importer's own choice.
+struct InputFlags {
+  std::vector<std::string> inputs;
+  std::string frame;
+  std::string smooth;
+};
+
+/// The importer's options; an error is a wrong use.
+Result<model::ImportOptions> importOptions(const InputFlags& flags);
+
+/// Imports with progress on a terminal and passes each warning on to standard error.
+Result<model::Imported> readInputs(const std::vector<std::string>& inputs,
+                                   const model::ImportOptions& options, Progress& progress);
+
+}  // namespace sline::cli

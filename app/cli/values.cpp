@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/values.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace sline::cli {
+
+namespace {
+
+template <class T>
+struct Choice {
+  std::string_view name;
+  T value;
+};
+
+constexpr std::array<Choice<model::Frame>, 3> frames{
+    {{"LPS", model::Frame::lps}, {"RAS", model::Frame::ras}, {"file", model::Frame::file}}};
+constexpr std::array<Choice<model::Fill>, 3> fills{
+    {{"none", model::Fill::none}, {"paper", model::Fill::paper}, {"tint", model::Fill::tint}}};
+constexpr std::array<Choice<render::Background>, 4> backgrounds{
+    {{"white", render::Background::white},
+     {"paper", render::Background::paper},
+     {"dark", render::Background::dark},
+     {"transparent", render::Background::transparent}}};
+
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+}
+
+bool sameIgnoringCase(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return lower(x) == lower(y); });
+}
+
+Error wrong(std::string_view what, std::string_view text, std::string_view right) {
+  return Error{.reason = std::string(what) + " \"" + std::string(text) + "\" is not understood",
+               .remedy = "Give " + std::string(right)};
+}
+
+template <class T, std::size_t N>
+Result<T> parseChoice(const std::array<Choice<T>, N>& choices, std::string_view what,
+                      std::string_view text) {
+  std::string names = "one of";
+  for (const Choice<T>& choice : choices) {
+    if (sameIgnoringCase(choice.name, text))
+      return choice.value;
+    names += (&choice == &choices.front() ? " " : ", ") + std::string(choice.name);
+  }
+  return wrong(what, text, names);
+}
+
+/// The whole text as a number, in any locale.
+template <class T>
+std::optional<T> number(std::string_view text) {
+  T value{};
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (failure != std::errc{} || end != text.data() + text.size())
+    return std::nullopt;
+  return value;
+}
+
+int hexDigit(char c) {
+  if (c >= '0' && c <= '9')
+    return c - '0';
+  const char small = lower(c);
+  return small >= 'a' && small <= 'f' ? small - 'a' + 10 : -1;
+}
+
+}  // namespace
+
+Result<Size> parseSize(std::string_view text) {
+  const std::string right = "WIDTHxHEIGHT in pixels, each from " + std::to_string(smallestSide) +
+                            " to " + std::to_string(largestSide) + ", such as 1920x1080";
+  const std::size_t cut = text.find_first_of("xX");
+  if (cut == std::string_view::npos)
+    return wrong("size", text, right);
+  const auto width = number<int>(text.substr(0, cut));
+  const auto height = number<int>(text.substr(cut + 1));
+  if (!width || !height)
+    return wrong("size", text, right);
+  const auto [low, high] = std::minmax(*width, *height);
+  if (low < smallestSide || high > largestSide)
+    return Error{.reason = "size " + std::string(text) + " is out of range",
+                 .remedy = "Give " + right};
+  return Size{*width, *height};
+}
+
+Result<Gamma> parseGamma(std::string_view text) {
+  constexpr std::string_view right =
+      "a number from 0 (silhouette) to 5 (shaded surface), or NAME=NUMBER for one structure or "
+      "group";
+  const auto value = number<float>(text);
+  if (!value)
+    return wrong("gamma", text, right);
+  const auto gamma = Gamma::from(*value);
+  if (!gamma)
+    return Error{.reason = "gamma " + std::string(text) + " is out of range",
+                 .remedy = "Give " + std::string(right)};
+  return *gamma;
+}
+
+Result<Colour> parseColour(std::string_view text) {
+  constexpr std::string_view right = "NAME=#rrggbb, such as liver=#a0523c";
+  if (text.size() != 7 || text.front() != '#')
+    return wrong("colour", text, right);
+  std::array<int, 6> digits{};
+  std::transform(text.begin() + 1, text.end(), digits.begin(), hexDigit);
+  if (std::find(digits.begin(), digits.end(), -1) != digits.end())
+    return wrong("colour", text, right);
+  const auto channel = [&digits](std::size_t i) {
+    return std::uint8_t(16 * digits[2 * i] + digits[2 * i + 1]);
+  };
+  return Colour{channel(0), channel(1), channel(2)};
+}
+
+Result<model::Frame> parseFrame(std::string_view text) {
+  return parseChoice(frames, "frame", text);
+}
+
+Result<model::Smoothing> parseSmoothing(std::string_view text) {
+  using Mode = model::Smoothing::Mode;
+  if (sameIgnoringCase(text, "auto"))
+    return model::Smoothing{Mode::automatic, 0};
+  if (sameIgnoringCase(text, "off"))
+    return model::Smoothing{Mode::off, 0};
+  constexpr std::string_view right = "auto, off or a number of smoothing steps from 1 to 1000";
+  const auto steps = number<int>(text);
+  if (!steps)
+    return wrong("smoothing", text, right);
+  if (*steps < 1 || *steps > 1000)
+    return Error{.reason = "smoothing " + std::string(text) + " is out of range",
+                 .remedy = "Give " + std::string(right)};
+  return model::Smoothing{Mode::steps, *steps};
+}
+
+Result<model::Fill> parseFill(std::string_view text) {
+  return parseChoice(fills, "fill", text);
+}
+
+Result<render::Background> parseBackground(std::string_view text) {
+  return parseChoice(backgrounds, "background", text);
+}
+
+std::optional<NamedValue> splitNamed(std::string_view text) {
+  const std::size_t cut = text.rfind('=');
+  if (cut == std::string_view::npos)
+    return std::nullopt;
+  return NamedValue{std::string(text.substr(0, cut)), std::string(text.substr(cut + 1))};
+}
+
+std::string_view frameName(model::Frame frame) {
+  for (const auto& choice : frames)
+    if (choice.value == frame)
+      return choice.name;
+  return {};
+}
+
+}  // namespace sline::cli

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// The values that flags take, parsed with messages that say what would have been right.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "model/base/result.h"
+#include "model/base/units.h"
+#include "model/import/import.h"
+#include "model/scene/style.h"
+#include "render/picture/picture.h"
+
+namespace sline::cli {
+
+/// A picture's width and height in pixels.
+struct Size {
+  int width = 1280;
+  int height = 720;
+  float aspect() const { return float(width) / float(height); }
+};
+inline constexpr int smallestSide = 16;
+inline constexpr int largestSide = 20000;
+
+/// "1920x1080"; both sides within [smallestSide, largestSide].
+Result<Size> parseSize(std::string_view text);
+/// "2.5", within [0, 5].
+Result<Gamma> parseGamma(std::string_view text);
+/// "#rrggbb".
+Result<Colour> parseColour(std::string_view text);
+/// "LPS", "RAS" or "file"; case is ignored.
+Result<model::Frame> parseFrame(std::string_view text);
+/// "auto", "off" or a number of steps from 1 to 1000.
+Result<model::Smoothing> parseSmoothing(std::string_view text);
+Result<model::Fill> parseFill(std::string_view text);
+Result<render::Background> parseBackground(std::string_view text);
+
+/// "NAME=VALUE", cut at the last '='; nothing where there is none.
+struct NamedValue {
+  std::string name;
+  std::string value;
+};
+std::optional<NamedValue> splitNamed(std::string_view text);
+
+std::string_view frameName(model::Frame frame);
+
+}  // namespace sline::cli

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Installs what building and testing needs from Debian 12's own packages; does nothing where all is
+# there. Works as root or through sudo.
+set -euo pipefail
+
+packages=(
+  # compiler, build, checks
+  build-essential cmake ninja-build ccache git pkg-config clang clang-format clang-tidy
+  # Qt (tests so far), meshes and volumes, pixel files
+  qt6-base-dev libvtk9-dev libopenmesh-dev
+  libopenimageio-dev openimageio-tools libopencv-dev
+  # OpenGL without a display
+  libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri
+  # small libraries
+  libtbb-dev libglm-dev nlohmann-json3-dev libcli11-dev libpugixml-dev
+)
+
+missing=()
+for package in "${packages[@]}"; do
+  state=$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null || true)
+  [ "$state" = "install ok installed" ] || missing+=("$package")
+done
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || {
+    echo "Missing packages: ${missing[*]}. Install them as root, or install sudo." >&2
+    exit 1
+  }
+  as_root=(sudo)
+fi
+echo "Installing ${#missing[@]} packages: ${missing[*]}" >&2
+export DEBIAN_FRONTEND=noninteractive
+"${as_root[@]}" apt-get update -qq >&2
+"${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one door to threads: parallel loops on the desktop (oneTBB behind parallel_tbb.cpp), the same
+// loops in order on the web (parallel_serial.cpp). No thread is assumed anywhere else.
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+
+namespace sline {
+
+namespace detail {
+using ChunkFunction = void (*)(const void* context, std::size_t begin, std::size_t end);
+void parallelChunksErased(std::size_t count, std::size_t grain, ChunkFunction function,
+                          const void* context);
+}  // namespace detail
+
+/// Calls body(begin, end) for disjoint ranges that together cover [0, count); ranges hold about
+/// `grain` items or more. Ranges may run at the same time and in any order; returns when all ran.
+template <class Body>
+void parallelChunks(std::size_t count, std::size_t grain, const Body& body) {
+  detail::parallelChunksErased(
+      count, grain,
+      [](const void* context, std::size_t begin, std::size_t end) {
+        (*static_cast<const Body*>(context))(begin, end);
+      },
+      &body);
+}
+
+/// Calls body(i) for every i in [0, count), in parallel.
+template <class Body>
+void parallelFor(std::size_t count, std::size_t grain, const Body& body) {
+  parallelChunks(count, grain, [&body](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      body(i);
+  });
+}
+
+}  // namespace sline

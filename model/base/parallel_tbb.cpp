@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include "model/base/parallel.h"
+
+namespace sline::detail {
+
+void parallelChunksErased(std::size_t count, std::size_t grain, ChunkFunction function,
+                          const void* context) {
+  if (count == 0)
+    return;
+  if (count <= grain) {
+    function(context, 0, count);
+    return;
+  }
+  oneapi::tbb::parallel_for(
+      oneapi::tbb::blocked_range<std::size_t>(0, count, grain),
+      [function, context](const auto& range) { function(context, range.begin(), range.end()); });
+}
+
+}  // namespace sline::detail

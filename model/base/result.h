@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cassert>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace sline {
+
+/// What the world did wrong (a file, a driver, a disk), told so that a person can act on it. Bugs
+/// assert instead. Every part but `reason` may be empty.
+struct Error {
+  std::string file;    ///< which file, as the user named it
+  std::string where;   ///< the place in it: "line 12", "byte 84", "node vtkMRMLModelNode4"
+  std::string reason;  ///< what is wrong: "the header promises 400 points, the file ends after 12"
+  std::string remedy;  ///< what to do: "export the mesh again"
+
+  /// One line: "FILE: WHERE: REASON. REMEDY."
+  std::string text() const;
+  bool operator==(const Error&) const = default;
+};
+
+/// A value or the reason why there is none.
+template <class T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : m_state(std::in_place_index<0>, std::move(value)) {}
+  Result(Error error) : m_state(std::in_place_index<1>, std::move(error)) {}
+
+  bool ok() const { return m_state.index() == 0; }
+  explicit operator bool() const { return ok(); }
+
+  T& value() & {
+    assert(ok());
+    return *std::get_if<0>(&m_state);
+  }
+  const T& value() const& {
+    assert(ok());
+    return *std::get_if<0>(&m_state);
+  }
+  T&& value() && {
+    assert(ok());
+    return std::move(*std::get_if<0>(&m_state));
+  }
+  T* operator->() { return &value(); }
+  const T* operator->() const { return &value(); }
+  T& operator*() & { return value(); }
+  const T& operator*() const& { return value(); }
+
+  const Error& error() const {
+    assert(!ok());
+    return *std::get_if<1>(&m_state);
+  }
+
+ private:
+  std::variant<T, Error> m_state;
+};
+
+struct Unit {};
+/// Success without a value, or the reason of the failure.
+using Status = Result<Unit>;
+
+}  // namespace sline

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "model/demo/implicit.h"
+#include "model/geometry/mesh.h"
+
+namespace sline::model {
+
+/// The surface field = 0 within the box (which it must not touch) as a closed mesh with outward
+/// normals and edges of about `edge` mm: flying edges, then vertices are spread evenly within the
+/// surface and put back onto it, so that triangles are near equilateral and curvature is smooth.
+MeshPtr polygonise(const Field& field, const Box& box, float edge);
+
+}  // namespace sline::model

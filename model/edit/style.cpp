@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/edit/style.h"
+
+#include <algorithm>
+#include <unordered_set>
+
+namespace sline::model {
+
+namespace {
+
+template <class T>
+void patchField(std::optional<T>& field, const std::optional<T>& patch) {
+  if (patch)
+    field = patch;
+}
+
+/// A copy of the scene with change(node) called for the named nodes.
+template <class Change>
+Edited withNodes(const Scene& scene, std::span<const NodeId> ids, const Change& change) {
+  std::vector<Node> nodes = scene.nodes();
+  for (Node& node : nodes)
+    if (std::find(ids.begin(), ids.end(), node.id) != ids.end())
+      change(node);
+  Edited edited{scene, nodes != scene.nodes()};
+  if (edited.changed)
+    edited.scene.setNodes(std::move(nodes));
+  return edited;
+}
+
+}  // namespace
+
+Edited withStyle(const Scene& scene, std::span<const NodeId> ids, const Style& patch) {
+  return withNodes(scene, ids, [&patch](Node& node) {
+    patchField(node.style.colour, patch.colour);
+    patchField(node.style.inkColour, patch.inkColour);
+    patchField(node.style.gamma, patch.gamma);
+    patchField(node.style.opacity, patch.opacity);
+    patchField(node.style.fill, patch.fill);
+    patchField(node.style.visible, patch.visible);
+    patchField(node.style.penWeight, patch.penWeight);
+  });
+}
+
+Edited withStyleReset(const Scene& scene, std::span<const NodeId> ids) {
+  return withNodes(scene, ids, [](Node& node) { node.style = Style{}; });
+}
+
+Edited withOnlyVisible(const Scene& scene, std::span<const NodeId> ids) {
+  std::unordered_set<std::uint64_t> shown;  // the structures, and all that stands above them
+  for (const NodeId id : ids)
+    for (const NodeId structure : scene.structuresBelow(id))
+      for (const Node* node = scene.find(structure); node && shown.insert(node->id.value).second;
+           node = scene.find(node->parent)) {
+      }
+  std::vector<Node> nodes = scene.nodes();
+  for (Node& node : nodes) {
+    const bool show = shown.contains(node.id.value);
+    if (show && node.style.visible == false)
+      node.style.visible = true;
+    // Below a hidden group nothing needs hiding, and all comes back with the group.
+    const bool parentShown = node.parent == rootId || shown.contains(node.parent.value);
+    if (!show && parentShown)
+      node.style.visible = false;
+  }
+  Edited edited{scene, nodes != scene.nodes()};
+  if (edited.changed)
+    edited.scene.setNodes(std::move(nodes));
+  return edited;
+}
+
+}  // namespace sline::model

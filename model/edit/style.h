@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Edits of style: Scene → Scene. `changed` is false where the edit made no difference, so that a
+// no-op leaves no undo step and no repaint.
+#pragma once
+
+#include <span>
+
+#include "model/scene/scene.h"
+
+namespace sline::model {
+
+struct Edited {
+  Scene scene;
+  bool changed = false;
+};
+
+/// Sets those fields of the nodes' own styles that `patch` answers; unknown ids are ignored.
+Edited withStyle(const Scene& scene, std::span<const NodeId> ids, const Style& patch);
+/// Clears the nodes' own styles, so that they inherit everything again.
+Edited withStyleReset(const Scene& scene, std::span<const NodeId> ids);
+/// Shows exactly the structures at or below the nodes: everything else is hidden, groups above the
+/// shown ones are made visible.
+Edited withOnlyVisible(const Scene& scene, std::span<const NodeId> ids);
+
+}  // namespace sline::model

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/geometry/bvh.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "model/base/parallel.h"
+
+namespace sline::model {
+
+namespace {
+constexpr std::size_t trianglesPerLeaf = 4;
+constexpr glm::vec3 noDirection(0.0f);
+
+/// Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection" (1997), both sides.
+std::optional<Hit> intersect(const Ray& ray, const Mesh& mesh, std::uint32_t triangle) {
+  const auto& [a, b, c] = mesh.triangles()[triangle];
+  const glm::vec3 p0 = mesh.positions()[a];
+  const glm::vec3 e1 = mesh.positions()[b] - p0;
+  const glm::vec3 e2 = mesh.positions()[c] - p0;
+  const glm::vec3 h = glm::cross(ray.direction, e2);
+  const float determinant = glm::dot(e1, h);
+  if (determinant == 0.0f)
+    return std::nullopt;
+  const float inverse = 1.0f / determinant;
+  const glm::vec3 s = ray.origin - p0;
+  const float u = glm::dot(s, h) * inverse;
+  if (!(u >= 0.0f && u <= 1.0f))
+    return std::nullopt;
+  const glm::vec3 q = glm::cross(s, e1);
+  const float v = glm::dot(ray.direction, q) * inverse;
+  if (!(v >= 0.0f && u + v <= 1.0f))
+    return std::nullopt;
+  const float t = glm::dot(e2, q) * inverse;
+  if (!(t >= ray.nearest && t <= ray.farthest))
+    return std::nullopt;
+  return Hit{.t = t, .triangle = triangle, .u = u, .v = v};
+}
+
+std::size_t leafStart(std::size_t leaf, std::size_t leaves, std::size_t triangles) {
+  return leaf * triangles / leaves;
+}
+}  // namespace
+
+Bvh::Bvh(MeshPtr mesh, std::vector<std::uint32_t> order)
+    : m_mesh(std::move(mesh)), m_order(std::move(order)) {
+  if (m_order.empty())
+    return;
+  m_leafCount =
+      std::uint32_t(std::bit_ceil((m_order.size() + trianglesPerLeaf - 1) / trianglesPerLeaf));
+  m_nodes.resize(2 * std::size_t(m_leafCount) - 1);
+  parallelFor(m_leafCount, 2048, [&](std::size_t leaf) {
+    Box box;
+    const std::size_t end = leafStart(leaf + 1, m_leafCount, m_order.size());
+    for (std::size_t i = leafStart(leaf, m_leafCount, m_order.size()); i < end; ++i)
+      for (const std::uint32_t v : m_mesh->triangles()[m_order[i]])
+        box.add(m_mesh->positions()[v]);
+    m_nodes[m_leafCount - 1 + leaf] = {box.low, box.high};
+  });
+  for (std::size_t i = m_leafCount - 1; i-- > 0;)
+    m_nodes[i] = {glm::min(m_nodes[2 * i + 1].low, m_nodes[2 * i + 2].low),
+                  glm::max(m_nodes[2 * i + 1].high, m_nodes[2 * i + 2].high)};
+}
+
+/// Calls visit(triangle, ray) front to back; visit shortens the ray to skip what lies behind and
+/// returns true to stop.
+template <class Visit>
+void Bvh::traverse(const Ray& ray, const Visit& visit) const {
+  if (m_nodes.empty() || ray.direction == noDirection)
+    return;
+  Ray r = ray;
+  const glm::vec3 inverse = 1.0f / r.direction;
+  const auto entry = [&](std::size_t node) {
+    const glm::vec3 t0 = (m_nodes[node].low - r.origin) * inverse;
+    const glm::vec3 t1 = (m_nodes[node].high - r.origin) * inverse;
+    // fmin/fmax drop the NaN of 0·∞ on a slab's own plane.
+    float near = r.nearest;
+    float far = r.farthest;
+    for (glm::length_t k = 0; k < 3; ++k) {
+      near = std::fmax(near, std::fmin(t0[k], t1[k]));
+      far = std::fmin(far, std::fmax(t0[k], t1[k]) * 1.0000004f);
+    }
+    return near <= far ? near : std::numeric_limits<float>::infinity();
+  };
+  std::array<std::uint32_t, 64> stack{};
+  std::size_t depth = 0;
+  if (std::isfinite(entry(0)))
+    stack[depth++] = 0;
+  while (depth > 0) {
+    const std::size_t node = stack[--depth];
+    if (node >= m_leafCount - 1) {
+      const std::size_t leaf = node - (m_leafCount - 1);
+      const std::size_t end = leafStart(leaf + 1, m_leafCount, m_order.size());
+      for (std::size_t i = leafStart(leaf, m_leafCount, m_order.size()); i < end; ++i)
+        if (visit(m_order[i], r))
+          return;
+      continue;
+    }
+    std::size_t nearer = 2 * node + 1;
+    std::size_t farther = 2 * node + 2;
+    float nearEntry = entry(nearer);
+    float farEntry = entry(farther);
+    if (farEntry < nearEntry) {
+      std::swap(nearer, farther);
+      std::swap(nearEntry, farEntry);
+    }
+    if (std::isfinite(farEntry))
+      stack[depth++] = std::uint32_t(farther);
+    if (std::isfinite(nearEntry))
+      stack[depth++] = std::uint32_t(nearer);
+  }
+}
+
+std::optional<Hit> Bvh::nearest(const Ray& ray) const {
+  std::optional<Hit> best;
+  traverse(ray, [&](std::uint32_t triangle, Ray& r) {
+    if (const auto hit = intersect(r, *m_mesh, triangle)) {
+      best = hit;
+      r.farthest = hit->t;
+    }
+    return false;
+  });
+  return best;
+}
+
+bool Bvh::blocked(const Ray& ray) const {
+  bool found = false;
+  traverse(ray, [&](std::uint32_t triangle, Ray& r) {
+    found = intersect(r, *m_mesh, triangle).has_value();
+    return found;
+  });
+  return found;
+}
+
+}  // namespace sline::model

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// A bounding-volume hierarchy for rays: a balanced binary tree over the spatial order, so that
+// building it is a few passes over the triangles.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "model/geometry/mesh.h"
+
+namespace sline::model {
+
+/// origin + t·direction for t in [nearest, farthest]; the direction need not be a unit vector.
+struct Ray {
+  glm::vec3 origin{0.0f};
+  glm::vec3 direction{0.0f, 0.0f, 1.0f};
+  float nearest = 0.0f;
+  float farthest = std::numeric_limits<float>::infinity();
+};
+
+struct Hit {
+  float t = 0.0f;
+  std::uint32_t triangle = 0;
+  float u = 0.0f;  ///< barycentric weights of the triangle's second and third vertex
+  float v = 0.0f;
+};
+
+class Bvh {
+ public:
+  Bvh(MeshPtr mesh, std::vector<std::uint32_t> order);
+
+  /// The first hit along the ray; both sides of a triangle count.
+  std::optional<Hit> nearest(const Ray& ray) const;
+  /// True where anything lies on the ray.
+  bool blocked(const Ray& ray) const;
+
+ private:
+  struct Bounds {
+    glm::vec3 low;
+    glm::vec3 high;
+  };
+  template <class Visit>
+  void traverse(const Ray& ray, const Visit& visit) const;
+
+  MeshPtr m_mesh;
+  std::vector<std::uint32_t> m_order;
+  std::vector<Bounds> m_nodes;    ///< node i has children 2i+1 and 2i+2
+  std::uint32_t m_leafCount = 0;  ///< a power of two
+};
+
+}  // namespace sline::model

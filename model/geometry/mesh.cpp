@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/geometry/mesh.h"
+
+#include <cmath>
+#include <glm/common.hpp>
+#include <string>
+
+namespace sline::model {
+
+void Box::add(const glm::vec3& p) {
+  low = glm::min(low, p);
+  high = glm::max(high, p);
+}
+
+void Box::add(const Box& other) {
+  low = glm::min(low, other.low);
+  high = glm::max(high, other.high);
+}
+
+namespace {
+bool finite(const glm::vec3& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+}  // namespace
+
+Result<Mesh> Mesh::create(std::vector<glm::vec3> positions, std::vector<Triangle> triangles) {
+  constexpr std::size_t limit = std::size_t(1) << 31;
+  if (positions.size() >= limit || triangles.size() >= limit)
+    return Error{.reason = "the mesh has more than 2^31 vertices or triangles",
+                 .remedy = "Simplify it or split it into parts"};
+  Mesh mesh;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (!finite(positions[i]))
+      return Error{.where = "vertex " + std::to_string(i),
+                   .reason = "a coordinate is not a finite number",
+                   .remedy = "Export the mesh again or remove this vertex"};
+    mesh.m_bounds.add(positions[i]);
+  }
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    for (const std::uint32_t vertex : triangles[i])
+      if (vertex >= positions.size())
+        return Error{.where = "triangle " + std::to_string(i),
+                     .reason = "it uses vertex " + std::to_string(vertex) +
+                               ", but there are only " + std::to_string(positions.size()),
+                     .remedy = "Export the mesh again"};
+  mesh.m_positions = std::move(positions);
+  mesh.m_triangles = std::move(triangles);
+  return mesh;
+}
+
+}  // namespace sline::model

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// All that is computed once per mesh (METHOD §2) and then only read: what line extraction and
+// drawing start from.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "model/geometry/clusters.h"
+#include "model/geometry/curvature.h"
+#include "model/geometry/mesh.h"
+
+namespace sline::model {
+
+struct Surface {
+  MeshPtr mesh;
+  std::vector<glm::vec3> normals;  ///< unit, outward; one per vertex
+  Curvature curvature;
+  Clusters clusters;
+  Sphere boundingSphere;
+  float featureSize = 0.0f;   ///< F: radius of the bounding sphere, mm
+  float filigreeSize = 0.0f;  ///< F_c = min(F, median of 1/max(|κ1|, |κ2|)), mm (METHOD §1)
+  float meanEdge = 0.0f;      ///< mm
+  bool closed = false;        ///< every edge has two triangles
+};
+using SurfacePtr = std::shared_ptr<const Surface>;
+
+SurfacePtr prepareSurface(MeshPtr mesh, const CurvatureOptions& options = {});
+
+}  // namespace sline::model

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/geometry/topology.h"
+
+#include <algorithm>
+#include <atomic>
+#include <numeric>
+
+#include "model/base/parallel.h"
+
+namespace sline::model {
+
+VertexFaces::VertexFaces(const Mesh& mesh)
+    : m_first(mesh.vertexCount() + 1, 0), m_faces(3 * mesh.triangleCount()) {
+  const auto triangles = mesh.triangles();
+  for (const Triangle& t : triangles)
+    for (const std::uint32_t v : t)
+      ++m_first[v];
+  // Exclusive sums, shifted by the fill below to become the start of each row.
+  std::exclusive_scan(m_first.begin(), m_first.end(), m_first.begin(), 0u);
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+    for (const std::uint32_t v : triangles[f])
+      m_faces[m_first[v]++] = std::uint32_t(f);
+  for (std::size_t v = mesh.vertexCount(); v > 0; --v)
+    m_first[v] = m_first[v - 1];
+  m_first[0] = 0;
+}
+
+namespace {
+struct Neighbour {
+  std::uint32_t vertex;
+  std::uint32_t uses;
+};
+
+void countNeighbour(std::vector<Neighbour>& neighbours, std::uint32_t vertex) {
+  for (Neighbour& n : neighbours)
+    if (n.vertex == vertex) {
+      ++n.uses;
+      return;
+    }
+  neighbours.push_back({vertex, 1});
+}
+}  // namespace
+
+EdgeCount countEdges(const Mesh& mesh, const VertexFaces& vertexFaces) {
+  std::atomic<std::size_t> open = 0;
+  std::atomic<std::size_t> nonManifold = 0;
+  parallelChunks(mesh.vertexCount(), 8192, [&](std::size_t begin, std::size_t end) {
+    std::vector<Neighbour> neighbours;
+    std::size_t openHere = 0;
+    std::size_t nonManifoldHere = 0;
+    for (std::size_t v = begin; v < end; ++v) {
+      neighbours.clear();
+      for (const std::uint32_t f : vertexFaces[v])
+        for (const std::uint32_t w : mesh.triangles()[f])
+          if (w > v)  // each edge once, at its lower vertex
+            countNeighbour(neighbours, w);
+      for (const Neighbour& n : neighbours) {
+        openHere += n.uses == 1;
+        nonManifoldHere += n.uses > 2;
+      }
+    }
+    open += openHere;
+    nonManifold += nonManifoldHere;
+  });
+  return {.open = open, .nonManifold = nonManifold};
+}
+
+Components connectedComponents(const Mesh& mesh) {
+  // Union-find over vertices with path halving.
+  std::vector<std::uint32_t> parent(mesh.vertexCount());
+  std::iota(parent.begin(), parent.end(), 0u);
+  const auto root = [&parent](std::uint32_t v) {
+    while (parent[v] != v)
+      v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (const Triangle& t : mesh.triangles())
+    for (const std::uint32_t v : {t[1], t[2]}) {
+      const std::uint32_t first = root(t[0]);
+      const std::uint32_t other = root(v);
+      parent[std::max(first, other)] = std::min(first, other);
+    }
+  constexpr std::uint32_t unnumbered = ~0u;
+  std::vector<std::uint32_t> number(mesh.vertexCount(), unnumbered);
+  Components components;
+  components.ofTriangle.reserve(mesh.triangleCount());
+  for (const Triangle& t : mesh.triangles()) {
+    std::uint32_t& n = number[root(t[0])];
+    if (n == unnumbered)
+      n = std::uint32_t(components.count++);
+    components.ofTriangle.push_back(n);
+  }
+  return components;
+}
+
+}  // namespace sline::model

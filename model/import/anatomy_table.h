@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// The texts of resources/anatomy, compiled in so that the program needs no folder at run time.
+#pragma once
+
+#include <string_view>
+
+namespace sline::model {
+
+std::string_view anatomySystemsText();
+std::string_view anatomyStructuresText();
+
+}  // namespace sline::model

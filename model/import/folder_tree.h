@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts → scene: the tree of groups, names that differ, colours.
+#pragma once
+
+#include <vector>
+
+#include "model/import/anatomy_names.h"
+#include "model/import/parts.h"
+
+namespace sline::model {
+
+/// A scene keeps its own groups. A folder's groups are its sub-folders, else those of a part-of
+/// table, else the systems of the body by the structures' names; loose files are grouped like the
+/// latter, or by the groups inside them. Groups that hold one group only are left out.
+Scene buildScene(std::vector<Part> parts, const Sources& sources, const AnatomyTable& table);
+
+}  // namespace sline::model

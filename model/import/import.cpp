@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/import/import.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+
+#include "model/import/anatomy_names.h"
+#include "model/import/folder_tree.h"
+#include "model/import/laterality.h"
+#include "model/import/parts.h"
+#include "model/import/sources.h"
+
+namespace sline::model {
+
+namespace {
+
+Box boxOf(const std::vector<glm::vec3>& positions) {
+  Box box;
+  for (const glm::vec3& p : positions)
+    box.add(p);
+  return box;
+}
+
+class FrameDecision {
+ public:
+  FrameDecision(std::vector<Part>& parts, const Sources& sources, const ImportOptions& options)
+      : m_parts(parts), m_sources(sources), m_options(options) {}
+
+  void run(ImportReport& report) {
+    const FrameVote vote = voteOf([](const Part& part) { return !part.raw.yUp; },
+                                  [&](const Part& part) { return isSilent(part); });
+    const std::optional<Frame> voted = vote.winner();
+    report.frame = voted.value_or(Frame::lps);
+    report.frameReason = voted ? vote.text() : "no header and no left/right names: LPS assumed";
+    bool silent = false;
+    for (Part& part : m_parts) {
+      silent = silent || isSilent(part);
+      decide(part, report);
+    }
+    if (!silent && !m_parts.empty()) {
+      report.frame = m_parts.front().frame;
+      report.frameReason = m_parts.front().provenance.frameReason;
+    }
+    warnOfContradiction(report);
+  }
+
+ private:
+  const SlicerModel* modelOf(const Part& part) const {
+    const SourceFile& file = m_sources.files[part.file];
+    return file.model ? &m_sources.sources[file.source].scene->models[*file.model] : nullptr;
+  }
+  bool isSilent(const Part& part) const {
+    return !m_options.frame && !part.raw.yUp && !part.raw.frame && !modelOf(part);
+  }
+
+  void decide(Part& part, const ImportReport& report) const {
+    std::string& reason = part.provenance.frameReason;
+    const SlicerModel* model = modelOf(part);
+    if (m_options.frame) {
+      part.frame = *m_options.frame;
+      reason = "chosen by the user";
+    } else if (part.raw.yUp) {
+      part.frame = Frame::lps;
+      reason = "glTF: +y up, +x the patient's left";
+    } else if (part.raw.frame) {
+      part.frame = *part.raw.frame;
+      reason = "header: " + part.raw.frameReason;
+    } else if (model) {
+      part.frame = model->frame;
+      reason = model->frameReason;
+    } else {
+      part.frame = report.frame;
+      reason = report.frameReason;
+    }
+  }
+
+  template <class Wanted, class Also>
+  FrameVote voteOf(const Wanted& wanted, const Also& also) const {
+    std::vector<NamedPlace> places;
+    for (const Part& part : m_parts)
+      if (wanted(part) && also(part))
+        places.push_back({part.name, boxOf(part.raw.positions).centre().x});
+    return voteOnFrame(places);
+  }
+
+  /// Left and right must never be swapped silently: where names clearly say otherwise than the
+  /// header, the user is told.
+  void warnOfContradiction(ImportReport& report) const {
+    if (m_options.frame)
+      return;
+    for (const Frame frame : {Frame::lps, Frame::ras}) {
+      const FrameVote vote = voteOf([&](const Part& part) { return part.frame == frame; },
+                                    [&](const Part& part) { return !isSilent(part); });
+      const int against = frame == Frame::lps ? vote.ras : vote.lps;
+      const int agree = frame == Frame::lps ? vote.lps : vote.ras;
+      if (against >= 2 && against > 3 * agree)
+        report.warnings.push_back(
+            {"",
+             std::to_string(against) + " of " + std::to_string(against + agree) +
+                 " left/right names contradict the frame " + frameName(frame) +
+                 " that the files give; if left and right are swapped, choose the other frame"});
+    }
+  }
+
+  std::vector<Part>& m_parts;
+  const Sources& m_sources;
+  const ImportOptions& m_options;
+};
+
+/// Fixes each part's unit. Files without a unit of their own are taken as millimetres, but a body
+/// part smaller than 3 mm is one in metres.
+void decideUnits(std::vector<Part>& parts, const Sources& sources, const AnatomyTable& table,
+                 ImportReport& report) {
+  constexpr float smallestScene = 3.0f;
+  Box box;
+  bool anatomical = false;
+  const auto unitless = [&](const Part& part) {
+    return !part.raw.yUp && part.raw.millimetresPerUnit == 1.0f && part.frame != Frame::file &&
+           !sources.files[part.file].model;
+  };
+  for (Part& part : parts) {
+    part.unit = part.frame == Frame::file ? 1.0f : part.raw.millimetresPerUnit;
+    if (!unitless(part))
+      continue;
+    box.add(boxOf(part.raw.positions));
+    anatomical = anatomical || table.match(part.name).has_value();
+  }
+  if (box.empty() || !anatomical)
+    return;
+  const glm::vec3 size = box.size();
+  const float extent = std::max({size.x, size.y, size.z});
+  if (!(extent < smallestScene))
+    return;
+  for (Part& part : parts)
+    if (unitless(part))
+      part.unit = 1000.0f;
+  report.warnings.push_back({"", "everything together is only " + std::to_string(extent) +
+                                     " units large; the unit was taken as the metre (times 1000)"});
+}
+
+Error nothingRead(const Sources& sources, const ImportReport& report) {
+  if (sources.firstError)
+    return *sources.firstError;
+  if (report.warnings.empty())
+    return {.reason = "there is nothing to read", .remedy = "Name a mesh, a folder or a scene"};
+  const ImportWarning& first = report.warnings.front();
+  return {.file = first.file,
+          .reason = first.reason,
+          .remedy = sources.files.size() > 1 ? "None of the files could be read" : ""};
+}
+
+double expectedWork(const Sources& sources, const ImportOptions& options) {
+  double bytes = 1.0;
+  for (const SourceFile& file : sources.files)
+    bytes += double(file.bytes) + 1.0;
+  return options.smoothing.mode == Smoothing::Mode::off ? bytes : 1.4 * bytes;
+}
+
+}  // namespace
+
+Result<Imported> importInputs(std::span<const std::filesystem::path> inputs,
+                              const ImportOptions& options, const ImportProgress& progress) {
+  const Error cancelled{.reason = "the import was cancelled"};
+  const AnatomyTable table;
+  Imported imported;
+  ImportReport& report = imported.report;
+  const Sources sources = collectSources(inputs, options.limits);
+  report.warnings = sources.warnings;
+  ProgressMeter meter(progress, expectedWork(sources, options));
+
+  std::vector<Part> parts = loadParts(sources, options, meter, report.warnings);
+  if (meter.cancelled())
+    return cancelled;
+  if (parts.empty())
+    return nothingRead(sources, report);
+  FrameDecision(parts, sources, options).run(report);
+  decideUnits(parts, sources, table, report);
+  smoothParts(parts, sources, options.smoothing, meter);
+  if (meter.cancelled())
+    return cancelled;
+  placeParts(parts, sources, report.warnings);
+  if (parts.empty())
+    return nothingRead(sources, report);
+  if (options.frame) {
+    report.frame = *options.frame;
+    report.frameReason = "chosen by the user";
+  }
+  imported.scene = buildScene(std::move(parts), sources, table);
+  return imported;
+}
+
+}  // namespace sline::model

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files and folders in, a scene out: reads, decides frame and unit, repairs, smooths, groups and
+// colours by anatomical name. Every decision is reported.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/base/result.h"
+#include "model/import/raw_mesh.h"
+#include "model/scene/scene.h"
+
+namespace sline::model {
+
+/// `automatic` smooths what shows the steps of a label map and refines what is too coarse to draw;
+/// `off` leaves every vertex where the file has it; `steps` smooths everything that many times.
+struct Smoothing {
+  enum class Mode { automatic, off, steps } mode = Mode::automatic;
+  int steps = 0;
+};
+
+struct ImportOptions {
+  std::optional<Frame> frame;  ///< overrides header and vote
+  Smoothing smoothing;
+  bool repair = true;
+  ReadLimits limits;
+};
+
+/// Called from any thread with done in [0, 1]; return false to cancel.
+using ImportProgress = std::function<bool(float done, const std::string& what)>;
+
+struct ImportReport {
+  Frame frame = Frame::lps;  ///< of the inputs that had no header of their own
+  std::string frameReason;   ///< "header", "vote: 20 of 22 left/right names", …
+  std::vector<ImportWarning> warnings;
+};
+
+struct Imported {
+  Scene scene;
+  ImportReport report;
+};
+
+/// Reads mesh files, folders of them and 3D Slicer scenes into one scene. Parts that cannot be read
+/// are left out with a warning; an error only where nothing at all could be read.
+Result<Imported> importInputs(std::span<const std::filesystem::path> inputs,
+                              const ImportOptions& options, const ImportProgress& progress = {});
+
+}  // namespace sline::model

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Names as people read them, and what they say about sides.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sline::model {
+
+/// A file's stem as a name: leading catalogue ids ("FJ3152_FMA16586_", "Model_51_", "VH_M_") go,
+/// underscores become spaces. A stem that is nothing but an id stays as it is.
+std::string readableName(std::string_view stem);
+/// A name given in a file, treated like a stem; empty where a program only signs its work
+/// ("Visualization Toolkit generated SLA File").
+std::string nameInFile(std::string_view name);
+
+/// Lower-case words in the singular: "Rib6_left" → rib, 6, left; "kidneyCysts" → kidney, cyst.
+std::vector<std::string> nameWords(std::string_view name);
+
+enum class Side { none, left, right };
+/// The side a name says (left, right, l, r, lt, rt as a word of its own) and the name without it.
+struct SidedName {
+  Side side = Side::none;
+  std::string rest;
+};
+SidedName sidedName(std::string_view name);
+
+/// Gives later names equal to an earlier one (case ignored) a number: "rib", "rib 2", "rib 3".
+void makeUnique(std::vector<std::string>& names);
+
+}  // namespace sline::model

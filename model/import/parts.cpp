@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/import/parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
+#include <numeric>
+
+#include "model/base/parallel.h"
+#include "model/import/laterality.h"
+#include "model/import/names.h"
+#include "model/import/readers/readers.h"
+#include "model/import/repair.h"
+
+namespace sline::model {
+
+namespace {
+
+constexpr std::size_t atATime = 3;
+
+/// What one file gave.
+struct Loaded {
+  std::vector<Part> parts;
+  std::vector<ImportWarning> warnings;
+};
+
+std::string counted(int count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+void mend(Part& part, const std::string& file, std::vector<ImportWarning>& warnings) {
+  const RepairReport report = repair(part.raw.positions, part.raw.triangles);
+  part.provenance.repairedFaces = report.faces();
+  const std::string of = " of \"" + part.name + "\"";
+  if (report.degenerateFaces > 0)
+    warnings.push_back(
+        {file, counted(report.degenerateFaces, "face", "faces") + of + " without area left out"});
+  if (report.duplicateFaces > 0)
+    warnings.push_back(
+        {file, counted(report.duplicateFaces, "face", "faces") + of + " given twice left out"});
+  if (report.notOrientable)
+    warnings.push_back(
+        {file, "a piece" + of + " has no consistent orientation; it stays as it is"});
+}
+
+Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& options) {
+  Loaded loaded;
+  const SourceFile& source = sources.files[index];
+  const std::string shown = source.file.filename().string();
+  Result<RawMeshes> read = readMeshFile(source.file, options.limits);
+  if (!read) {
+    Error error = read.error();
+    error.file.clear();
+    loaded.warnings.push_back({shown, error.text()});
+    return loaded;
+  }
+  loaded.warnings = std::move(read->warnings);
+  std::vector<RawMesh>& meshes = read->meshes;
+  for (RawMesh& raw : meshes) {
+    Part part;
+    part.file = index;
+    part.name = nameInFile(raw.name);
+    if (part.name.empty())
+      part.name = readableName(source.file.stem().string());
+    if (source.model) {
+      const SlicerModel& model = sources.sources[source.source].scene->models[*source.model];
+      part.name = meshes.size() == 1 ? model.name : model.name + " " + part.name;
+    }
+    part.raw = std::move(raw);
+    part.provenance.file = shown;
+    if (options.repair)
+      mend(part, shown, loaded.warnings);
+    if (part.raw.triangles.empty()) {
+      loaded.warnings.push_back({shown, "\"" + part.name + "\" has no face with area; left out"});
+      continue;
+    }
+    part.raw.positions.shrink_to_fit();
+    part.raw.triangles.shrink_to_fit();
+    if (options.smoothing.mode == Smoothing::Mode::automatic)
+      part.measure = measureSurface(part.raw.positions, part.raw.triangles);
+    loaded.parts.push_back(std::move(part));
+  }
+  return loaded;
+}
+
+/// File coordinates → millimetres LPS.
+glm::vec3 placed(const glm::vec3& p, const Part& part, const std::optional<glm::dmat4>& toWorld) {
+  glm::vec3 q = part.raw.yUp ? uprightToLps(p) : p;
+  q *= part.unit;
+  if (part.frame == Frame::ras)
+    q = halfTurn(q);
+  if (!toWorld)
+    return q;
+  const glm::dvec4 ras(-double(q.x), -double(q.y), double(q.z), 1.0);
+  const glm::dvec4 world = *toWorld * ras;
+  return {float(-world.x), float(-world.y), float(world.z)};
+}
+
+}  // namespace
+
+void ProgressMeter::add(double amount, const std::string& what) {
+  const std::lock_guard lock(m_mutex);
+  m_done += amount;
+  if (m_progress && !m_cancelled && !m_progress(float(std::min(1.0, m_done / m_total)), what))
+    m_cancelled = true;
+}
+
+void forFewAtATime(const std::vector<std::size_t>& order, const ProgressMeter& meter,
+                   const std::function<void(std::size_t)>& body) {
+  std::atomic<std::size_t> next = 0;
+  parallelFor(std::min(atATime, order.size()), 1, [&](std::size_t) {
+    for (std::size_t i = next++; i < order.size() && !meter.cancelled(); i = next++)
+      body(order[i]);
+  });
+}
+
+std::vector<Part> loadParts(const Sources& sources, const ImportOptions& options,
+                            ProgressMeter& meter, std::vector<ImportWarning>& warnings) {
+  std::vector<std::size_t> order(sources.files.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  // Large files first, so that none is left to the end while a core waits.
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return sources.files[a].bytes > sources.files[b].bytes;
+  });
+  std::vector<Loaded> loaded(sources.files.size());
+  forFewAtATime(order, meter, [&](std::size_t i) {
+    loaded[i] = loadFile(sources, i, options);
+    meter.add(double(sources.files[i].bytes) + 1.0, sources.files[i].file.filename().string());
+  });
+  std::vector<Part> parts;
+  for (Loaded& one : loaded) {
+    std::move(one.parts.begin(), one.parts.end(), std::back_inserter(parts));
+    std::move(one.warnings.begin(), one.warnings.end(), std::back_inserter(warnings));
+  }
+  return parts;
+}
+
+void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothing& smoothing,
+                 ProgressMeter& meter) {
+  if (smoothing.mode == Smoothing::Mode::off)
+    return;
+  std::vector<VoxelGrid> grids(parts.size());
+  for (std::size_t source = 0; source < sources.sources.size(); ++source) {
+    std::vector<std::size_t> members;
+    std::vector<SurfaceMeasure> measures;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (sources.files[parts[i].file].source == source) {
+        members.push_back(i);
+        measures.push_back(parts[i].measure);
+      }
+    const std::vector<VoxelGrid> common = commonGrids(measures);
+    for (std::size_t k = 0; k < members.size(); ++k)
+      grids[members[k]] = common[k];
+  }
+  std::vector<std::size_t> order(parts.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return parts[a].raw.triangles.size() > parts[b].raw.triangles.size();
+  });
+  forFewAtATime(order, meter, [&](std::size_t i) {
+    Part& part = parts[i];
+    const double bytes = double(part.raw.triangles.size()) * 6.0;
+    const Smoothed done = smooth(part.raw.positions, part.raw.triangles, grids[i], smoothing);
+    part.provenance.smoothingSteps = done.smoothingSteps;
+    part.provenance.refinementSteps = done.refinementSteps;
+    part.provenance.displacementMm = done.displacement * part.unit;
+    meter.add(bytes, part.name);
+  });
+}
+
+void placeParts(std::vector<Part>& parts, const Sources& sources,
+                std::vector<ImportWarning>& warnings) {
+  for (Part& part : parts) {
+    const SourceFile& source = sources.files[part.file];
+    std::optional<glm::dmat4> toWorld;
+    if (source.model)
+      toWorld = sources.sources[source.source].scene->models[*source.model].toWorld;
+    part.provenance.frame = frameName(part.frame);
+    if (part.frame != Frame::file) {
+      for (glm::vec3& p : part.raw.positions)
+        p = placed(p, part, toWorld);
+      if (toWorld) {
+        const double scale = glm::determinant(glm::dmat3(*toWorld));
+        part.provenance.displacementMm *= float(std::cbrt(std::abs(scale)));
+        if (scale < 0.0)
+          for (Triangle& t : part.raw.triangles)
+            std::swap(t[1], t[2]);
+      }
+    }
+    Result<Mesh> mesh = Mesh::create(std::move(part.raw.positions), std::move(part.raw.triangles));
+    if (mesh)
+      part.mesh = std::make_shared<const Mesh>(std::move(*mesh));
+    else
+      warnings.push_back(
+          {part.provenance.file, "\"" + part.name + "\" was left out: " + mesh.error().text()});
+    part.raw.positions = {};
+    part.raw.triangles = {};
+  }
+  std::erase_if(parts, [](const Part& part) { return !part.mesh; });
+}
+
+}  // namespace sline::model

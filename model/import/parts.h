@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Surfaces under way from their files to the scene.
+#pragma once
+
+#include <atomic>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/import/import.h"
+#include "model/import/smoothing.h"
+#include "model/import/sources.h"
+#include "model/scene/scene.h"
+
+namespace sline::model {
+
+/// One surface. `raw` holds positions and triangles until `mesh` takes them.
+struct Part {
+  std::size_t file = 0;  ///< in Sources::files
+  std::string name;
+  RawMesh raw;
+  SurfaceMeasure measure;
+  Frame frame = Frame::lps;
+  float unit = 1.0f;  ///< millimetres per unit, a guessed one included
+  Provenance provenance;
+  MeshPtr mesh;
+};
+
+/// Counts what is done and asks the user's function whether to go on; any thread may call it.
+class ProgressMeter {
+ public:
+  ProgressMeter(const ImportProgress& progress, double total)
+      : m_progress(progress), m_total(total) {}
+  void add(double amount, const std::string& what);
+  bool cancelled() const { return m_cancelled; }
+
+ private:
+  const ImportProgress& m_progress;
+  double m_total;
+  std::mutex m_mutex;
+  double m_done = 0.0;
+  std::atomic<bool> m_cancelled = false;
+};
+
+/// Calls body(i) for i in `order`, a few at a time only, so that memory stays bounded; stops early
+/// where the meter says so.
+void forFewAtATime(const std::vector<std::size_t>& order, const ProgressMeter& meter,
+                   const std::function<void(std::size_t)>& body);
+
+/// Reads and mends all files; parts come in the files' order. What fails becomes a warning.
+std::vector<Part> loadParts(const Sources& sources, const ImportOptions& options,
+                            ProgressMeter& meter, std::vector<ImportWarning>& warnings);
+
+/// Smooths and refines each part by the grid it shares with the parts of its source.
+void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothing& smoothing,
+                 ProgressMeter& meter);
+
+/// Brings each part to millimetres LPS by its frame, unit and transform, and makes its mesh.
+void placeParts(std::vector<Part>& parts, const Sources& sources,
+                std::vector<ImportWarning>& warnings);
+
+}  // namespace sline::model

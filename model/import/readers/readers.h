@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// One function per file format: a file → the surfaces in it, in the file's own coordinates. Each
+// returns an error naming file, place, reason and remedy where nothing can be read, never throws,
+// never allocates more than a small multiple of the file's size, and parses numbers independently
+// of the locale.
+#pragma once
+
+#include <filesystem>
+
+#include "model/import/raw_mesh.h"
+
+namespace sline::model {
+
+Result<RawMeshes> readObj(const std::filesystem::path& file, const ReadLimits& limits);
+Result<RawMeshes> readStl(const std::filesystem::path& file, const ReadLimits& limits);
+Result<RawMeshes> readPly(const std::filesystem::path& file, const ReadLimits& limits);
+Result<RawMeshes> readOff(const std::filesystem::path& file, const ReadLimits& limits);
+Result<RawMeshes> readLegacyVtk(const std::filesystem::path& file, const ReadLimits& limits);
+Result<RawMeshes> readVtp(const std::filesystem::path& file, const ReadLimits& limits);
+Result<RawMeshes> readGltf(const std::filesystem::path& file, const ReadLimits& limits);
+
+/// True for an extension one of the readers knows (case ignored).
+bool isMeshFile(const std::filesystem::path& file);
+/// Picks the reader by extension; an unsupported kind is an error that lists the supported ones.
+Result<RawMeshes> readMeshFile(const std::filesystem::path& file, const ReadLimits& limits = {});
+
+}  // namespace sline::model

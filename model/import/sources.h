@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the user named, as the list of files to read.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/import/import.h"
+#include "model/import/slicer_scene.h"
+
+namespace sline::model {
+
+struct ImportSource {
+  enum class Kind { files, folder, slicer } kind = Kind::files;
+  std::filesystem::path path;        ///< of the folder or scene
+  std::optional<SlicerScene> scene;  ///< kind slicer
+};
+
+struct SourceFile {
+  std::filesystem::path file;
+  std::size_t source = 0;            ///< in Sources::sources
+  std::vector<std::string> folders;  ///< below the folder named, as they are called
+  std::optional<std::size_t> model;  ///< in the scene's models
+  std::uintmax_t bytes = 0;
+};
+
+struct Sources {
+  std::vector<ImportSource> sources;  ///< all mesh files named one by one are one source
+  std::vector<SourceFile> files;
+  std::vector<ImportWarning> warnings;
+  std::optional<Error> firstError;  ///< of an input that gave nothing
+};
+
+/// Inputs that cannot be used become warnings; `firstError` tells about the first of them.
+Sources collectSources(std::span<const std::filesystem::path> inputs, const ReadLimits& limits);
+
+}  // namespace sline::model

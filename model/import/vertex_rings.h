@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "model/import/half_edges.h"
+
+namespace sline::model {
+
+/// The neighbours of each vertex along edges (compressed sparse rows), and which vertices lie on an
+/// edge that has not exactly two triangles.
+class VertexRings {
+ public:
+  VertexRings(std::size_t vertexCount, std::span<const Triangle> triangles, const HalfEdges& edges);
+
+  std::size_t vertexCount() const { return m_border.size(); }
+  std::span<const std::uint32_t> operator[](std::size_t vertex) const {
+    return {m_neighbours.data() + m_first[vertex], m_neighbours.data() + m_first[vertex + 1]};
+  }
+  bool onBorder(std::size_t vertex) const { return m_border[vertex] != 0; }
+  /// Mean length of the edges; 0 without edges.
+  float meanEdge(std::span<const glm::vec3> positions) const;
+
+ private:
+  std::vector<std::uint32_t> m_first;
+  std::vector<std::uint32_t> m_neighbours;
+  std::vector<char> m_border;
+};
+
+/// Unit vertex normals weighted by area, for measuring; vertices without faces get (0, 0, 0).
+std::vector<glm::vec3> areaNormals(std::span<const glm::vec3> positions,
+                                   std::span<const Triangle> triangles);
+
+}  // namespace sline::model

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/import/windowed_sinc.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "model/base/parallel.h"
+
+namespace sline::model {
+
+namespace {
+
+constexpr std::size_t grain = 16384;
+
+/// The Chebyshev series at k: cos(n·acos(1 − k/2)) is T_n there.
+double response(const std::vector<double>& c, double k) {
+  const double theta = std::acos(1.0 - 0.5 * k);
+  double sum = 0.0;
+  for (std::size_t n = 0; n < c.size(); ++n)
+    sum += c[n] * std::cos(double(n) * theta);
+  return sum;
+}
+
+std::vector<double> seriesFor(double cutoff, int iterations) {
+  std::vector<double> c(std::size_t(iterations) + 1);
+  for (int n = 0; n <= iterations; ++n) {
+    const double window = 0.54 + 0.46 * std::cos(std::numbers::pi * n / (iterations + 1));
+    c[std::size_t(n)] = window * (n == 0 ? cutoff / std::numbers::pi
+                                         : 2.0 * std::sin(n * cutoff) / (n * std::numbers::pi));
+  }
+  return c;
+}
+
+}  // namespace
+
+std::vector<double> sincCoefficients(const SincFilter& filter) {
+  // The window rounds the step off; moving the cutoff outwards brings the response at the pass band
+  // back to 1 (Taubin et al. §4). It grows with the cutoff there, so bisection finds it.
+  const double band = std::acos(1.0 - 0.5 * double(filter.passBand));
+  double low = 0.0;
+  double high = std::numbers::pi - band;
+  for (int i = 0; i < 60; ++i) {
+    const double shift = 0.5 * (low + high);
+    const bool enough =
+        response(seriesFor(band + shift, filter.iterations), double(filter.passBand)) >= 0.995;
+    (enough ? high : low) = shift;
+  }
+  std::vector<double> c = seriesFor(band + high, filter.iterations);
+  const double atZero = response(c, 0.0);
+  for (double& value : c)
+    value /= atZero;
+  return c;
+}
+
+std::vector<glm::vec3> windowedSinc(std::span<const glm::vec3> positions, const VertexRings& rings,
+                                    const SincFilter& filter) {
+  const std::vector<double> c = sincCoefficients(filter);
+  const std::size_t count = positions.size();
+  // x_0 = x; x_1 = x − K·x/2; x_{n+1} = (2 − K)·x_n − x_{n−1} with K = 1 − mean over the ring.
+  std::vector<glm::vec3> before(positions.begin(), positions.end());
+  std::vector<glm::vec3> now(count);
+  std::vector<glm::vec3> sum(count);
+  const auto ringMean = [&](const std::vector<glm::vec3>& x, std::size_t v) {
+    glm::vec3 total(0.0f);
+    const auto ring = rings[v];
+    for (const std::uint32_t other : ring)
+      total += x[other];
+    return total / float(ring.size());
+  };
+  const auto isFixed = [&](std::size_t v) { return rings.onBorder(v) || rings[v].empty(); };
+  parallelFor(count, grain, [&](std::size_t v) {
+    now[v] = isFixed(v) ? before[v] : 0.5f * (before[v] + ringMean(before, v));
+    sum[v] = float(c[0]) * before[v] + float(c[1]) * now[v];
+  });
+  for (int n = 2; n <= filter.iterations; ++n) {
+    const float weight = float(c[std::size_t(n)]);
+    parallelFor(count, grain, [&](std::size_t v) {
+      const glm::vec3 next = isFixed(v) ? positions[v] : now[v] + ringMean(now, v) - before[v];
+      before[v] = next;
+      sum[v] += weight * next;
+    });
+    std::swap(before, now);
+  }
+  for (std::size_t v = 0; v < count; ++v)
+    if (isFixed(v))
+      sum[v] = positions[v];
+  return sum;
+}
+
+void averageOverRings(std::vector<float>& values, const VertexRings& rings, int times) {
+  std::vector<float> next(values.size());
+  for (int i = 0; i < times; ++i) {
+    parallelFor(values.size(), grain, [&](std::size_t v) {
+      float total = values[v];
+      for (const std::uint32_t other : rings[v])
+        total += values[other];
+      next[v] = total / float(1 + rings[v].size());
+    });
+    std::swap(values, next);
+  }
+}
+
+}  // namespace sline::model

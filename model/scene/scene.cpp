@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/scene/scene.h"
+
+#include <algorithm>
+#include <cassert>
+#include <unordered_set>
+
+namespace sline::model {
+
+namespace {
+
+using IdSet = std::unordered_set<std::uint64_t>;
+
+/// Calls visit(index, node) for the node and everything below it, in tree order; the root is above
+/// every node. One pass, because a parent stands before its children.
+template <class Visit>
+void forEachBelow(const std::vector<Node>& nodes, NodeId id, const Visit& visit) {
+  IdSet inside{id.value};
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Node& node = nodes[i];
+    if (node.id != id && !inside.contains(node.parent.value))
+      continue;
+    inside.insert(node.id.value);
+    visit(i, node);
+  }
+}
+
+/// Takes over what `own` answers and `style` has not heard from a node nearer to the leaf.
+void inherit(Style& style, const Style& own) {
+  const auto take = [](auto& target, const auto& source) {
+    if (!target)
+      target = source;
+  };
+  take(style.colour, own.colour);
+  take(style.inkColour, own.inkColour);
+  take(style.gamma, own.gamma);
+  take(style.opacity, own.opacity);
+  take(style.fill, own.fill);
+  take(style.penWeight, own.penWeight);
+}
+
+[[maybe_unused]] bool inTreeOrder(const std::vector<Node>& nodes) {
+  IdSet seen{rootId.value};
+  return std::all_of(nodes.begin(), nodes.end(), [&seen](const Node& node) {
+    return seen.contains(node.parent.value) && seen.insert(node.id.value).second;
+  });
+}
+
+}  // namespace
+
+const Node* Scene::find(NodeId id) const {
+  const auto found = std::find_if(m_nodes.begin(), m_nodes.end(),
+                                  [id](const Node& node) { return node.id == id; });
+  return found == m_nodes.end() ? nullptr : &*found;
+}
+
+std::vector<NodeId> Scene::children(NodeId parent) const {
+  std::vector<NodeId> ids;
+  for (const Node& node : m_nodes)
+    if (node.parent == parent)
+      ids.push_back(node.id);
+  return ids;
+}
+
+std::vector<NodeId> Scene::structuresBelow(NodeId id) const {
+  std::vector<NodeId> ids;
+  forEachBelow(m_nodes, id, [&ids](std::size_t, const Node& node) {
+    if (!node.isGroup())
+      ids.push_back(node.id);
+  });
+  return ids;
+}
+
+bool Scene::isBelow(NodeId id, NodeId ancestor) const {
+  for (;;) {
+    if (id == ancestor)
+      return true;
+    const Node* node = find(id);
+    if (!node)
+      return false;
+    id = node->parent;
+  }
+}
+
+std::string Scene::groupPath(NodeId id) const {
+  std::string path;
+  const Node* node = find(id);
+  while (node && (node = find(node->parent)) != nullptr)
+    path.insert(0, path.empty() ? node->name : node->name + " / ");
+  return path;
+}
+
+ResolvedStyle Scene::resolve(NodeId id) const {
+  Style style;
+  ResolvedStyle resolved;
+  for (const Node* node = find(id); node; node = find(node->parent)) {
+    inherit(style, node->style);
+    resolved.visible = resolved.visible && node->style.visible.value_or(true);
+  }
+  resolved.colour = style.colour.value_or(resolved.colour);
+  resolved.inkColour = style.inkColour;
+  resolved.gamma = style.gamma.value_or(resolved.gamma);
+  resolved.opacity = style.opacity.value_or(resolved.opacity);
+  resolved.fill = style.fill.value_or(resolved.fill);
+  resolved.penWeight = style.penWeight.value_or(resolved.penWeight);
+  return resolved;
+}
+
+std::vector<NodeId> Scene::named(std::string_view name) const {
+  const std::string wanted = normalisedName(name);
+  std::vector<NodeId> ids;
+  for (const Node& node : m_nodes)
+    if (normalisedName(node.name) == wanted)
+      ids.push_back(node.id);
+  return ids;
+}
+
+Box Scene::visibleBounds() const {
+  Box bounds;
+  for (const Node& node : m_nodes)
+    if (!node.isGroup() && !node.mesh->bounds().empty() && resolve(node.id).visible)
+      bounds.add(node.mesh->bounds());
+  return bounds;
+}
+
+NodeId Scene::append(Node node) {
+  std::size_t position = node.parent == rootId ? m_nodes.size() : 0;
+  if (node.parent != rootId)
+    forEachBelow(m_nodes, node.parent,
+                 [&position](std::size_t index, const Node&) { position = index + 1; });
+  assert(node.parent == rootId || position > 0);
+  node.id = NodeId{++m_lastId};
+  const NodeId id = node.id;
+  m_nodes.insert(m_nodes.begin() + std::ptrdiff_t(position), std::move(node));
+  return id;
+}
+
+void Scene::setNodes(std::vector<Node> nodes) {
+  assert(inTreeOrder(nodes));
+  m_nodes = std::move(nodes);
+  for (const Node& node : m_nodes)
+    m_lastId = std::max(m_lastId, node.id.value);
+}
+
+std::string normalisedName(std::string_view name) {
+  std::string normal;
+  for (const char c : name) {
+    const bool blank = c == ' ' || c == '_' || c == '-' || c == '\t';
+    if (!blank)
+      normal += (c >= 'A' && c <= 'Z') ? char(c - 'A' + 'a') : c;
+    else if (!normal.empty() && normal.back() != ' ')
+      normal += ' ';
+  }
+  if (!normal.empty() && normal.back() == ' ')
+    normal.pop_back();
+  return normal;
+}
+
+}  // namespace sline::model

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene is a value: a tree of groups and structures with their styles, copied freely because
+// meshes sit behind shared pointers. An edit is a function Scene → Scene (model/edit); undo is the
+// previous value; whoever draws or saves takes a copy and needs no lock.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/geometry/mesh.h"
+#include "model/scene/camera.h"
+#include "model/scene/style.h"
+
+namespace sline::model {
+
+/// Names a node for as long as the scene lives, through every edit and through undo.
+struct NodeId {
+  std::uint64_t value = 0;  ///< 0 is the invisible root
+  auto operator<=>(const NodeId&) const = default;
+};
+inline constexpr NodeId rootId{};
+
+/// Where a structure came from and what import did to it.
+struct Provenance {
+  std::string file;          ///< file name without its folder
+  std::string frame;         ///< "LPS", "RAS" or "file": how the file's coordinates were read
+  std::string frameReason;   ///< what decided it
+  int smoothingSteps = 0;    ///< 0: the mesh is the file's own
+  int refinementSteps = 0;   ///< Loop subdivisions
+  int repairedFaces = 0;     ///< turned, removed as duplicates or without area
+  float displacementMm = 0;  ///< the farthest any vertex moved
+  bool operator==(const Provenance&) const = default;
+};
+
+/// A group (no mesh) or a structure (a mesh).
+struct Node {
+  NodeId id;
+  NodeId parent = rootId;
+  std::string name;
+  Style style;
+  MeshPtr mesh;  ///< null for a group
+  Provenance provenance;
+
+  bool isGroup() const { return !mesh; }
+  bool operator==(const Node&) const = default;
+};
+
+/// A saved view.
+struct View {
+  std::string name;
+  Camera camera;
+  bool operator==(const View&) const = default;
+};
+
+/// Nodes stand in tree order: a parent before its children, siblings in their order on screen.
+class Scene {
+ public:
+  const std::vector<Node>& nodes() const { return m_nodes; }
+  const std::vector<View>& views() const { return m_views; }
+
+  /// Null where there is no such node (or for the root).
+  const Node* find(NodeId id) const;
+  std::vector<NodeId> children(NodeId parent) const;
+  /// Every structure at or below the node, in tree order; the root means all.
+  std::vector<NodeId> structuresBelow(NodeId id) const;
+  /// True for the node itself and for everything below it.
+  bool isBelow(NodeId id, NodeId ancestor) const;
+  /// "Group / Subgroup" above the node; empty at the top.
+  std::string groupPath(NodeId id) const;
+  /// The style with inheritance applied: the nearest answer upwards wins; a hidden group hides all
+  /// below it.
+  ResolvedStyle resolve(NodeId id) const;
+  /// Structures and groups of that name (case and the difference between space, '_' and '-' are
+  /// ignored).
+  std::vector<NodeId> named(std::string_view name) const;
+  /// Of all visible structures; empty where there are none.
+  Box visibleBounds() const;
+
+  /// Appends a node after the last descendant of its parent and gives it a fresh id.
+  NodeId append(Node node);
+  /// Replaces the nodes; asserts that ids are unique and parents come first.
+  void setNodes(std::vector<Node> nodes);
+  void setViews(std::vector<View> views) { m_views = std::move(views); }
+
+  bool operator==(const Scene&) const = default;
+
+ private:
+  std::vector<Node> m_nodes;
+  std::vector<View> m_views;
+  std::uint64_t m_lastId = 0;
+};
+
+/// Lower case, '_' and '-' as spaces, runs of spaces as one: how names are compared.
+std::string normalisedName(std::string_view name);
+
+}  // namespace sline::model

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a structure is drawn. A `Style` says only what its node says itself; what it leaves open
+// comes from the group above (`Scene::resolve`), and at the top from `ResolvedStyle`'s own
+// defaults.
+#pragma once
+
+#include <optional>
+
+#include "model/base/units.h"
+
+namespace sline::model {
+
+/// What hides behind an unfilled structure: nothing, all of it (in the background's colour), or all
+/// but a flat thin wash of the structure's colour (METHOD §7, interior).
+enum class Fill { none, paper, tint };
+
+struct Style {
+  std::optional<Colour> colour;
+  std::optional<Colour> inkColour;
+  std::optional<Gamma> gamma;
+  std::optional<Opacity> opacity;
+  std::optional<Fill> fill;
+  std::optional<bool> visible;
+  std::optional<float> penWeight;
+  bool operator==(const Style&) const = default;
+};
+
+/// A style with every question answered.
+struct ResolvedStyle {
+  Colour colour{200, 200, 200};
+  std::optional<Colour> inkColour;  ///< absent: black, on a dark background white
+  Gamma gamma = Gamma::clamped(2.0f);
+  Opacity opacity = Opacity::clamped(1.0f);
+  Fill fill = Fill::none;
+  bool visible = true;     ///< false also where a group above is hidden
+  float penWeight = 1.0f;  ///< times the scene's pen of 2 λ (METHOD §4)
+  bool operator==(const ResolvedStyle&) const = default;
+};
+
+}  // namespace sline::model

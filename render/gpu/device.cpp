@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/gpu/device.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "render/gpu/gl.h"
+
+namespace sline::render::gpu {
+
+namespace {
+
+std::string text(GLenum name) {
+  const auto* s = reinterpret_cast<const char*>(glGetString(name));
+  return s ? s : "";
+}
+
+void enable(GLenum what, bool on) {
+  if (on)
+    glEnable(what);
+  else
+    glDisable(what);
+}
+
+GLenum depthFunction(DepthTest test) {
+  switch (test) {
+    case DepthTest::less:
+      return GL_LESS;
+    case DepthTest::lessEqual:
+      return GL_LEQUAL;
+    case DepthTest::off:
+    case DepthTest::always:
+      break;
+  }
+  return GL_ALWAYS;
+}
+
+void applyBlend(Blend blend) {
+  enable(GL_BLEND, blend != Blend::off);
+  if (blend == Blend::over) {
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  } else if (blend == Blend::maximum) {
+    glBlendEquation(GL_MAX);
+    glBlendFunc(GL_ONE, GL_ONE);
+  }
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Device>> Device::create() {
+  std::unique_ptr<Device> device(new Device);
+  const std::string version = text(GL_VERSION);
+  if (version.empty())
+    return Error{.reason = "no OpenGL context is current",
+                 .remedy = "Make one current before asking for a picture"};
+  GLint major = 0;
+  GLint minor = 0;
+  glGetIntegerv(GL_MAJOR_VERSION, &major);
+  glGetIntegerv(GL_MINOR_VERSION, &minor);
+  const bool es = version.starts_with("OpenGL ES");
+  const std::string number = std::to_string(major) + "." + std::to_string(minor);
+  device->m_driver = text(GL_RENDERER) + (es ? ", OpenGL ES " : ", OpenGL ") + number;
+  if (es ? major < 3 : major * 10 + minor < 33)
+    return Error{.reason = "the driver " + device->m_driver +
+                           " is too old: OpenGL 3.3 or OpenGL ES 3.0 is needed",
+                 .remedy = "Update the graphics driver, or install Mesa (libgl1-mesa-dri)"};
+  device->m_dialect = es ? Dialect::es300 : Dialect::desktop330;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &device->m_limits.textureSide);
+  GLint viewport[2] = {0, 0};
+  glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
+  device->m_limits.viewportSide = std::min(viewport[0], viewport[1]);
+  return device;
+}
+
+void Device::clear(const Target& target, const Clear& what) {
+  glBindFramebuffer(GL_FRAMEBUFFER, target.handle());
+  enable(GL_SCISSOR_TEST, what.area.has_value());
+  if (what.area)
+    glScissor(what.area->x, what.area->y, what.area->width, what.area->height);
+  GLbitfield bits = 0;
+  if (what.colour) {
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glClearColor(what.colour->r, what.colour->g, what.colour->b, what.colour->a);
+    bits |= GL_COLOR_BUFFER_BIT;
+  }
+  if (what.depth) {
+    glDepthMask(GL_TRUE);
+#ifdef __EMSCRIPTEN__
+    glClearDepthf(*what.depth);
+#else
+    glClearDepth(double(*what.depth));
+#endif
+    bits |= GL_DEPTH_BUFFER_BIT;
+  }
+  glClear(bits);
+}
+
+void Device::apply(const Draw& draw) {
+  const DrawState& state = draw.state;
+  glBindFramebuffer(GL_FRAMEBUFFER, draw.target.handle());
+  glViewport(state.viewport.x, state.viewport.y, state.viewport.width, state.viewport.height);
+  enable(GL_SCISSOR_TEST, state.scissor.has_value());
+  if (state.scissor)
+    glScissor(state.scissor->x, state.scissor->y, state.scissor->width, state.scissor->height);
+  enable(GL_DEPTH_TEST, state.depth != DepthTest::off);
+  glDepthFunc(depthFunction(state.depth));
+  glDepthMask(state.writeDepth ? GL_TRUE : GL_FALSE);
+  const GLboolean colour = state.writeColour ? GL_TRUE : GL_FALSE;
+  glColorMask(colour, colour, colour, colour);
+  applyBlend(state.blend);
+  enable(GL_CULL_FACE, state.cull == Cull::back);
+  glCullFace(GL_BACK);
+  glFrontFace(GL_CCW);
+  glDisable(GL_STENCIL_TEST);
+  glUseProgram(draw.program.handle());
+  glBindVertexArray(draw.geometry.handle());
+}
+
+void Device::triangles(const Draw& draw, std::span<const DrawRange> ranges) {
+  if (ranges.empty())
+    return;
+  apply(draw);
+  for (const DrawRange& range : ranges) {
+    if (draw.geometry.indexed()) {
+      const std::size_t start = std::size_t(range.first) * sizeof(std::uint32_t);
+      // OpenGL takes the byte offset dressed as a pointer.
+      const void* offset =
+          reinterpret_cast<const void*>(start);  // NOLINT(performance-no-int-to-ptr)
+      glDrawElements(GL_TRIANGLES, GLsizei(range.count), GL_UNSIGNED_INT, offset);
+    } else {
+      glDrawArrays(GL_TRIANGLES, GLint(range.first), GLsizei(range.count));
+    }
+  }
+  glBindVertexArray(0);
+}
+
+void Device::quads(const Draw& draw, std::size_t instances) {
+  if (instances == 0)
+    return;
+  apply(draw);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(instances));
+  glBindVertexArray(0);
+}
+
+void Device::copyDepth(const Target& from, const Target& to, const Rect& area) {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, from.handle());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.handle());
+  glDisable(GL_SCISSOR_TEST);
+  glBlitFramebuffer(area.x, area.y, area.right(), area.top(), area.x, area.y, area.right(),
+                    area.top(), GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+}
+
+void Device::read(const Target& target, const Rect& area, std::span<std::byte> rgba) {
+  assert(rgba.size() >= std::size_t(area.width) * area.height * 4);
+  glBindFramebuffer(GL_FRAMEBUFFER, target.handle());
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+}
+
+void Device::finish() {
+  glFinish();
+}
+
+}  // namespace sline::render::gpu

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// An OpenGL context without a display: EGL's surfaceless platform, or a device where that is
+// absent.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "model/base/result.h"
+
+namespace sline::render::gpu {
+
+class HeadlessContext {
+ public:
+  /// Makes the context and makes it current on the calling thread. The error says what was tried
+  /// and what to install.
+  static Result<std::unique_ptr<HeadlessContext>> create();
+  ~HeadlessContext();
+  HeadlessContext(const HeadlessContext&) = delete;
+  HeadlessContext& operator=(const HeadlessContext&) = delete;
+
+  /// "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5, EGL surfaceless".
+  const std::string& driver() const;
+  void makeCurrent();
+
+ private:
+  HeadlessContext();
+  struct Data;
+  std::unique_ptr<Data> m_data;
+};
+
+}  // namespace sline::render::gpu

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "render/gpu/rect.h"
+
+namespace sline::render::gpu {
+
+enum class DepthTest { off, less, lessEqual, always };
+enum class Blend {
+  off,
+  over,     ///< premultiplied source over what is there
+  maximum,  ///< per channel the larger of both
+};
+enum class Cull { none, back };
+
+/// All that a draw call depends on besides program and geometry; nothing is left over from the call
+/// before it.
+struct DrawState {
+  Rect viewport;
+  std::optional<Rect> scissor;
+  DepthTest depth = DepthTest::off;
+  bool writeDepth = false;  ///< needs a depth test; `always` writes without testing
+  bool writeColour = true;
+  Blend blend = Blend::off;
+  Cull cull = Cull::none;
+};
+
+}  // namespace sline::render::gpu

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/gpu/texture.h"
+
+#include <cassert>
+
+#include "render/gpu/gl.h"
+
+namespace sline::render::gpu {
+
+namespace {
+struct Layout {
+  GLenum internal;
+  GLenum format;
+  GLenum type;
+};
+
+Layout layout(TextureFormat format) {
+  switch (format) {
+    case TextureFormat::rgba8:
+      return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
+    case TextureFormat::r8:
+      return {GL_R8, GL_RED, GL_UNSIGNED_BYTE};
+    case TextureFormat::rgba32i:
+      return {GL_RGBA32I, GL_RGBA_INTEGER, GL_INT};
+    case TextureFormat::depth32f:
+      return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT};
+  }
+  return {};
+}
+}  // namespace
+
+int pixelSize(TextureFormat format) {
+  switch (format) {
+    case TextureFormat::rgba8:
+    case TextureFormat::depth32f:
+      return 4;
+    case TextureFormat::r8:
+      return 1;
+    case TextureFormat::rgba32i:
+      return 16;
+  }
+  return 0;
+}
+
+Texture::Texture(TextureFormat format, TextureSize size, std::string_view name)
+    : m_format(format), m_size(size) {
+  glGenTextures(1, &m_handle);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, m_handle);
+  nameObject(textureKind, m_handle, name);
+  const Layout l = layout(format);
+  glTexImage2D(GL_TEXTURE_2D, 0, GLint(l.internal), size.width, size.height, 0, l.format, l.type,
+               nullptr);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
+Texture::~Texture() {
+  glDeleteTextures(1, &m_handle);
+}
+
+void Texture::upload(std::span<const std::byte> bytes, int rows) {
+  assert(m_format != TextureFormat::depth32f && rows <= m_size.height);
+  assert(bytes.size() == std::size_t(rows) * m_size.width * pixelSize(m_format));
+  const Layout l = layout(m_format);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, m_handle);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, m_size.width, rows, l.format, l.type, bytes.data());
+}
+
+}  // namespace sline::render::gpu

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace sline::render::gpu {
+
+enum class TextureFormat { rgba8, r8, rgba32i, depth32f };
+
+struct TextureSize {
+  int width = 0;
+  int height = 0;
+  bool operator==(const TextureSize&) const = default;
+};
+
+/// One level of pixels, read by texel (no filtering), clamped at its border. Contents are undefined
+/// until cleared, drawn or uploaded.
+class Texture {
+ public:
+  Texture(TextureFormat format, TextureSize size, std::string_view name);
+  ~Texture();
+  Texture(const Texture&) = delete;
+  Texture& operator=(const Texture&) = delete;
+
+  /// Replaces the first `rows` rows; bytes are tightly packed. Not for depth.
+  void upload(std::span<const std::byte> bytes, int rows);
+
+  TextureSize size() const { return m_size; }
+  TextureFormat format() const { return m_format; }
+  std::uint32_t handle() const { return m_handle; }
+
+ private:
+  TextureFormat m_format;
+  TextureSize m_size;
+  std::uint32_t m_handle = 0;
+};
+
+/// Bytes of one pixel.
+int pixelSize(TextureFormat format);
+
+}  // namespace sline::render::gpu

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Blends the layers of an atlas into the picture, exactly for any number of overlapping layers and
+// independently of the order in which they were drawn (METHOD §10).
+#pragma once
+
+#include <glm/vec4.hpp>
+#include <memory>
+
+#include "model/base/units.h"
+#include "render/gpu/device.h"
+
+namespace sline::render::passes {
+
+/// One layer in one tile's list.
+struct ResolveEntry {
+  std::int32_t packed[4];
+};
+
+struct ResolveLayer {
+  gpu::Rect area;   ///< in pixels of the target, y upwards, within it
+  int offsetX = 0;  ///< from pixels of the target to pixels of the atlas
+  int offsetY = 0;
+  Colour ink;
+  bool filled = false;  ///< has colour
+  bool inked = false;
+};
+/// Areas must lie within 65535 pixels and offsets within ±32767.
+ResolveEntry resolveEntry(const ResolveLayer& layer);
+
+/// A square of the target and its layers: entries first … first + count − 1, in order of their ids.
+struct ResolveTile {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  std::int32_t first = 0;
+  std::int32_t count = 0;
+};
+
+struct ResolveInputs {
+  const gpu::Texture& colours;  ///< premultiplied fills
+  const gpu::Texture& inks;
+  const gpu::Texture& depths;  ///< 1 where a layer has nothing
+  glm::vec4 background{0.0f};  ///< premultiplied
+};
+
+class ResolvePass {
+ public:
+  static constexpr int tileSide = 32;
+  static Result<std::unique_ptr<ResolvePass>> create(gpu::Dialect dialect);
+
+  void upload(std::span<const ResolveTile> tiles, std::span<const ResolveEntry> entries);
+  /// Pixels outside of all tiles become background.
+  void draw(gpu::Device& device, const gpu::Target& target, const ResolveInputs& inputs) const;
+
+ private:
+  ResolvePass();
+  static constexpr int entriesPerRow = 1024;
+  std::unique_ptr<gpu::Program> m_program;
+  gpu::Buffer m_tiles;
+  gpu::Geometry m_geometry;
+  std::unique_ptr<gpu::Texture> m_entries;
+  std::vector<ResolveEntry> m_rows;  ///< the entries padded to whole rows
+  std::size_t m_tileCount = 0;
+};
+
+}  // namespace sline::render::passes

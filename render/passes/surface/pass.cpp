@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/passes/surface/pass.h"
+
+#include "render/passes/shader_files.h"
+
+namespace sline::render::passes {
+
+namespace {
+
+using gpu::UniformType;
+
+gpu::ProgramRecipe flatRecipe() {
+  return {.name = "flat surface",
+          .vertexFile = "flat.vert.glsl",
+          .fragmentFile = "flat.frag.glsl",
+          .uniforms = {{"viewProjection", UniformType::mat4},
+                       {"pictureSize", UniformType::vec2},
+                       {"layer", UniformType::vec4},
+                       {"colour", UniformType::vec4}}};
+}
+
+gpu::ProgramRecipe phongRecipe() {
+  return {.name = "shaded surface",
+          .vertexFile = "surface.vert.glsl",
+          .fragmentFile = "surface.frag.glsl",
+          .uniforms = {{"viewProjection", UniformType::mat4},
+                       {"pictureSize", UniformType::vec2},
+                       {"layer", UniformType::vec4},
+                       {"eye", UniformType::vec4},
+                       {"shapeScale", UniformType::real},
+                       {"filigree", UniformType::real},
+                       {"colour", UniformType::vec3},
+                       {"wash", UniformType::vec4},
+                       {"transition", UniformType::vec3},
+                       {"twoSided", UniformType::integer}}};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<SurfacePass>> SurfacePass::create(gpu::Dialect dialect) {
+  std::unique_ptr<SurfacePass> pass(new SurfacePass);
+  auto flat = gpu::Program::create(shaderFiles(), dialect, flatRecipe());
+  if (!flat)
+    return flat.error();
+  auto phong = gpu::Program::create(shaderFiles(), dialect, phongRecipe());
+  if (!phong)
+    return phong.error();
+  pass->m_flat = std::move(*flat);
+  pass->m_phong = std::move(*phong);
+  return pass;
+}
+
+void SurfacePass::draw(gpu::Device& device, const gpu::Target& target, const SurfaceView& view,
+                       const SurfaceDraw& draw) const {
+  const SurfaceFill& fill = draw.fill;
+  const bool shaded = fill.kind == SurfaceFill::Kind::phong;
+  const gpu::Program& program = shaded ? *m_phong : *m_flat;
+  program.set("viewProjection", view.viewProjection);
+  program.set("pictureSize", view.pictureSize);
+  program.set("layer", glm::vec4(float(draw.layer.x), float(draw.layer.y), float(draw.layer.width),
+                                 float(draw.layer.height)));
+  if (shaded) {
+    program.set("eye", view.eye);
+    program.set("shapeScale", shapeScale);
+    program.set("filigree", fill.filigree);
+    program.set("colour", fill.colour);
+    program.set("wash", fill.wash);
+    program.set("transition", glm::vec3(fill.shading, fill.complete, fill.opacity));
+    program.set("twoSided", fill.twoSided ? 1 : 0);
+  } else {
+    program.set("colour", fill.wash);
+  }
+  const gpu::DrawState state{.viewport = draw.slot,
+                             .scissor = draw.slot,
+                             .depth = gpu::DepthTest::less,
+                             .writeDepth = true,
+                             .writeColour = fill.kind != SurfaceFill::Kind::depthOnly};
+  device.triangles({target, program, draw.surface.geometry(), state}, draw.ranges);
+}
+
+}  // namespace sline::render::passes

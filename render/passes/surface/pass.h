@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// Draws one structure into its layer: depth, and its fill where it has one (METHOD §7).
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+
+#include "render/gpu/device.h"
+#include "render/passes/surface_geometry.h"
+
+namespace sline::render::passes {
+
+/// The camera of the whole picture.
+struct SurfaceView {
+  glm::mat4 viewProjection{1.0f};
+  glm::vec4 eye{0.0f};  ///< position and 1, or for a parallel projection direction and 0
+  glm::vec2 pictureSize{1.0f};
+};
+
+/// How the surface's pixels look.
+struct SurfaceFill {
+  enum class Kind { depthOnly, flat, phong };
+  Kind kind = Kind::depthOnly;
+  glm::vec4 wash{0.0f};  ///< premultiplied, under the shading; all there is to a flat fill
+  glm::vec3 colour{1.0f};
+  float shading = 0.0f;   ///< T_P
+  float complete = 0.0f;  ///< clamp01(Γ − 4): mixes the opacity with 1
+  float opacity = 1.0f;   ///< the style's
+  float filigree = 1.0f;  ///< F_c in mm
+  bool twoSided = false;  ///< normals turn towards the eye
+};
+
+struct SurfaceDraw {
+  const SurfaceGeometry& surface;
+  std::span<const gpu::DrawRange> ranges;
+  gpu::Rect layer;  ///< in picture pixels, y upwards
+  gpu::Rect slot;   ///< the layer's place in the target, of the same size
+  SurfaceFill fill;
+};
+
+class SurfacePass {
+ public:
+  static Result<std::unique_ptr<SurfacePass>> create(gpu::Dialect dialect);
+  void draw(gpu::Device& device, const gpu::Target& target, const SurfaceView& view,
+            const SurfaceDraw& draw) const;
+
+ private:
+  SurfacePass() = default;
+  std::unique_ptr<gpu::Program> m_flat;
+  std::unique_ptr<gpu::Program> m_phong;
+};
+
+}  // namespace sline::render::passes

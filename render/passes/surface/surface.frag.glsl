@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "phong.glsl"
+in vec3 surfaceNormal;
+in vec3 towardsEye;
+in float gradient;
+
+uniform vec3 colour;
+uniform vec4 wash;           // premultiplied, lies under the shading
+uniform vec3 transition;     // T_P, clamp01(Γ − 4), the style's opacity
+uniform int twoSided;
+
+out vec4 fragment;
+
+const float quarterTurn = 1.5707963268;
+
+void main() {
+  float nv = dot(normalize(surfaceNormal), normalize(towardsEye));
+  float side = twoSided != 0 && nv < 0.0 ? -1.0 : 1.0;
+  nv = clamp(nv * side, 0.0, 1.0);
+  // S eq. 11 with the last term's sign as METHOD §7 reads it; θ_c = π/2 at T_P = 0 means w_a = 0.
+  float shading = transition.x;
+  float threshold = quarterTurn * (1.0 - shading);
+  float byAngle = shading > 0.0
+      ? clamp((acos(nv) - threshold) / max(quarterTurn - threshold, 1e-4), 0.0, 1.0) : 0.0;
+  float byLight = clamp(gradient * side, 0.0, 1.0) * (1.0 - shading) + shading;
+  float opacity = mix(byAngle * byLight, 1.0, transition.y) * transition.z;
+  fragment = vec4(min(phong(colour, nv), 1.0) * opacity, opacity) + wash * (1.0 - opacity);
+}

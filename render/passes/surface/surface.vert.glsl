@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "place.glsl"
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec4 normal;
+layout(location = 2) in vec4 shapeA;  // F_c·S as symmetric matrix: xx, yy, zz, xy
+layout(location = 3) in vec2 shapeB;  // xz, yz
+
+uniform mat4 viewProjection;
+uniform vec2 pictureSize;
+uniform vec4 layer;
+uniform vec4 eye;          // position and 1, or for a parallel projection direction and 0
+uniform float shapeScale;  // what a stored 1 stands for
+uniform float filigree;    // F_c in mm
+
+out vec3 surfaceNormal;
+out vec3 towardsEye;
+out float gradient;  // ⟨k, v̂⟩·F_c
+
+void main() {
+  gl_Position = layerClip(viewProjection * vec4(position, 1.0), pictureSize, layer);
+  vec3 toEye = eye.xyz - eye.w * position;
+  float away = eye.w / max(length(toEye), 1e-20);
+  vec3 v = normalize(toEye);
+  vec3 n = normalize(normal.xyz);
+  float nv = dot(n, v);
+  vec3 w = v - nv * n;
+  // METHOD §3: k = S w + (nv/d)·w.
+  vec3 sw = shapeScale * vec3(shapeA.x * w.x + shapeA.w * w.y + shapeB.x * w.z,
+                              shapeA.w * w.x + shapeA.y * w.y + shapeB.y * w.z,
+                              shapeB.x * w.x + shapeB.y * w.y + shapeA.z * w.z);
+  gradient = dot(sw, w) + filigree * nv * away * dot(w, w);
+  surfaceNormal = n;
+  towardsEye = v;
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/passes/surface_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sline::render::passes {
+
+std::uint32_t packedNormal(const glm::vec3& normal) {
+  const auto bits = [](float x) {
+    return std::uint32_t(std::int32_t(std::lround(std::clamp(x, -1.0f, 1.0f) * 511.0f))) & 0x3ffu;
+  };
+  return bits(normal.x) | bits(normal.y) << 10 | bits(normal.z) << 20;
+}
+
+PackedShape packedShape(const glm::mat3& scaledShape) {
+  const auto bits = [](float x) {
+    return std::int16_t(std::lround(std::clamp(x / shapeScale, -1.0f, 1.0f) * 32767.0f));
+  };
+  const glm::mat3& s = scaledShape;
+  return {
+      {bits(s[0][0]), bits(s[1][1]), bits(s[2][2]), bits(s[0][1]), bits(s[0][2]), bits(s[1][2])}};
+}
+
+SurfaceGeometry::SurfaceGeometry(std::span<const SurfaceVertex> vertices,
+                                 std::span<const std::uint32_t> indices, std::string_view name)
+    : m_vertices(gpu::BufferKind::vertices, name),
+      m_indices(gpu::BufferKind::indices, name),
+      m_indexCount(std::uint32_t(indices.size())) {
+  m_vertices.fill(std::as_bytes(vertices));
+  m_indices.fill(std::as_bytes(indices));
+  rebuild();
+}
+
+void SurfaceGeometry::addShape(std::span<const PackedShape> shape) {
+  m_shape.emplace(gpu::BufferKind::vertices, "curvature");
+  m_shape->fill(std::as_bytes(shape));
+  rebuild();
+}
+
+void SurfaceGeometry::rebuild() {
+  using gpu::AttributeType;
+  std::vector<gpu::Stream> streams;
+  streams.push_back(
+      {.buffer = &m_vertices,
+       .stride = sizeof(SurfaceVertex),
+       .attributes = {{0, 3, AttributeType::float32, 0}, {1, 4, AttributeType::signed10x3, 12}}});
+  if (m_shape)
+    streams.push_back(
+        {.buffer = &*m_shape,
+         .stride = sizeof(PackedShape),
+         .attributes = {{2, 4, AttributeType::signed16, 0}, {3, 2, AttributeType::signed16, 8}}});
+  m_geometry = std::make_unique<gpu::Geometry>(std::move(streams), &m_indices, "surface");
+}
+
+}  // namespace sline::render::passes

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// A surface as the passes draw it: 16 bytes a vertex, indices in the order of its clusters, and on
+// demand its curvature.
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <memory>
+#include <optional>
+
+#include "render/gpu/geometry.h"
+
+namespace sline::render::passes {
+
+struct SurfaceVertex {
+  glm::vec3 position;
+  std::uint32_t normal;  ///< see packedNormal
+};
+/// A unit vector in three signed 10-bit numbers.
+std::uint32_t packedNormal(const glm::vec3& normal);
+
+/// A shape operator times F_c as six signed 16-bit numbers: xx, yy, zz, xy, xz, yz.
+struct PackedShape {
+  std::int16_t entries[6];
+};
+/// What a stored 32767 stands for. Larger entries are cut off: where |κ|·F_c > 1 the fill's weight
+/// is at its end anyway.
+inline constexpr float shapeScale = 8.0f;
+PackedShape packedShape(const glm::mat3& scaledShape);
+
+class SurfaceGeometry {
+ public:
+  SurfaceGeometry(std::span<const SurfaceVertex> vertices, std::span<const std::uint32_t> indices,
+                  std::string_view name);
+
+  /// One entry per vertex; only fills at 3 < Γ < 4 read it.
+  void addShape(std::span<const PackedShape> shape);
+  bool hasShape() const { return m_shape.has_value(); }
+  const gpu::Geometry& geometry() const { return *m_geometry; }
+  std::uint32_t indexCount() const { return m_indexCount; }
+
+ private:
+  void rebuild();
+
+  gpu::Buffer m_vertices;
+  gpu::Buffer m_indices;
+  std::optional<gpu::Buffer> m_shape;
+  std::unique_ptr<gpu::Geometry> m_geometry;
+  std::uint32_t m_indexCount = 0;
+};
+
+}  // namespace sline::render::passes

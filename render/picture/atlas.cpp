@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/picture/atlas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace sline::render {
+
+namespace {
+
+/// Coarse steps keep the textures while sizes change a little from frame to frame.
+constexpr int sizeStep = 256;
+
+int roundedUp(int value) {
+  return (value + sizeStep - 1) / sizeStep * sizeStep;
+}
+
+}  // namespace
+
+std::vector<gpu::Rect> Atlas::layOut(std::span<const gpu::TextureSize> sizes) {
+  std::size_t area = 0;
+  int widest = 1;
+  for (const gpu::TextureSize& size : sizes) {
+    area += std::size_t(size.width) * size.height;
+    widest = std::max(widest, size.width);
+  }
+  if (area > m_limits.pixels || widest > m_limits.side)
+    return {};
+  const int square = int(std::sqrt(double(area)) * 1.1);
+  const int width = std::min(m_limits.side, roundedUp(std::max(widest, square)));
+  const int height = int(std::min<std::size_t>(m_limits.side, m_limits.pixels / width));
+  // Rows fill best from the tallest to the lowest; the order given decides between equals.
+  std::vector<std::size_t> order(sizes.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return sizes[a].height > sizes[b].height; });
+  ShelfPacker packer({width, height});
+  std::vector<gpu::Rect> places(sizes.size());
+  for (const std::size_t i : order) {
+    const auto place = packer.place(sizes[i].width, sizes[i].height);
+    if (!place)
+      return {};
+    places[i] = *place;
+  }
+  m_wanted = {width, std::min(height, roundedUp(std::max(packer.usedHeight(), 1)))};
+  m_packer = packer;
+  return places;
+}
+
+Status Atlas::allocate() {
+  const gpu::TextureSize now = m_colours ? m_colours->size() : gpu::TextureSize{};
+  if (now.width == m_wanted.width && now.height >= m_wanted.height &&
+      now.height <= 2 * m_wanted.height)
+    return Unit{};
+  m_surfaceTarget.reset();
+  m_inkTarget.reset();
+  m_edgeTarget.reset();
+  const auto make = [this](std::unique_ptr<gpu::Texture>& texture, gpu::TextureFormat format,
+                           const char* name) {
+    texture.reset();
+    texture = std::make_unique<gpu::Texture>(format, m_wanted, name);
+  };
+  make(m_colours, gpu::TextureFormat::rgba8, "fills");
+  make(m_inks, gpu::TextureFormat::r8, "ink");
+  make(m_surfaceDepths, gpu::TextureFormat::depth32f, "surface depth");
+  make(m_layerDepths, gpu::TextureFormat::depth32f, "layer depth");
+  auto surface = gpu::Target::create({{m_colours.get()}, m_surfaceDepths.get()}, "surfaces");
+  if (!surface)
+    return surface.error();
+  m_surfaceTarget = std::move(*surface);
+  auto ink = gpu::Target::create({{m_inks.get()}, m_layerDepths.get()}, "ink");
+  if (!ink)
+    return ink.error();
+  m_inkTarget = std::move(*ink);
+  auto edge = gpu::Target::create({{m_colours.get()}, m_layerDepths.get()}, "edges");
+  if (!edge)
+    return edge.error();
+  m_edgeTarget = std::move(*edge);
+  return Unit{};
+}
+
+}  // namespace sline::render

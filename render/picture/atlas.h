@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// The textures that all layers of a picture share: fill and ink, the surface's own depth (which
+// hides lines) and the layer's depth (which orders layers).
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "render/gpu/device.h"
+#include "render/picture/shelf_packer.h"
+
+namespace sline::render {
+
+struct AtlasLimits {
+  int side = 0;            ///< largest width and height
+  std::size_t pixels = 0;  ///< largest area
+};
+
+class Atlas {
+ public:
+  explicit Atlas(const AtlasLimits& limits) : m_limits(limits) {}
+
+  /// Lays out all rectangles afresh: places come back in the order of `sizes`, and nothing of what
+  /// was drawn before counts any more. Empty where they do not fit.
+  std::vector<gpu::Rect> layOut(std::span<const gpu::TextureSize> sizes);
+  /// Adds a rectangle beside those in use; nothing where there is no room.
+  std::optional<gpu::Rect> add(gpu::TextureSize size) {
+    return m_packer.place(size.width, size.height);
+  }
+  /// Makes the textures that the last layout needs, unless those there are of about that size.
+  Status allocate();
+
+  const gpu::Texture& colours() const { return *m_colours; }
+  const gpu::Texture& inks() const { return *m_inks; }
+  const gpu::Texture& surfaceDepths() const { return *m_surfaceDepths; }
+  const gpu::Texture& layerDepths() const { return *m_layerDepths; }
+  const gpu::Target& surfaceTarget() const { return *m_surfaceTarget; }
+  const gpu::Target& inkTarget() const { return *m_inkTarget; }
+  /// Fills with the layer's depth.
+  const gpu::Target& edgeTarget() const { return *m_edgeTarget; }
+
+ private:
+  AtlasLimits m_limits;
+  ShelfPacker m_packer;
+  gpu::TextureSize m_wanted;
+  std::unique_ptr<gpu::Texture> m_colours;
+  std::unique_ptr<gpu::Texture> m_inks;
+  std::unique_ptr<gpu::Texture> m_surfaceDepths;
+  std::unique_ptr<gpu::Texture> m_layerDepths;
+  std::unique_ptr<gpu::Target> m_surfaceTarget;
+  std::unique_ptr<gpu::Target> m_inkTarget;
+  std::unique_ptr<gpu::Target> m_edgeTarget;
+};
+
+}  // namespace sline::render

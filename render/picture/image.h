@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace sline::render {
+
+/// 8-bit sRGB with straight (not premultiplied) alpha, rows from the top, no padding.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;
+  bool operator==(const Image&) const = default;
+};
+
+}  // namespace sline::render

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/picture/layer.h"
+
+#include <cmath>
+
+#include "model/base/parallel.h"
+#include "render/picture/transitions.h"
+
+namespace sline::render {
+
+namespace {
+
+constexpr float tintStrength = 0.2f;
+// Pixels that a fill reaches beyond its surface, soft edge included.
+constexpr int edgeMargin = 2;
+
+glm::vec3 rgb(const Colour& colour) {
+  return glm::vec3(float(colour.red), float(colour.green), float(colour.blue)) / 255.0f;
+}
+
+bool cullsBack(const Shown& shown, const PictureView& view) {
+  return !needsTwoSides(shown.surface(), view.camera());
+}
+
+/// Pixels around the surface that strokes and their looks aside can reach.
+int margin(const Shown& shown, const PictureView& view) {
+  if (!showsLines(shown.style) && !showsEdges(shown.style))
+    return edgeMargin;
+  const ContourProbes probes = contourProbes(shown.surface(), view, shown.style);
+  return int(std::ceil(2.0f * probes.probe + probes.reach.y)) + 3;
+}
+
+gpu::Rect unite(const gpu::Rect& a, const gpu::Rect& b) {
+  if (a.empty())
+    return b;
+  if (b.empty())
+    return a;
+  const int x = std::min(a.x, b.x);
+  const int y = std::min(a.y, b.y);
+  return {x, y, std::max(a.right(), b.right()) - x, std::max(a.top(), b.top()) - y};
+}
+
+void markSurface(const Shown& shown, const PictureView& view, TileMask& mask) {
+  const bool cull = cullsBack(shown, view);
+  for (const model::Cluster& cluster : shown.surface().clusters.items)
+    if (!cull || model::facing(cluster, view.eye()) != model::Facing::back)
+      mask.mark(gpu::grown(view.bounds(cluster.bounds), edgeMargin));
+}
+
+}  // namespace
+
+glm::vec4 backgroundColour(Background background) {
+  switch (background) {
+    case Background::white:
+      return {1.0f, 1.0f, 1.0f, 1.0f};
+    case Background::paper:
+      return {glm::vec3(250.0f, 246.0f, 236.0f) / 255.0f, 1.0f};
+    case Background::dark:
+      return {glm::vec3(28.0f, 30.0f, 34.0f) / 255.0f, 1.0f};
+    case Background::transparent:
+      break;
+  }
+  return {0.0f, 0.0f, 0.0f, 0.0f};
+}
+
+Colour inkColour(const model::ResolvedStyle& style, Background background) {
+  if (style.inkColour)
+    return *style.inkColour;
+  return background == Background::dark ? Colour{238, 236, 230} : Colour{0, 0, 0};
+}
+
+bool isOpaque(const model::ResolvedStyle& style) {
+  return transitions(style.gamma).complete >= 1.0f && style.opacity.value() >= 1.0f;
+}
+
+bool hasFill(const model::ResolvedStyle& style) {
+  return style.opacity.value() > 0.0f &&
+         (style.fill != model::Fill::none || transitions(style.gamma).shading > 0.0f);
+}
+
+passes::SurfaceFill surfaceFill(const Shown& shown, const PictureView& view,
+                                Background background) {
+  using Kind = passes::SurfaceFill::Kind;
+  const model::ResolvedStyle& style = shown.style;
+  const Transitions t = transitions(style.gamma);
+  passes::SurfaceFill fill;
+  if (!hasFill(style))
+    return fill;
+  fill.kind = t.shading > 0.0f ? Kind::phong : Kind::flat;
+  fill.colour = rgb(style.colour);
+  fill.shading = t.shading;
+  fill.complete = t.complete;
+  fill.opacity = style.opacity.value();
+  fill.filigree = shown.surface().filigreeSize;
+  fill.twoSided = !cullsBack(shown, view);
+  if (style.fill == model::Fill::paper) {
+    // A picture without background is meant for white paper.
+    const bool transparent = background == Background::transparent;
+    fill.wash = transparent ? glm::vec4(1.0f) : backgroundColour(background);
+  } else if (style.fill == model::Fill::tint) {
+    fill.wash = tintStrength * glm::vec4(fill.colour, 1.0f);
+  }
+  fill.wash *= fill.opacity;
+  return fill;
+}
+
+Coverage coverage(const Shown& shown, const PictureView& view, const gpu::Rect& region) {
+  Coverage found;
+  const bool cull = cullsBack(shown, view);
+  const int around = margin(shown, view);
+  const gpu::Rect within = gpu::grown(region, around);
+  for (const model::Cluster& cluster : shown.surface().clusters.items) {
+    if (cull && model::facing(cluster, view.eye()) == model::Facing::back)
+      continue;
+    const gpu::Rect seen =
+        gpu::intersection(gpu::grown(view.bounds(cluster.bounds), around), within);
+    if (seen.empty())
+      continue;
+    found.area = unite(found.area, seen);
+    const gpu::DrawRange range{3 * cluster.firstTriangle, 3 * cluster.triangleCount};
+    if (!found.ranges.empty() &&
+        found.ranges.back().first + found.ranges.back().count == range.first)
+      found.ranges.back().count += range.count;
+    else
+      found.ranges.push_back(range);
+  }
+  return found;
+}
+
+std::vector<Layer> planLayers(std::span<const Shown> shown, const PictureView& view,
+                              const gpu::Rect& region) {
+  std::vector<Coverage> found(shown.size());
+  parallelFor(shown.size(), 1, [&](std::size_t i) { found[i] = coverage(shown[i], view, region); });
+  // The layer of all opaque structures comes first: its depths win ties.
+  std::vector<Layer> layers(1);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    if (found[i].area.empty())
+      continue;
+    const bool opaque = isOpaque(shown[i].style);
+    if (!opaque)
+      layers.emplace_back();
+    Layer& layer = opaque ? layers.front() : layers.back();
+    layer.area = unite(layer.area, found[i].area);
+    layer.members.push_back(shown[i]);
+    layer.coverage.push_back(std::move(found[i]));
+    layer.filled = hasFill(shown[i].style);
+  }
+  if (layers.front().members.empty())
+    layers.erase(layers.begin());
+  return layers;
+}
+
+void completeLayer(Layer& layer, const PictureView& view, const gpu::Rect& region,
+                   const std::map<model::NodeId, LineSet>& lines) {
+  layer.mask = TileMask(region);
+  layer.edges.resize(layer.members.size());
+  for (std::size_t i = 0; i < layer.members.size(); ++i) {
+    const Shown& member = layer.members[i];
+    if (layer.filled)
+      markSurface(member, view, layer.mask);
+    if (showsEdges(member.style))
+      layer.edges[i] = edges(member.surface(), view, lines.at(member.id), layer.area);
+  }
+  const Shown& first = layer.members.front();
+  if (!showsLines(first.style))
+    return;
+  layer.strokes = strokes(first.surface(), view, first.style, lines.at(first.id), layer.area);
+  layer.inked = !layer.strokes.empty();
+  for (const passes::InkSegment& stroke : layer.strokes)
+    layer.mask.mark(strokeBounds(stroke));
+}
+
+}  // namespace sline::render

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/picture/layer_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "render/lines/chains.h"
+#include "render/picture/transitions.h"
+
+namespace sline::render {
+
+namespace {
+
+constexpr float standardPen = 2.0f;  // λ, METHOD §4
+// Marks shorter than this many λ are specks of a rough surface, which no pen would set.
+constexpr float speckLength = 4.0f;
+constexpr float wholeLineLength = 14.0f;
+
+// λ within which a contour of a surface seen along its length may find its far side.
+constexpr float wideStep = 2.5f;
+
+// Where triangles are smaller than pixels, segments are joined: by at most this many pixels off the
+// line, to strokes of at most that many.
+constexpr float simplification = 0.1f;
+constexpr float longestStroke = 8.0f;
+
+struct Pen {
+  float width;    ///< px
+  float opacity;  ///< 0 … 1
+};
+
+/// Lines never become thinner than one pixel; they lose opacity instead (METHOD §4).
+Pen devicePen(float width, float opacity) {
+  return width >= 1.0f ? Pen{width, opacity} : Pen{1.0f, opacity * std::max(width, 0.0f)};
+}
+
+float pixelsPerMillimetre(const model::Surface& surface, const PictureView& view) {
+  const float mm = view.millimetresPerPixel(surface.boundingSphere.centre);
+  return mm > 0.0f ? 1.0f / mm : 0.0f;
+}
+
+/// How far the triangles' own outline may lie from the line where nv = 0, in pixels: the sagitta
+/// of an edge.
+float outlineError(const model::Surface& surface, const PictureView& view) {
+  const float sagitta =
+      surface.meanEdge * surface.meanEdge / (2.0f * std::max(surface.filigreeSize, 1e-20f));
+  return std::min(sagitta * pixelsPerMillimetre(surface, view), 2.0f);
+}
+
+class StrokeMaker {
+ public:
+  StrokeMaker(const model::Surface& surface, const PictureView& view, const gpu::Rect& area)
+      : m_surface(surface), m_view(view), m_area(area) {}
+
+  std::vector<passes::InkSegment> take() {
+    // By depth, so that where strokes of a layer cross the nearest depth is written last; stable,
+    // so that equal depths keep the surface's own order.
+    std::stable_sort(m_strokes.begin(), m_strokes.end(), [](const auto& a, const auto& b) {
+      return a.depthA + a.depthB > b.depthA + b.depthB;
+    });
+    return std::move(m_strokes);
+  }
+
+  void contour(const Segment& s, float width, float opacity) {
+    passes::InkSegment stroke;
+    if (!place(s, stroke))
+      return;
+    stroke.outwardA = m_view.projectedDirection(s.a, s.normalA);
+    stroke.outwardB = m_view.projectedDirection(s.b, s.normalB);
+    stroke.contour = 1.0f;
+    stroke.tolerance = 0.5f * m_surface.meanEdge + 1e-3f * m_surface.filigreeSize;
+    finish(stroke, devicePen(width, s.opacityA * opacity), devicePen(width, s.opacityB * opacity));
+  }
+
+  void surfaceLine(const Segment& s, float width, float opacity) {
+    passes::InkSegment stroke;
+    if (!place(s, stroke))
+      return;
+    stroke.tolerance = 0.1f * m_surface.meanEdge + 1e-4f * m_surface.featureSize +
+                       1.5f * m_view.millimetresPerPixel(s.a) *
+                           std::max(slope(s.a, s.normalA), slope(s.b, s.normalB));
+    const auto pen = [&](float fade) {
+      return devicePen(width * (0.45f + 0.55f * fade), opacity * std::sqrt(fade));
+    };
+    finish(stroke, pen(s.opacityA), pen(s.opacityB));
+  }
+
+ private:
+  bool place(const Segment& s, passes::InkSegment& stroke) const {
+    const PictureView::Point a = m_view.project(s.a);
+    const PictureView::Point b = m_view.project(s.b);
+    if (a.w <= 0.0f || b.w <= 0.0f || a.depth < 0.0f || b.depth < 0.0f)
+      return false;
+    stroke.a = a.pixel;
+    stroke.b = b.pixel;
+    stroke.depthA = a.depth;
+    stroke.depthB = b.depth;
+    return true;
+  }
+
+  /// How much depth changes per unit across the picture where the surface is seen at that angle.
+  float slope(const glm::vec3& p, const glm::vec3& normal) const {
+    const float nv = glm::dot(normal, model::towardsEye(m_view.camera(), p));
+    const float tangent = std::sqrt(std::max(0.0f, 1.0f - nv * nv)) / std::max(nv, 1e-3f);
+    return std::min(tangent, 8.0f);
+  }
+
+  void finish(passes::InkSegment& stroke, const Pen& a, const Pen& b) {
+    stroke.halfWidthA = 0.5f * a.width;
+    stroke.halfWidthB = 0.5f * b.width;
+    stroke.opacityA = a.opacity;
+    stroke.opacityB = b.opacity;
+    if (std::max(a.opacity, b.opacity) > 0.004f &&
+        !gpu::intersection(strokeBounds(stroke), m_area).empty())
+      m_strokes.push_back(stroke);
+  }
+
+  const model::Surface& m_surface;
+  const PictureView& m_view;
+  gpu::Rect m_area;
+  std::vector<passes::InkSegment> m_strokes;
+};
+
+}  // namespace
+
+bool showsLines(const model::ResolvedStyle& style) {
+  return transitions(style.gamma).lines > 0.0f && style.penWeight > 0.0f;
+}
+
+bool showsEdges(const model::ResolvedStyle& style) {
+  return transitions(style.gamma).complete > 0.0f && style.opacity.value() > 0.0f;
+}
+
+float penWidth(const model::Surface& surface, const PictureView& view, float penWeight) {
+  const float pen = standardPen * penWeight * view.outputUnit();
+  const float across = 2.0f * surface.filigreeSize * pixelsPerMillimetre(surface, view);
+  return pen * std::clamp(across / std::max(6.0f * pen, 1e-6f), 0.5f, 1.0f);
+}
+
+LineSet styledLines(const model::Surface& surface, const PictureView& view,
+                    const model::ResolvedStyle& style) {
+  const bool twoSided = needsTwoSides(surface, view.camera());
+  LineSet lines =
+      extractLines(surface, view.camera(),
+                   {.contours = true,
+                    .suggestive = showsLines(style) && transitions(style.gamma).suggestive > 0.0f,
+                    .thresholds = suggestiveThresholds(style.gamma),
+                    .twoSided = twoSided});
+  if (!twoSided)
+    std::erase_if(lines.contours, [](const Segment& s) { return s.concave; });
+  const float pixel = view.millimetresPerPixel(surface.boundingSphere.centre);
+  if (!(pixel > 0.0f))
+    return lines;
+  const auto joined = [pixel](const std::vector<Segment>& segments, const Chains& chains) {
+    return simplified(segments, chains, simplification * pixel, longestStroke * pixel);
+  };
+  lines.contours = joined(lines.contours, connectedChains(lines.contours));
+  const Chains chains = connectedChains(lines.suggestive);
+  const float unit = view.outputUnit() * pixel;
+  fadeShortChains(lines.suggestive, chains, speckLength * unit, wholeLineLength * unit);
+  lines.suggestive = joined(lines.suggestive, chains);
+  return lines;
+}
+
+ContourProbes contourProbes(const model::Surface& surface, const PictureView& view,
+                            const model::ResolvedStyle& style) {
+  const float error = outlineError(surface, view);
+  return {.inner = transitions(style.gamma).contours,
+          .probe = penWidth(surface, view, style.penWeight) + 1.0f + error,
+          .reach = {1.0f + 0.5f * error, 2.0f + wideStep * view.outputUnit()},
+          .sheet = 6.0f * surface.meanEdge +
+                   wideStep * view.outputUnit() *
+                       view.millimetresPerPixel(surface.boundingSphere.centre)};
+}
+
+std::vector<passes::InkSegment> strokes(const model::Surface& surface, const PictureView& view,
+                                        const model::ResolvedStyle& style, const LineSet& lines,
+                                        const gpu::Rect& area) {
+  StrokeMaker maker(surface, view, area);
+  const Transitions t = transitions(style.gamma);
+  const float width = penWidth(surface, view, style.penWeight) * t.lines;
+  for (const Segment& s : lines.contours)
+    maker.contour(s, width, t.lines);
+  const float entered = std::sqrt(t.suggestive);
+  for (const Segment& s : lines.suggestive)
+    maker.surfaceLine(s, width * entered, t.lines * entered);
+  return maker.take();
+}
+
+std::vector<passes::InkSegment> edges(const model::Surface& surface, const PictureView& view,
+                                      const LineSet& lines, const gpu::Rect& area) {
+  StrokeMaker maker(surface, view, area);
+  for (const Segment& s : lines.contours)
+    maker.contour(s, 1.0f, 1.0f);
+  return maker.take();
+}
+
+gpu::Rect strokeBounds(const passes::InkSegment& s) {
+  // The stroke's middle lies up to a half width off the line, its edge as much again, and half a
+  // pixel of softness.
+  const float reach = 2.0f * std::max(s.halfWidthA, s.halfWidthB) + 1.5f;
+  const glm::vec2 limit(1e6f);
+  const glm::vec2 low = glm::clamp(glm::floor(glm::min(s.a, s.b) - reach), -limit, limit);
+  const glm::vec2 high = glm::clamp(glm::ceil(glm::max(s.a, s.b) + reach), -limit, limit);
+  return {int(low.x), int(low.y), int(high.x - low.x), int(high.y - low.y)};
+}
+
+}  // namespace sline::render

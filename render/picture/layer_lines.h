@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lines of one structure, from its surface to the strokes that the ink pass draws (METHOD §4–5,
+// §7).
+#pragma once
+
+#include <vector>
+
+#include "model/scene/style.h"
+#include "render/lines/lines.h"
+#include "render/passes/ink/pass.h"
+#include "render/picture/picture_view.h"
+
+namespace sline::render {
+
+/// True where a structure of that style shows any line.
+bool showsLines(const model::ResolvedStyle& style);
+/// True where lines leave and the fill needs a soft edge of its own.
+bool showsEdges(const model::ResolvedStyle& style);
+/// Width of the pen in pixels for this structure, before Γ thins it (METHOD §4 ▲).
+float penWidth(const model::Surface& surface, const PictureView& view, float penWeight);
+
+/// The segments that the style's lines and edges ask for, in the patient's frame.
+LineSet styledLines(const model::Surface& surface, const PictureView& view,
+                    const model::ResolvedStyle& style);
+
+/// How contours are looked at in the picture; see InkDraw.
+struct ContourProbes {
+  float inner = 1.0f;
+  float probe = 3.0f;
+  glm::vec2 reach{1.0f, 4.0f};
+  float sheet = 0.0f;
+};
+ContourProbes contourProbes(const model::Surface& surface, const PictureView& view,
+                            const model::ResolvedStyle& style);
+
+/// The strokes within `area`, farthest first.
+std::vector<passes::InkSegment> strokes(const model::Surface& surface, const PictureView& view,
+                                        const model::ResolvedStyle& style, const LineSet& lines,
+                                        const gpu::Rect& area);
+
+/// The contours within `area` as strokes of one pixel that soften a fill's edge, farthest first.
+std::vector<passes::InkSegment> edges(const model::Surface& surface, const PictureView& view,
+                                      const LineSet& lines, const gpu::Rect& area);
+
+/// Pixels that a stroke can touch.
+gpu::Rect strokeBounds(const passes::InkSegment& segment);
+
+}  // namespace sline::render

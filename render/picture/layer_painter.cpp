@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/picture/layer_painter.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "model/base/parallel.h"
+
+namespace sline::render {
+
+namespace {
+
+/// Adds the lines of every member of a changed layer that shows any and has none yet.
+void findLines(const PictureInput& input, std::span<const Layer> layers,
+               std::span<const std::size_t> changed, std::map<model::NodeId, LineSet>& lines) {
+  struct Absent {
+    const Shown* shown;
+    LineSet* lines;
+  };
+  std::vector<Absent> absent;
+  for (const std::size_t i : changed)
+    for (const Shown& shown : layers[i].members)
+      if (showsLines(shown.style) || showsEdges(shown.style))
+        if (const auto [it, fresh] = lines.try_emplace(shown.id); fresh)
+          absent.push_back({&shown, &it->second});
+  parallelFor(absent.size(), 1, [&](std::size_t i) {
+    const Shown& shown = *absent[i].shown;
+    *absent[i].lines = styledLines(shown.surface(), input.view, shown.style);
+  });
+}
+
+}  // namespace
+
+Result<std::unique_ptr<LayerPainter>> LayerPainter::create(const gpu::Device& device,
+                                                           const AtlasLimits& limits) {
+  std::unique_ptr<LayerPainter> painter(new LayerPainter(limits));
+  auto surface = passes::SurfacePass::create(device.dialect());
+  if (!surface)
+    return surface.error();
+  auto ink = passes::InkPass::create(device.dialect());
+  if (!ink)
+    return ink.error();
+  auto resolve = passes::ResolvePass::create(device.dialect());
+  if (!resolve)
+    return resolve.error();
+  painter->m_surfacePass = std::move(*surface);
+  painter->m_inkPass = std::move(*ink);
+  painter->m_resolvePass = std::move(*resolve);
+  return painter;
+}
+
+std::vector<std::size_t> LayerPainter::reuse(std::vector<Layer>& layers, const Key& key) {
+  std::vector<std::size_t> changed;
+  const bool sameView = key == m_key;
+  m_key = key;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const auto kept =
+        !sameView ? m_kept.end() : std::ranges::find_if(m_kept, [&](const Layer& old) {
+          return layers[i].drawnLike(old);
+        });
+    if (kept != m_kept.end())
+      layers[i] = std::move(*kept);
+    else
+      changed.push_back(i);
+  }
+  m_freshAtlas = changed.size() == layers.size();
+  m_kept.clear();
+  return changed;
+}
+
+bool LayerPainter::place(std::vector<Layer>& layers, std::vector<std::size_t>& changed) {
+  if (!m_freshAtlas) {
+    const bool fits = std::ranges::all_of(changed, [&](std::size_t i) {
+      const auto slot = m_atlas.add({layers[i].area.width, layers[i].area.height});
+      if (slot)
+        layers[i].slot = *slot;
+      return slot.has_value();
+    });
+    if (fits)
+      return true;
+  }
+  std::vector<gpu::TextureSize> sizes;
+  sizes.reserve(layers.size());
+  for (const Layer& layer : layers)
+    sizes.push_back({layer.area.width, layer.area.height});
+  const std::vector<gpu::Rect> slots = m_atlas.layOut(sizes);
+  if (slots.size() != layers.size())
+    return false;
+  for (std::size_t i = 0; i < layers.size(); ++i)
+    layers[i].slot = slots[i];
+  changed.resize(layers.size());
+  std::iota(changed.begin(), changed.end(), std::size_t(0));
+  m_freshAtlas = true;
+  return true;
+}
+
+void LayerPainter::clear(gpu::Device& device, std::span<const Layer> layers,
+                         std::span<const std::size_t> changed) const {
+  const auto clearBoth = [&](std::optional<gpu::Rect> area) {
+    device.clear(m_atlas.surfaceTarget(), {.colour = glm::vec4(0.0f), .depth = 1.0f, .area = area});
+    device.clear(m_atlas.inkTarget(), {.colour = glm::vec4(0.0f), .depth = 1.0f, .area = area});
+  };
+  if (m_freshAtlas)
+    clearBoth(std::nullopt);
+  else
+    for (const std::size_t i : changed)
+      clearBoth(layers[i].slot);
+}
+
+void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
+                                const Layer& layer) const {
+  const passes::SurfaceView view{.viewProjection = input.view.viewProjection(),
+                                 .eye = input.view.eyeVector(),
+                                 .pictureSize = input.view.size()};
+  for (std::size_t i = 0; i < layer.members.size(); ++i) {
+    const Shown& shown = layer.members[i];
+    const passes::SurfaceDraw draw{.surface = *shown.cached->geometry,
+                                   .ranges = layer.coverage[i].ranges,
+                                   .layer = layer.area,
+                                   .slot = layer.slot,
+                                   .fill = surfaceFill(shown, input.view, input.background)};
+    m_surfacePass->draw(device, m_atlas.surfaceTarget(), view, draw);
+  }
+  // Where a layer has a fill, it lies as deep as its surface; else only its ink counts.
+  if (layer.filled)
+    device.copyDepth(m_atlas.surfaceTarget(), m_atlas.inkTarget(), layer.slot);
+}
+
+passes::InkDraw LayerPainter::inkDraw(const PictureInput& input, const Layer& layer,
+                                      const Shown& shown) {
+  const ContourProbes probes = contourProbes(shown.surface(), input.view, shown.style);
+  return {.layer = layer.area,
+          .slot = layer.slot,
+          .projection = input.view.depthTerms(),
+          .inner = probes.inner,
+          .probe = probes.probe,
+          .reach = probes.reach,
+          .sheet = probes.sheet};
+}
+
+void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
+                           std::vector<Layer>& layers, std::span<const std::size_t> changed) {
+  std::vector<passes::InkSegment> all;
+  const auto append = [&all](const std::vector<passes::InkSegment>& some) {
+    all.insert(all.end(), some.begin(), some.end());
+  };
+  for (const std::size_t i : changed) {
+    std::ranges::for_each(layers[i].edges, append);
+    append(layers[i].strokes);
+  }
+  m_inkPass->upload(all);
+  std::size_t first = 0;
+  for (const std::size_t i : changed) {
+    Layer& layer = layers[i];
+    for (std::size_t k = 0; k < layer.members.size(); ++k) {
+      const Shown& shown = layer.members[k];
+      passes::InkDraw draw = inkDraw(input, layer, shown);
+      draw.first = first;
+      draw.count = layer.edges[k].size();
+      draw.inner = 1.0f;
+      const passes::SurfaceFill fill = surfaceFill(shown, input.view, input.background);
+      draw.edge = glm::vec4(fill.colour, fill.complete * fill.opacity);
+      m_inkPass->draw(device, m_atlas.edgeTarget(), m_atlas.surfaceDepths(), draw);
+      first += draw.count;
+    }
+    passes::InkDraw draw = inkDraw(input, layer, layer.members.front());
+    draw.first = first;
+    draw.count = layer.strokes.size();
+    m_inkPass->draw(device, m_atlas.inkTarget(), m_atlas.surfaceDepths(), draw);
+    first += draw.count;
+    layer.strokes = {};
+    layer.edges = {};
+  }
+}
+
+void LayerPainter::resolve(gpu::Device& device, const PictureInput& input, const gpu::Rect& region,
+                           const gpu::Target& target, std::span<const Layer> layers) {
+  std::vector<ListedLayer> listed;
+  for (const Layer& layer : layers) {
+    const gpu::Rect seen = gpu::intersection(layer.area, region);
+    if (!layer.shows() || seen.empty())
+      continue;
+    listed.push_back(
+        {.mask = &layer.mask,
+         .layer = {.area = {seen.x - region.x, seen.y - region.y, seen.width, seen.height},
+                   .offsetX = layer.slot.x - layer.area.x + region.x,
+                   .offsetY = layer.slot.y - layer.area.y + region.y,
+                   .ink = inkColour(layer.members.front().style, input.background),
+                   .filled = layer.filled,
+                   .inked = layer.inked}});
+  }
+  const TileLists lists = tileLists(listed);
+  m_resolvePass->upload(lists.tiles, lists.entries);
+  m_resolvePass->draw(device, target,
+                      {.colours = m_atlas.colours(),
+                       .inks = m_atlas.inks(),
+                       .depths = m_atlas.layerDepths(),
+                       .background = backgroundColour(input.background)});
+}
+
+Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const PictureInput& input,
+                                                  const gpu::Rect& region,
+                                                  const gpu::Target& target, Stopwatch& stopwatch) {
+  std::vector<Layer> layers = planLayers(input.shown, input.view, region);
+  model::Box bounds;
+  for (const Shown& shown : input.shown)
+    bounds.add(shown.mesh->bounds());
+  std::vector<std::size_t> changed =
+      reuse(layers, {input.view.camera(), bounds, input.view.size(), input.background, region});
+  if (!place(layers, changed))
+    return Outcome::tooLarge;
+  if (Status s = m_atlas.allocate(); !s)
+    return s.error();
+  for (const std::size_t i : changed)
+    for (const Shown& shown : layers[i].members)
+      if (const float t = surfaceFill(shown, input.view, input.background).shading;
+          t > 0.0f && t < 1.0f)
+        shown.cached->needShape();
+  stopwatch.pass(device, "plan");
+
+  std::map<model::NodeId, LineSet> own;
+  std::map<model::NodeId, LineSet>& lines = input.lines ? *input.lines : own;
+  findLines(input, layers, changed, lines);
+  parallelFor(changed.size(), 1,
+              [&](std::size_t i) { completeLayer(layers[changed[i]], input.view, region, lines); });
+  own.clear();
+  stopwatch.lines();
+
+  clear(device, layers, changed);
+  for (const std::size_t i : changed)
+    if (layers[i].shows())
+      drawSurfaces(device, input, layers[i]);
+  stopwatch.pass(device, "surface");
+  drawInk(device, input, layers, changed);
+  stopwatch.pass(device, "ink");
+  resolve(device, input, region, target, layers);
+  stopwatch.pass(device, "resolve");
+  m_layersDrawn = int(changed.size());
+  m_kept = std::move(layers);
+  return Outcome::painted;
+}
+
+}  // namespace sline::render

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Draws a region of a picture: plans its layers, redraws those that changed and resolves all.
+#pragma once
+
+#include <functional>
+#include <map>
+
+#include "render/passes/ink/pass.h"
+#include "render/passes/resolve/pass.h"
+#include "render/passes/surface/pass.h"
+#include "render/picture/atlas.h"
+#include "render/picture/layer.h"
+#include "render/picture/stopwatch.h"
+
+namespace sline::render {
+
+/// One picture's worth of input.
+struct PictureInput {
+  const PictureView& view;
+  std::span<const Shown> shown;  ///< sorted by id
+  Background background = Background::white;
+  /// Where lines are kept between the regions of one picture, by structure; null to keep none.
+  std::map<model::NodeId, LineSet>* lines = nullptr;
+};
+
+class LayerPainter {
+ public:
+  static Result<std::unique_ptr<LayerPainter>> create(const gpu::Device& device,
+                                                      const AtlasLimits& limits);
+
+  enum class Outcome { painted, tooLarge };
+  /// Draws the region (in picture pixels) so that it fills the target. `tooLarge`, with nothing
+  /// drawn, where its layers exceed the atlas: a smaller region may do.
+  Result<Outcome> paint(gpu::Device& device, const PictureInput& input, const gpu::Rect& region,
+                        const gpu::Target& target, Stopwatch& stopwatch);
+  /// Layers drawn anew by the last `paint`.
+  int layersDrawn() const { return m_layersDrawn; }
+  void forget() { m_kept.clear(); }
+
+ private:
+  /// What all layers of a region depend on.
+  struct Key {
+    model::Camera camera;
+    model::Box bounds;
+    glm::vec2 size{0.0f};
+    Background background = Background::white;
+    gpu::Rect region;
+    bool operator==(const Key&) const = default;
+  };
+
+  explicit LayerPainter(const AtlasLimits& limits) : m_atlas(limits) {}
+  std::vector<std::size_t> reuse(std::vector<Layer>& layers, const Key& key);
+  bool place(std::vector<Layer>& layers, std::vector<std::size_t>& changed);
+  void clear(gpu::Device& device, std::span<const Layer> layers,
+             std::span<const std::size_t> changed) const;
+  void drawSurfaces(gpu::Device& device, const PictureInput& input, const Layer& layer) const;
+  static passes::InkDraw inkDraw(const PictureInput& input, const Layer& layer, const Shown& shown);
+  void drawInk(gpu::Device& device, const PictureInput& input, std::vector<Layer>& layers,
+               std::span<const std::size_t> changed);
+  void resolve(gpu::Device& device, const PictureInput& input, const gpu::Rect& region,
+               const gpu::Target& target, std::span<const Layer> layers);
+
+  Atlas m_atlas;
+  std::unique_ptr<passes::SurfacePass> m_surfacePass;
+  std::unique_ptr<passes::InkPass> m_inkPass;
+  std::unique_ptr<passes::ResolvePass> m_resolvePass;
+  Key m_key;
+  std::vector<Layer> m_kept;
+  bool m_freshAtlas = true;
+  int m_layersDrawn = 0;
+};
+
+}  // namespace sline::render

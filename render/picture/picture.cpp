@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/picture/picture.h"
+
+#include <algorithm>
+
+#include "render/passes/plain_phong/pass.h"
+#include "render/picture/layer_painter.h"
+
+namespace sline::render {
+
+namespace {
+
+/// A colour texture to draw the picture into, with a depth texture where asked for.
+struct Canvas {
+  std::unique_ptr<gpu::Texture> colour;
+  std::unique_ptr<gpu::Texture> depth;
+  std::unique_ptr<gpu::Target> target;
+
+  Status resize(gpu::TextureSize size, bool withDepth) {
+    if (target && target->size() == size && target->hasDepth() == withDepth)
+      return Unit{};
+    target.reset();
+    depth.reset();
+    colour = std::make_unique<gpu::Texture>(gpu::TextureFormat::rgba8, size, "picture");
+    if (withDepth)
+      depth = std::make_unique<gpu::Texture>(gpu::TextureFormat::depth32f, size, "picture depth");
+    auto made = gpu::Target::create({{colour.get()}, depth.get()}, "picture");
+    if (!made)
+      return made.error();
+    target = std::move(*made);
+    return Unit{};
+  }
+};
+
+/// From premultiplied rows from the bottom to straight rows from the top, at the region's place.
+void copyRegion(const std::vector<std::byte>& pixels, const gpu::Rect& region, Image& image) {
+  for (int y = 0; y < region.height; ++y) {
+    const auto* from =
+        reinterpret_cast<const std::uint8_t*>(pixels.data()) + std::size_t(y) * region.width * 4;
+    std::uint8_t* to = image.rgba.data() +
+                       (std::size_t(image.height - 1 - region.y - y) * image.width + region.x) * 4;
+    for (int x = 0; x < region.width; ++x, from += 4, to += 4) {
+      const int alpha = from[3];
+      for (int i = 0; i < 3; ++i)
+        to[i] = alpha == 0 ? std::uint8_t(0)
+                           : std::uint8_t(std::min(255, (from[i] * 255 + alpha / 2) / alpha));
+      to[3] = std::uint8_t(alpha);
+    }
+  }
+}
+
+Status checkRequest(const model::Camera& camera, const PictureSettings& settings) {
+  if (settings.width < 1 || settings.height < 1 || settings.width > 65535 ||
+      settings.height > 65535)
+    return Error{.reason = "a picture of " + std::to_string(settings.width) + "×" +
+                           std::to_string(settings.height) + " pixels cannot be drawn",
+                 .remedy = "Ask for 1 to 65535 pixels each way"};
+  if (const auto fault = model::cameraFault(camera))
+    return Error{.where = "camera", .reason = std::string(*fault), .remedy = "Correct the camera"};
+  return Unit{};
+}
+
+}  // namespace
+
+struct Picture::Data {
+  std::unique_ptr<gpu::Device> device;
+  std::unique_ptr<LayerPainter> painter;
+  std::unique_ptr<passes::PlainPhongPass> plainPhong;
+  PictureOptions options;
+  SurfaceCache surfaces;
+  Canvas canvas;
+  Canvas plainCanvas;
+  PictureTimings timings;
+  int layersDrawn = 0;
+
+  std::vector<Shown> shown(const model::Scene& scene);
+  int regionSide() const;
+  Status paint(const PictureInput& input, const gpu::Rect& region, Stopwatch& stopwatch,
+               Image* image);
+  Status picture(const model::Scene& scene, const model::Camera& camera,
+                 const PictureSettings& settings, Image* image);
+};
+
+std::vector<Shown> Picture::Data::shown(const model::Scene& scene) {
+  std::vector<model::MeshPtr> meshes;
+  std::vector<Shown> visible;
+  for (const model::Node& node : scene.nodes()) {
+    if (node.isGroup())
+      continue;
+    meshes.push_back(node.mesh);
+    const model::ResolvedStyle style = scene.resolve(node.id);
+    if (style.visible && node.mesh->triangleCount() > 0)
+      visible.push_back(
+          {node.id, node.mesh, style, &surfaces.at(node.mesh, node.provenance.smoothingSteps > 0)});
+  }
+  surfaces.keepOnly(meshes);
+  std::sort(visible.begin(), visible.end(),
+            [](const Shown& a, const Shown& b) { return a.id < b.id; });
+  return visible;
+}
+
+int Picture::Data::regionSide() const {
+  const int driver = std::min(device->limits().textureSide, device->limits().viewportSide);
+  return options.maximumSide > 0 ? std::min(options.maximumSide, driver) : driver;
+}
+
+Status Picture::Data::paint(const PictureInput& input, const gpu::Rect& region,
+                            Stopwatch& stopwatch, Image* image) {
+  auto outcome = Result<LayerPainter::Outcome>(LayerPainter::Outcome::tooLarge);
+  if (std::max(region.width, region.height) <= regionSide()) {
+    if (Status s = canvas.resize({region.width, region.height}, false); !s)
+      return s;
+    outcome = painter->paint(*device, input, region, *canvas.target, stopwatch);
+    if (!outcome)
+      return outcome.error();
+  }
+  if (*outcome == LayerPainter::Outcome::tooLarge) {
+    if (std::max(region.width, region.height) < 2 * passes::ResolvePass::tileSide)
+      return Error{.reason =
+                       "the structures of this scene do not fit into the memory set aside "
+                       "for a picture, not even piece by piece",
+                   .remedy = "Hide some structures"};
+    gpu::Rect first = region;
+    gpu::Rect second = region;
+    if (region.width >= region.height) {
+      first.width = region.width / 2;
+      second = {first.right(), region.y, region.width - first.width, region.height};
+    } else {
+      first.height = region.height / 2;
+      second = {region.x, first.top(), region.width, region.height - first.height};
+    }
+    for (const gpu::Rect& half : {first, second})
+      if (Status s = paint(input, half, stopwatch, image); !s)
+        return s;
+    return Unit{};
+  }
+  layersDrawn += painter->layersDrawn();
+  if (image) {
+    std::vector<std::byte> pixels(std::size_t(region.width) * region.height * 4);
+    device->read(*canvas.target, {0, 0, region.width, region.height}, pixels);
+    copyRegion(pixels, region, *image);
+    stopwatch.pass(*device, "read");
+  }
+  return Unit{};
+}
+
+Status Picture::Data::picture(const model::Scene& scene, const model::Camera& camera,
+                              const PictureSettings& settings, Image* image) {
+  if (Status s = checkRequest(camera, settings); !s)
+    return s;
+  const std::vector<Shown> visible = shown(scene);
+  model::Box bounds;
+  for (const Shown& s : visible)
+    bounds.add(s.mesh->bounds());
+  Stopwatch stopwatch;
+  const PictureView view(camera, bounds, settings.width, settings.height);
+  std::map<model::NodeId, LineSet> lines;
+  const bool whole = std::max(settings.width, settings.height) <= regionSide();
+  layersDrawn = 0;
+  Status done = paint({.view = view,
+                       .shown = visible,
+                       .background = settings.background,
+                       .lines = whole ? nullptr : &lines},
+                      view.whole(), stopwatch, image);
+  timings = stopwatch.done();
+  timings.layersDrawn = layersDrawn;
+  return done;
+}
+
+Picture::Picture() : m_data(std::make_unique<Data>()) {}
+Picture::~Picture() = default;
+
+Result<std::unique_ptr<Picture>> Picture::create(const PictureOptions& options) {
+  std::unique_ptr<Picture> picture(new Picture);
+  Data& data = *picture->m_data;
+  data.options = options;
+  auto device = gpu::Device::create();
+  if (!device)
+    return device.error();
+  data.device = std::move(*device);
+  auto painter = LayerPainter::create(
+      *data.device, {.side = data.device->limits().textureSide, .pixels = options.atlasPixels});
+  if (!painter)
+    return painter.error();
+  data.painter = std::move(*painter);
+  auto plain = passes::PlainPhongPass::create(data.device->dialect());
+  if (!plain)
+    return plain.error();
+  data.plainPhong = std::move(*plain);
+  return picture;
+}
+
+void Picture::prepare(const model::Scene& scene) {
+  m_data->shown(scene);
+}
+
+Result<Image> Picture::render(const model::Scene& scene, const model::Camera& camera,
+                              const PictureSettings& settings) {
+  Image image{.width = settings.width, .height = settings.height, .rgba = {}};
+  if (Status s = checkRequest(camera, settings); !s)
+    return s.error();
+  image.rgba.resize(std::size_t(settings.width) * settings.height * 4);
+  if (Status s = m_data->picture(scene, camera, settings, &image); !s)
+    return s.error();
+  return image;
+}
+
+Status Picture::draw(const model::Scene& scene, const model::Camera& camera,
+                     const PictureSettings& settings) {
+  return m_data->picture(scene, camera, settings, nullptr);
+}
+
+Status Picture::drawPlainPhong(const model::Scene& scene, const model::Camera& camera,
+                               const PictureSettings& settings) {
+  if (Status s = checkRequest(camera, settings); !s)
+    return s;
+  Data& data = *m_data;
+  const std::vector<Shown> visible = data.shown(scene);
+  if (Status s = data.plainCanvas.resize({settings.width, settings.height}, true); !s)
+    return s;
+  Stopwatch stopwatch;
+  const PictureView view(camera, scene.visibleBounds(), settings.width, settings.height);
+  const gpu::Target& target = *data.plainCanvas.target;
+  data.device->clear(target, {.colour = backgroundColour(settings.background), .depth = 1.0f});
+  for (const Shown& s : visible) {
+    const Colour& c = s.style.colour;
+    data.plainPhong->draw(*data.device, target, {view.viewProjection(), view.eyeVector()},
+                          *s.cached->geometry,
+                          glm::vec3(float(c.red), float(c.green), float(c.blue)) / 255.0f);
+  }
+  stopwatch.pass(*data.device, "plain phong");
+  data.timings = stopwatch.done();
+  return Unit{};
+}
+
+const PictureTimings& Picture::timings() const {
+  return m_data->timings;
+}
+
+}  // namespace sline::render

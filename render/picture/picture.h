@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scene + camera → picture. Each structure is a layer, shaded in its own screen rectangle of an
+// atlas and kept until its style, its mesh or the camera changes; the resolve pass blends the
+// layers per pixel by depth, exactly and independently of their order (METHOD §10).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/base/result.h"
+#include "model/geometry/surface.h"
+#include "model/scene/scene.h"
+#include "render/picture/image.h"
+
+namespace sline::render {
+
+enum class Background { white, paper, dark, transparent };
+
+struct PictureSettings {
+  int width = 1280;
+  int height = 720;
+  Background background = Background::white;
+};
+
+/// Where the time of the last picture went, in milliseconds; the GPU is finished where a phase
+/// ends.
+struct PictureTimings {
+  double lines = 0.0;  ///< extraction on the CPU
+  struct Pass {
+    std::string name;
+    double milliseconds = 0.0;
+  };
+  std::vector<Pass> passes;
+  double total = 0.0;
+  int layersDrawn = 0;  ///< the others were still good from the picture before
+};
+
+/// How much of the driver a picture may use; pictures that need more are drawn in pieces.
+struct PictureOptions {
+  int maximumSide = 0;                   ///< of a piece, in pixels; 0: what the driver can do
+  std::size_t atlasPixels = 20'000'000;  ///< of all layers together, 13 bytes each
+};
+
+class Picture {
+ public:
+  /// Needs a current OpenGL 3.3 core or ES 3.0 context for its whole life. The error names the
+  /// driver and what it lacks.
+  static Result<std::unique_ptr<Picture>> create(const PictureOptions& options = {});
+  ~Picture();
+  Picture(const Picture&) = delete;
+  Picture& operator=(const Picture&) = delete;
+
+  /// Prepares and uploads what the scene's visible structures need and is not yet there.
+  void prepare(const model::Scene& scene);
+  /// Draws; also reads the pixels back. Pictures larger than the driver's textures are drawn in
+  /// tiles without seams.
+  Result<Image> render(const model::Scene& scene, const model::Camera& camera,
+                       const PictureSettings& settings);
+  /// Draws without reading back, and waits for the GPU (the benchmark's frame).
+  Status draw(const model::Scene& scene, const model::Camera& camera,
+              const PictureSettings& settings);
+  /// One opaque Phong pass of the visible structures straight to the picture, without layers or
+  /// lines: the benchmark's yardstick.
+  Status drawPlainPhong(const model::Scene& scene, const model::Camera& camera,
+                        const PictureSettings& settings);
+  const PictureTimings& timings() const;
+
+ private:
+  Picture();
+  struct Data;
+  std::unique_ptr<Data> m_data;
+};
+
+}  // namespace sline::render

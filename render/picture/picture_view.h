@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// The camera of one picture with everything that follows from it, in pixels of the whole picture
+// with y upwards.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include "model/geometry/clusters.h"
+#include "model/scene/camera.h"
+#include "render/gpu/rect.h"
+
+namespace sline::render {
+
+class PictureView {
+ public:
+  /// `bounds` is what the depth range must hold.
+  PictureView(const model::Camera& camera, const model::Box& bounds, int width, int height);
+
+  const model::Camera& camera() const { return m_camera; }
+  const model::EyePoint& eye() const { return m_eye; }
+  /// Position and 1, or for a parallel projection direction and 0.
+  glm::vec4 eyeVector() const { return {m_eye.value, m_eye.atInfinity ? 0.0f : 1.0f}; }
+  const glm::mat4& viewProjection() const { return m_viewProjection; }
+  /// The projection matrix' [2][2], [3][2], [2][3] and [3][3].
+  const glm::vec4& depthTerms() const { return m_depthTerms; }
+  glm::vec2 size() const { return m_size; }
+  gpu::Rect whole() const { return {0, 0, int(m_size.x), int(m_size.y)}; }
+  /// λ in pixels: the unit of pens (METHOD §1).
+  float outputUnit() const { return m_size.y / 720.0f; }
+  float millimetresPerPixel(const glm::vec3& p) const {
+    return model::millimetresPerPixel(m_camera, p, m_size.y);
+  }
+
+  struct Point {
+    glm::vec2 pixel;
+    float depth;  ///< window depth, 0 … 1 between near and far
+    float w;      ///< ≤ 0 behind the eye
+  };
+  Point project(const glm::vec3& p) const;
+  /// The direction in the picture into which a point of the surface moves along its normal; zero
+  /// where it moves straight towards the eye.
+  glm::vec2 projectedDirection(const glm::vec3& p, const glm::vec3& normal) const;
+  /// Pixels that the sphere can touch; the whole picture where it reaches behind the eye.
+  gpu::Rect bounds(const model::Sphere& sphere) const;
+
+ private:
+  model::Camera m_camera;
+  model::EyePoint m_eye;
+  glm::mat4 m_view;
+  glm::mat4 m_viewProjection;
+  glm::vec4 m_depthTerms;
+  glm::vec2 m_size;
+  glm::vec2 m_focal;  ///< pixels: of a unit slope, or of a millimetre in a parallel projection
+};
+
+}  // namespace sline::render

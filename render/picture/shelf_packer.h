@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Places rectangles in an atlas row by row. What is placed stays; the same sizes in the same order
+// give the same places.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "render/gpu/rect.h"
+#include "render/gpu/texture.h"
+
+namespace sline::render {
+
+class ShelfPacker {
+ public:
+  explicit ShelfPacker(gpu::TextureSize size = {}) : m_size(size) {}
+
+  /// Nothing where there is no room.
+  std::optional<gpu::Rect> place(int width, int height);
+  /// Rows in use, from the bottom.
+  int usedHeight() const { return m_top; }
+
+ private:
+  struct Shelf {
+    int y;
+    int height;
+    int used;
+  };
+  gpu::TextureSize m_size;
+  std::vector<Shelf> m_shelves;
+  int m_top = 0;
+};
+
+}  // namespace sline::render

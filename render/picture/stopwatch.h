@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <string_view>
+
+#include "render/gpu/device.h"
+#include "render/picture/picture.h"
+
+namespace sline::render {
+
+/// Sums up where time goes, phase by phase.
+class Stopwatch {
+ public:
+  Stopwatch() : m_start(Clock::now()), m_last(m_start) {}
+
+  /// The time since the last phase ended was spent on lines.
+  void lines() { m_timings.lines += lap(); }
+  /// … was spent on this pass; waits for the GPU.
+  void pass(gpu::Device& device, std::string_view name) {
+    device.finish();
+    const double milliseconds = lap();
+    for (PictureTimings::Pass& p : m_timings.passes)
+      if (p.name == name) {
+        p.milliseconds += milliseconds;
+        return;
+      }
+    m_timings.passes.push_back({std::string(name), milliseconds});
+  }
+  PictureTimings done() {
+    m_timings.total = between(m_start, Clock::now());
+    return m_timings;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static double between(Clock::time_point a, Clock::time_point b) {
+    return std::chrono::duration<double, std::milli>(b - a).count();
+  }
+  double lap() {
+    const Clock::time_point now = Clock::now();
+    const double milliseconds = between(m_last, now);
+    m_last = now;
+    return milliseconds;
+  }
+
+  Clock::time_point m_start;
+  Clock::time_point m_last;
+  PictureTimings m_timings;
+};
+
+}  // namespace sline::render

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is computed and uploaded once per mesh and kept while some structure shows it.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+
+#include "model/geometry/surface.h"
+#include "render/passes/surface_geometry.h"
+
+namespace sline::render {
+
+struct CachedSurface {
+  model::SurfacePtr surface;
+  std::unique_ptr<passes::SurfaceGeometry> geometry;
+
+  /// Uploads the curvature that fills at 3 < Γ < 4 need, once.
+  void needShape();
+};
+
+class SurfaceCache {
+ public:
+  /// Prepares one mesh at a time, so that intermediate memory is needed once. A mesh that import
+  /// smoothed, because it shows the steps of a label map, has its curvature smoothed too (METHOD
+  /// §5); what is there already stays as it is.
+  CachedSurface& at(const model::MeshPtr& mesh, bool smoothed);
+  /// Forgets meshes that are not among these.
+  void keepOnly(std::span<const model::MeshPtr> meshes);
+
+ private:
+  std::map<model::MeshPtr, CachedSurface> m_surfaces;
+};
+
+}  // namespace sline::render

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which layers can show in which square of the picture: the CPU's share of the resolve (METHOD
+// §10).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/passes/resolve/pass.h"
+
+namespace sline::render {
+
+/// The squares of a region that a layer can touch.
+class TileMask {
+ public:
+  TileMask() = default;
+  /// `region` in pixels of the whole picture; its squares start at its lower left corner.
+  explicit TileMask(const gpu::Rect& region);
+
+  void mark(const gpu::Rect& area);
+  bool marked(int column, int row) const {
+    return m_marked[std::size_t(row) * m_columns + column] != 0;
+  }
+  int columns() const { return m_columns; }
+  int rows() const { return m_rows; }
+
+ private:
+  gpu::Rect m_region;
+  int m_columns = 0;
+  int m_rows = 0;
+  std::vector<std::uint8_t> m_marked;
+};
+
+struct ListedLayer {
+  const TileMask* mask = nullptr;
+  passes::ResolveLayer layer;  ///< its area in pixels of the region
+};
+
+struct TileLists {
+  std::vector<passes::ResolveTile> tiles;  ///< those with any layer
+  std::vector<passes::ResolveEntry> entries;
+};
+
+/// `layers` in order of their ids; all masks of the same region.
+TileLists tileLists(std::span<const ListedLayer> layers);
+
+}  // namespace sline::render

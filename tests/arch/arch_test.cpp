@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+// Each rule twice: on a sample that breaks it, so that it is known to fail, and on the tree itself.
+#include <QDirIterator>
+#include <QFile>
+#include <QProcess>
+#include <QtTest>
+
+#include "tests/arch/rules.h"
+
+using namespace sline::arch;
+
+namespace {
+std::string contents(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
+}
+
+std::vector<File> tree(const QStringList& patterns) {
+  std::vector<File> files;
+  const QDir top(SLINE_SOURCE_DIR);
+  for (const char* folder : {"app", "model", "render", "resources", "tests", "widgets", ".ci"}) {
+    QDirIterator it(top.filePath(folder), patterns, QDir::Files | QDir::Hidden,
+                    QDirIterator::Subdirectories);
+    while (it.hasNext()) {
+      const QString path = it.next();
+      files.push_back({top.relativeFilePath(path).toStdString(), contents(path)});
+    }
+  }
+  return files;
+}
+
+void report(const Complaints& complaints) {
+  for (const std::string& complaint : complaints)
+    qWarning("%s", complaint.c_str());
+  QVERIFY2(complaints.empty(), "see the complaints above");
+}
+
+void append(Complaints& to, const Complaints& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+}  // namespace
+
+class ArchTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void includeRuleFails_data() {
+    QTest::addColumn<QString>("path");
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<bool>("allowed");
+    QTest::newRow("upwards") << "model/scene/a.cpp"
+                             << "#include \"render/lines/lines.h\"" << false;
+    QTest::newRow("downwards") << "render/lines/a.cpp"
+                               << "#include \"model/scene/scene.h\"" << true;
+    QTest::newRow("sideways") << "model/geometry/a.cpp"
+                              << "#include \"model/import/import.h\"" << false;
+    QTest::newRow("lines know no gpu") << "render/lines/a.cpp"
+                                       << "#include \"render/gpu/device.h\"" << false;
+    QTest::newRow("passes know no picture") << "render/passes/ink/a.cpp"
+                                            << "#include \"render/picture/picture.h\"" << false;
+    QTest::newRow("command line skips widgets") << "app/cli/a.cpp"
+                                                << "#include \"widgets/window/window.h\"" << false;
+    QTest::newRow("Qt in the model") << "model/scene/a.h"
+                                     << "#include <QString>" << false;
+    QTest::newRow("Qt in the command line") << "app/cli/a.cpp"
+                                            << "#include <QtCore/QString>" << false;
+    QTest::newRow("Qt in a widget") << "widgets/window/a.cpp"
+                                    << "#include <QMainWindow>" << true;
+    QTest::newRow("OpenGL outside gpu") << "render/passes/ink/a.cpp"
+                                        << "#include <epoxy/gl.h>" << false;
+    QTest::newRow("OpenGL in gpu") << "render/gpu/a.cpp"
+                                   << "#include <epoxy/gl.h>" << true;
+    QTest::newRow("VTK in geometry") << "model/geometry/a.cpp"
+                                     << "#include <vtkPolyData.h>" << false;
+    QTest::newRow("VTK in a header") << "model/import/a.h"
+                                     << "#include <vtkPolyData.h>" << false;
+    QTest::newRow("VTK in import") << "model/import/a.cpp"
+                                   << "#include <vtkPolyData.h>" << true;
+    QTest::newRow("oneTBB") << "render/lines/a.cpp"
+                            << "#include <oneapi/tbb/parallel_for.h>" << false;
+    QTest::newRow("GL type in a header") << "render/picture/a.h"
+                                         << "  GLuint texture = 0;" << false;
+    QTest::newRow("GL type in gpu") << "render/gpu/a.h"
+                                    << "  GLuint texture = 0;" << true;
+  }
+  void includeRuleFails() {
+    QFETCH(QString, path);
+    QFETCH(QString, text);
+    QFETCH(bool, allowed);
+    QCOMPARE(checkIncludes({path.toStdString(), text.toStdString()}).empty(), allowed);
+  }
+
+  void sizeRuleFails_data() {
+    QTest::addColumn<QString>("path");
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<bool>("allowed");
+    const QString body = QString("  x();\n").repeated(58);
+    QTest::newRow("long header") << "a.h" << QString("\n").repeated(251) << false;
+    QTest::newRow("whole header") << "a.h" << QString("\n").repeated(250) << true;
+    QTest::newRow("long source") << "a.cpp" << QString("\n").repeated(501) << false;
+    QTest::newRow("excepted") << "known.cpp" << QString("\n").repeated(501) << true;
+    QTest::newRow("whole function") << "a.cpp"
+                                    << "int f(int a) {\n" + body + "}\n"
+                                    << true;
+    QTest::newRow("long function") << "a.cpp"
+                                   << "int f(int a) {\n  y();\n" + body + "}\n"
+                                   << false;
+    QTest::newRow("long member") << "a.cpp"
+                                 << "  int f(int a) const {\n  y();\n" + body + "  }\n"
+                                 << false;
+    QTest::newRow("five parameters") << "a.cpp"
+                                     << "int f(int a, A<b, c> d, int e, int g,\n    int h) {\n}\n"
+                                     << true;
+    QTest::newRow("six parameters") << "a.cpp"
+                                    << "int f(int a, int b, int c,\n    int d, int e, int g) {\n}\n"
+                                    << false;
+  }
+  void sizeRuleFails() {
+    QFETCH(QString, path);
+    QFETCH(QString, text);
+    QFETCH(bool, allowed);
+    QCOMPARE(checkSizes({path.toStdString(), text.toStdString()}, "see known.cpp").empty(),
+             allowed);
+  }
+
+  void otherRulesFail() {
+    QVERIFY(!checkLinks({"model/scene/CMakeLists.txt", "DEPENDS sline_gpu)"}).empty());
+    QVERIFY(!checkLinks({"render/lines/CMakeLists.txt", "PRIVATE TBB::tbb)"}).empty());
+    QVERIFY(checkLinks({"render/picture/CMakeLists.txt", "DEPENDS sline_gpu)"}).empty());
+    QVERIFY(!checkLicenceLine({"a.cpp", "// nothing\n\n// here\n"}).empty());
+    QVERIFY(
+        checkLicenceLine({"a.sh", "#!/bin/sh\n# SPDX-License-Identifier: Apache-2.0\n"}).empty());
+    QVERIFY(!checkTopLevel({"app", "scripts"}).empty());
+    QVERIFY(!checkNoQt("libc.so.6 libQt6Core.so.6").empty());
+    QVERIFY(checkNoQt("libc.so.6 libvtkCommonCore-9.1.so.1").empty());
+  }
+
+  void includes() {
+    Complaints all;
+    for (const File& file : tree({"*.h", "*.cpp"}))
+      append(all, checkIncludes(file));
+    report(all);
+  }
+  void links() {
+    Complaints all;
+    for (const File& file : tree({"CMakeLists.txt"}))
+      append(all, checkLinks(file));
+    report(all);
+  }
+  void sizes() {
+    const std::string exceptions = contents(QStringLiteral(SLINE_SOURCE_DIR "/ARCHITECTURE.md"));
+    Complaints all;
+    for (const File& file : tree({"*.h", "*.cpp", "*.glsl"}))
+      if (!file.path.starts_with("tests/arch/"))
+        append(all, checkSizes(file, exceptions));
+    report(all);
+  }
+  void licenceLines() {
+    Complaints all;
+    for (const File& file :
+         tree({"*.h", "*.cpp", "*.glsl", "*.sh", "*.cmake", "CMakeLists.txt", "run"}))
+      append(all, checkLicenceLine(file));
+    report(all);
+  }
+  void topLevel() {
+    std::vector<std::string> names;
+    const QDir top(SLINE_SOURCE_DIR);
+    for (const QString& name :
+         top.entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden))
+      names.push_back(name.toStdString());
+    report(checkTopLevel(names));
+  }
+  void programNeedsNoQt() {
+    QProcess process;
+    process.start("ldd", {SLINE_PROGRAM});
+    QVERIFY(process.waitForFinished());
+    const std::string needed = process.readAllStandardOutput().toStdString();
+    QVERIFY2(needed.find("libc.so") != std::string::npos, "ldd said nothing");
+    report(checkNoQt(needed));
+  }
+};
+
+QTEST_APPLESS_MAIN(ArchTest)
+#include "arch_test.moc"

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+// sline-bench: turns the camera once around a scene and reports where the time and the memory went.
+// Figures of one run are compared with each other (frame against plain Phong), never with a clock:
+// machines are shared and noisy.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <iostream>
+#include <map>
+
+#include "model/edit/style.h"
+#include "model/import/import.h"
+#include "render/gpu/headless/context.h"
+#include "render/picture/picture.h"
+#include "tests/bench/measure.h"
+#include "tests/bench/report.h"
+#include "tests/bench/vtk_phong.h"
+
+using namespace sline;
+
+namespace {
+struct Options {
+  std::vector<std::string> inputs;
+  int frames = 60;
+  std::string size = "1280x720";
+  std::optional<float> gamma;
+  bool json = false;
+};
+
+std::optional<glm::ivec2> parsedSize(const std::string& text) {
+  glm::ivec2 size(0);
+  char end = 0;
+  if (std::sscanf(text.c_str(), "%5dx%5d%c", &size.x, &size.y, &end) != 2)
+    return std::nullopt;
+  if (size.x < 16 || size.y < 16 || size.x > 20000 || size.y > 20000)
+    return std::nullopt;
+  return size;
+}
+
+/// Γ for all, or from 0 to 5 over the structures sorted by name.
+model::Scene withGamma(const model::Scene& scene, std::optional<float> gamma) {
+  std::vector<model::NodeId> ids = scene.structuresBelow(model::rootId);
+  std::sort(ids.begin(), ids.end(), [&](model::NodeId a, model::NodeId b) {
+    return scene.find(a)->name < scene.find(b)->name;
+  });
+  model::Scene result = scene;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const float share = ids.size() > 1 ? float(i) / float(ids.size() - 1) : 0.0f;
+    const model::Style patch{.gamma = Gamma::clamped(gamma.value_or(5.0f * share)),
+                             .visible = true};
+    result = model::withStyle(result, std::span(&ids[i], 1), patch).scene;
+  }
+  return result;
+}
+
+/// The anterior camera turned about the vertical through the middle of the scene.
+model::Camera turned(const model::Camera& start, float share) {
+  const float angle = 2.0f * 3.14159265f * share;
+  const glm::vec3 d = start.eye - start.target;
+  model::Camera camera = start;
+  camera.eye = start.target + glm::vec3(std::cos(angle) * d.x - std::sin(angle) * d.y,
+                                        std::sin(angle) * d.x + std::cos(angle) * d.y, d.z);
+  return camera;
+}
+
+int fail(const Error& error) {
+  std::cerr << "sline-bench: " << error.text() << '\n';
+  return 1;
+}
+
+/// Calls draw for every step of the turn, after one frame to warm up; the times in milliseconds.
+template <class Draw>
+Result<std::vector<double>> timed(int frames, const model::Camera& start, const Draw& draw) {
+  if (const Status status = draw(turned(start, 0.5f / float(frames))); !status)
+    return status.error();
+  std::vector<double> times;
+  for (int i = 0; i < frames; ++i) {
+    const model::Camera camera = turned(start, float(i) / float(frames));
+    const bench::Stopwatch watch;
+    if (const Status status = draw(camera); !status)
+      return status.error();
+    times.push_back(watch.milliseconds());
+  }
+  return times;
+}
+
+struct Stage {
+  model::Scene scene;
+  model::Camera camera;
+  render::PictureSettings settings;
+  int frames;
+};
+
+Status measureFrames(render::Picture& picture, const Stage& stage, bench::Report& report) {
+  std::vector<double> lines;
+  std::map<std::string, std::vector<double>> passes;
+  std::vector<std::string> order;
+  const auto frame = timed(stage.frames, stage.camera, [&](const model::Camera& camera) {
+    const Status status = picture.draw(stage.scene, camera, stage.settings);
+    lines.push_back(picture.timings().lines);
+    for (const auto& pass : picture.timings().passes) {
+      if (!passes.contains(pass.name))
+        order.push_back(pass.name);
+      passes[pass.name].push_back(pass.milliseconds);
+    }
+    return status;
+  });
+  if (!frame)
+    return frame.error();
+  report.frame = bench::spreadOf(*frame);
+  report.lines = bench::spreadOf(lines);
+  for (const std::string& name : order)
+    report.passes.emplace_back(name, bench::spreadOf(passes[name]));
+  return Unit{};
+}
+
+Status measurePhong(render::Picture& picture, const Stage& stage, bench::Report& report) {
+  const auto phong = timed(stage.frames, stage.camera, [&](const model::Camera& camera) {
+    return picture.drawPlainPhong(stage.scene, camera, stage.settings);
+  });
+  if (!phong)
+    return phong.error();
+  report.phong = bench::spreadOf(*phong);
+  // Read here: VTK holds its own copies of everything, which are not ours to answer for.
+  report.peakRssMiB = bench::peakResidentMiB();
+  return Unit{};
+}
+
+/// In a context of its own: VTK takes a fresh one's state for granted.
+Status measureVtk(const Stage& stage, bench::Report& report) {
+  auto context = render::gpu::HeadlessContext::create();
+  if (!context)
+    return context.error();
+  bench::VtkPhong vtk(stage.scene, stage.settings.width, stage.settings.height);
+  const auto times = timed(stage.frames, stage.camera, [&](const model::Camera& camera) {
+    vtk.draw(camera);
+    return Status(Unit{});
+  });
+  report.vtkPhong = bench::spreadOf(times.value());
+  if (vtk.covered() < 0.001)
+    return Error{.reason = "VTK's yardstick drew nothing",
+                 .remedy = "Check that VTK's OpenGL2 module works with this driver"};
+  return Unit{};
+}
+
+/// Imports and counts; the camera stands before the whole.
+Result<Stage> importStage(const Options& options, const glm::ivec2& size, bench::Report& report) {
+  const bench::Stopwatch watch;
+  const std::vector<std::filesystem::path> inputs(options.inputs.begin(), options.inputs.end());
+  const auto imported = model::importInputs(inputs, {});
+  if (!imported)
+    return imported.error();
+  report.importMs = watch.milliseconds();
+  Stage stage{.scene = withGamma(imported->scene, options.gamma),
+              .settings = {.width = size.x, .height = size.y},
+              .frames = options.frames};
+  for (const model::NodeId id : stage.scene.structuresBelow(model::rootId)) {
+    ++report.structures;
+    report.triangles += stage.scene.find(id)->mesh->triangleCount();
+  }
+  stage.camera = model::anatomicalCamera(
+      model::AnatomicalView::anterior, stage.scene.visibleBounds(), float(size.x) / float(size.y));
+  return stage;
+}
+
+Result<bench::Report> run(const Options& options, const glm::ivec2& size) {
+  bench::Report report;
+  auto context = render::gpu::HeadlessContext::create();
+  if (!context)
+    return context.error();
+  auto picture = render::Picture::create();
+  if (!picture)
+    return picture.error();
+  report.driver = (*context)->driver();
+  bench::resetPeak();
+  report.baseRssMiB = bench::residentMiB();
+  const auto stage = importStage(options, size, report);
+  if (!stage)
+    return stage.error();
+  const bench::Stopwatch prepareWatch;
+  (*picture)->prepare(stage->scene);
+  report.preprocessMs = prepareWatch.milliseconds();
+  if (const Status status = measureFrames(**picture, *stage, report); !status)
+    return status.error();
+  if (const Status status = measurePhong(**picture, *stage, report); !status)
+    return status.error();
+  const Status vtk = measureVtk(*stage, report);
+  (*context)->makeCurrent();
+  if (!vtk)
+    return vtk.error();
+  return report;
+}
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{"Turns the camera around a scene and reports time and memory"};
+  app.add_option("INPUT", options.inputs, "Meshes, folders, 3D Slicer scenes")->required();
+  app.add_option("--frames", options.frames, "Pictures of one full turn")
+      ->check(CLI::Range(1, 10000));
+  app.add_option("--size", options.size, "Width x height in pixels")->capture_default_str();
+  app.add_option("--gamma", options.gamma, "Γ of every structure; without it 0 … 5 by name")
+      ->check(CLI::Range(0.0f, 5.0f));
+  app.add_flag("--json", options.json, "Print JSON");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  const auto size = parsedSize(options.size);
+  if (!size) {
+    std::cerr << "sline-bench: --size wants WxH, each from 16 to 20000, not " << options.size
+              << '\n';
+    return 2;
+  }
+  const auto report = run(options, *size);
+  if (!report)
+    return fail(report.error());
+  std::cout << (options.json ? asJson(*report) : asText(*report));
+  return 0;
+}

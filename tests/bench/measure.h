@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace sline::bench {
+
+/// Median and 95th percentile of a series, milliseconds.
+struct Spread {
+  double median = 0.0;
+  double p95 = 0.0;
+};
+Spread spreadOf(std::vector<double> milliseconds);
+
+class Stopwatch {
+ public:
+  double milliseconds() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - m_start)
+        .count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+};
+
+/// Memory of this process in MiB, now and at its highest (from /proc/self/status).
+double residentMiB();
+double peakResidentMiB();
+/// Starts the peak anew from what is resident now, where the system allows it.
+void resetPeak();
+
+}  // namespace sline::bench

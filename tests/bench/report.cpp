@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/bench/report.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace sline::bench {
+
+namespace {
+using Json = nlohmann::ordered_json;
+
+Json json(const Spread& spread) {
+  return {{"median", spread.median}, {"p95", spread.p95}};
+}
+
+void line(std::ostream& out, const std::string& name, const Spread& spread) {
+  out << std::left << std::setw(22) << name << std::right << std::setw(10) << spread.median
+      << std::setw(10) << spread.p95 << '\n';
+}
+}  // namespace
+
+double Report::bytesPerTriangle() const {
+  return triangles == 0 ? 0.0 : (peakRssMiB - baseRssMiB) * 1024.0 * 1024.0 / double(triangles);
+}
+
+double Report::frameRatio() const {
+  const double yardstick = std::min(phong.median, vtkPhong.median);
+  return yardstick > 0.0 ? frame.median / yardstick : 0.0;
+}
+
+std::string asJson(const Report& r) {
+  Json passes = Json::object();
+  for (const auto& [name, spread] : r.passes)
+    passes[name] = json(spread);
+  const Json all{{"triangles", r.triangles},
+                 {"structures", r.structures},
+                 {"import_ms", r.importMs},
+                 {"preprocess_ms", r.preprocessMs},
+                 {"base_rss_mib", r.baseRssMiB},
+                 {"peak_rss_mib", r.peakRssMiB},
+                 {"frame_ms", json(r.frame)},
+                 {"lines_ms", json(r.lines)},
+                 {"passes_ms", passes},
+                 {"phong_ms", json(r.phong)},
+                 {"vtk_phong_ms", json(r.vtkPhong)},
+                 {"driver", r.driver}};
+  return all.dump(2) + "\n";
+}
+
+std::string asText(const Report& r) {
+  std::ostringstream out;
+  out << std::fixed << std::setprecision(1);
+  out << r.structures << " structures, " << r.triangles << " triangles, " << r.driver << '\n'
+      << "import " << r.importMs << " ms, preprocessing " << r.preprocessMs << " ms\n"
+      << "memory " << r.baseRssMiB << " MiB before, " << r.peakRssMiB
+      << " MiB at most: " << r.bytesPerTriangle() << " bytes per triangle\n\n"
+      << "milliseconds              median       p95\n";
+  line(out, "frame", r.frame);
+  line(out, "  lines", r.lines);
+  for (const auto& [name, spread] : r.passes)
+    line(out, "  " + name, spread);
+  line(out, "plain Phong", r.phong);
+  line(out, "VTK's Phong", r.vtkPhong);
+  out << std::setprecision(2) << "frame / smaller yardstick " << r.frameRatio() << '\n';
+  return out.str();
+}
+
+}  // namespace sline::bench

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/bench/measure.h"
+
+namespace sline::bench {
+
+struct Report {
+  std::size_t triangles = 0;
+  std::size_t structures = 0;
+  double importMs = 0.0;
+  double preprocessMs = 0.0;
+  double baseRssMiB = 0.0;  ///< after the context was made, before the import
+  double peakRssMiB = 0.0;  ///< before VTK's yardstick makes its own copies
+  Spread frame;
+  Spread lines;
+  std::vector<std::pair<std::string, Spread>> passes;
+  Spread phong;
+  Spread vtkPhong;
+  std::string driver;
+
+  double bytesPerTriangle() const;
+  /// The frame over the smaller of both yardsticks.
+  double frameRatio() const;
+};
+
+std::string asJson(const Report& report);
+std::string asText(const Report& report);
+
+}  // namespace sline::bench

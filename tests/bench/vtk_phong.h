@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// The yardstick from outside: VTK's own mapper draws the same scene, from the same camera, in a
+// context of the same kind.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/scene/scene.h"
+
+namespace sline::bench {
+
+class VtkPhong {
+ public:
+  /// Needs a current OpenGL context for its whole life.
+  VtkPhong(const model::Scene& scene, int width, int height);
+  ~VtkPhong();
+  VtkPhong(const VtkPhong&) = delete;
+  VtkPhong& operator=(const VtkPhong&) = delete;
+
+  /// Draws one frame and waits for the GPU.
+  void draw(const model::Camera& camera);
+  /// How much of the last frame is not background, 0 … 1: proof that something was drawn.
+  double covered() const;
+
+ private:
+  struct Data;
+  std::unique_ptr<Data> m_data;
+};
+
+}  // namespace sline::bench

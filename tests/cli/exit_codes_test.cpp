@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/cli/sline_process.h"
+
+namespace sline::test {
+
+/// What the program answers to right and wrong command lines. In the arguments, SAMPLE is a good
+/// scene, DIR the test's folder.
+class ExitCodesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase();
+  void answers_data();
+  void answers();
+
+ private:
+  QTemporaryDir m_folder;
+  QString m_sample;
+};
+
+void ExitCodesTest::initTestCase() {
+  QVERIFY(m_folder.isValid());
+  m_sample = writeSample(m_folder.path());
+  writeFile(m_folder.filePath("front.json"), frontCamera());
+  writeFile(m_folder.filePath("blind.json"), R"({"eye":[1,2,3],"target":[1,2,3]})");
+  writeFile(m_folder.filePath("broken.json"), R"({"eye":[1,2)");
+  writeFile(m_folder.filePath("broken.stl"), "solid broken\n facet normal 0 0");
+  writeFile(m_folder.filePath("notes.txt"), "no mesh");
+  QVERIFY(QDir(m_folder.path()).mkdir("empty"));
+}
+
+void ExitCodesTest::answers_data() {
+  QTest::addColumn<QString>("arguments");
+  QTest::addColumn<int>("code");
+  QTest::addColumn<QString>("says");  // somewhere in either stream; '|' parts all
+  const QString render = "render|SAMPLE|-o|DIR/a.png|--size|64x64";
+
+  QTest::newRow("version") << "--version" << 0 << "sline ";
+  QTest::newRow("help") << "--help" << 0 << "gamma|render|lines|curvature|info";
+  QTest::newRow("render's help") << "render|--help" << 0 << "--camera|--only|anterior|#rrggbb";
+  QTest::newRow("lines' help") << "lines|--help" << 0 << "theta_c|--kinds";
+
+  QTest::newRow("no command") << "" << 2 << "";
+  QTest::newRow("unknown command") << "draw" << 2 << "";
+  QTest::newRow("unknown flag") << render + "|--gama|2" << 2 << "--gama";
+  QTest::newRow("no input") << "render|-o|DIR/a.png" << 2 << "INPUT";
+  QTest::newRow("no output") << "render|SAMPLE" << 2 << "--output";
+  QTest::newRow("unknown picture kind") << "render|SAMPLE|-o|DIR/a.bmpx" << 2 << "png|tiff|exr|jpg";
+  QTest::newRow("picture without kind") << "render|SAMPLE|-o|DIR/a" << 2 << "extension|png";
+  QTest::newRow("size of words") << "render|SAMPLE|-o|DIR/a.png|--size|big" << 2 << "big|1920x1080";
+  QTest::newRow("size too small") << "render|SAMPLE|-o|DIR/a.png|--size|15x64" << 2 << "16|20000";
+  QTest::newRow("size too large") << "render|SAMPLE|-o|DIR/a.png|--size|64x20001" << 2 << "20000";
+  QTest::newRow("gamma too large") << render + "|--gamma|5.1" << 2 << "5.1";
+  QTest::newRow("gamma of words") << render + "|--gamma|much" << 2 << "much";
+  QTest::newRow("gamma not a number") << render + "|--gamma|nan" << 2 << "nan";
+  QTest::newRow("gamma of a name too large") << render + "|--gamma|kidney=9" << 2 << "9";
+  QTest::newRow("unknown name") << render + "|--gamma|kidny=2" << 2 << "kidny|\"kidney\"";
+  QTest::newRow("part of a name") << render + "|--only|renal" << 2 << "renal artery|renal vein";
+  QTest::newRow("colour by name") << render + "|--color|kidney=red" << 2 << "red|#rrggbb";
+  QTest::newRow("colour without name") << render + "|--color|#ff0000" << 2 << "NAME";
+  QTest::newRow("unknown fill") << render + "|--fill|water" << 2 << "water|tint";
+  QTest::newRow("unknown background") << render + "|--background|pink" << 2 << "pink|transparent";
+  QTest::newRow("unknown view") << render + "|--view|front" << 2 << "front|anterior|superior";
+  QTest::newRow("view and camera") << render + "|--view|left|--camera|DIR/front.json" << 2 << "";
+  QTest::newRow("absent camera") << render + "|--camera|DIR/none.json" << 2 << "none.json";
+  QTest::newRow("broken camera") << render + "|--camera|DIR/broken.json" << 2 << "broken.json|byte";
+  QTest::newRow("blind camera") << render + "|--camera|DIR/blind.json" << 2 << "same point";
+  QTest::newRow("unknown frame") << render + "|--frame|XYZ" << 2 << "XYZ|RAS";
+  QTest::newRow("unknown smoothing") << render + "|--smooth|soft" << 2 << "soft|auto";
+  QTest::newRow("lines without camera")
+      << "lines|SAMPLE/Organs/kidney.obj|--size|64x64|-o|DIR/l.json" << 2 << "--camera";
+  QTest::newRow("unknown kind of lines")
+      << "lines|SAMPLE/Organs/kidney.obj|--camera|DIR/front.json|--size|64x64|-o|DIR/l.json|"
+         "--kinds|ridge"
+      << 2 << "ridge";
+
+  QTest::newRow("absent file") << "render|DIR/none.stl|-o|DIR/a.png" << 1 << "none.stl";
+  QTest::newRow("broken file") << "render|DIR/broken.stl|-o|DIR/a.png" << 1 << "broken.stl";
+  QTest::newRow("unsupported kind") << "info|DIR/notes.txt" << 1 << "notes.txt";
+  QTest::newRow("folder without meshes") << "info|DIR/empty" << 1 << "empty";
+  QTest::newRow("no such folder to write to")
+      << "render|SAMPLE|-o|DIR/none/a.png|--size|64x64" << 1 << "none/a.png";
+  QTest::newRow("a folder as output")
+      << "curvature|SAMPLE/Organs/kidney.obj|-o|DIR/empty" << 1 << "folder";
+
+  QTest::newRow("good") << render << 0 << "";
+  QTest::newRow("good with all flags")
+      << render +
+             "|--view|superior|--gamma|1|--gamma|Vessels=4|--only|Vessels|--color|"
+             "renal_artery=#ff0000|--fill|tint|--smooth|off|--frame|lps|--background|dark"
+      << 0 << "";
+  QTest::newRow("camera") << render + "|--camera|DIR/front.json" << 0 << "";
+  QTest::newRow("a broken part") << "render|SAMPLE|DIR/broken.stl|-o|DIR/a.png|--size|64x64" << 0
+                                 << "warning|broken.stl";
+}
+
+void ExitCodesTest::answers() {
+  QFETCH(QString, arguments);
+  QFETCH(int, code);
+  QFETCH(QString, says);
+  arguments.replace("SAMPLE", m_sample).replace("DIR", m_folder.path());
+  const Finished finished = runSline(arguments.split('|', Qt::SkipEmptyParts));
+  const QByteArray text = finished.out + finished.err;
+  QVERIFY2(finished.code == code, "exit code " + QByteArray::number(finished.code) + ": " + text);
+  for (const QString& part : says.split('|', Qt::SkipEmptyParts))
+    QVERIFY2(text.contains(part.toUtf8()), text.constData());
+  if (code != 0)
+    QVERIFY2(!finished.err.isEmpty(), "a failure says why on standard error");
+}
+
+}  // namespace sline::test
+
+QTEST_GUILESS_MAIN(sline::test::ExitCodesTest)
+#include "exit_codes_test.moc"

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/cli/sline_process.h"
+#include "tests/support/shapes.h"
+
+namespace sline::test {
+namespace {
+
+QJsonObject info(const QStringList& arguments) {
+  const Finished finished = runSline(QStringList{"info", "--json"} + arguments);
+  return finished.code == 0 ? QJsonDocument::fromJson(finished.out).object() : QJsonObject();
+}
+
+QJsonObject structureNamed(const QJsonObject& root, const QString& name) {
+  for (const QJsonValue& structure : root["structures"].toArray())
+    if (structure["name"].toString().compare(name, Qt::CaseInsensitive) == 0)
+      return structure.toObject();
+  return {};
+}
+
+bool isBox(const QJsonValue& value) {
+  const QJsonArray box = value.toArray();
+  return box.size() == 2 && box[0].toArray().size() == 3 && box[1].toArray().size() == 3;
+}
+
+}  // namespace
+
+class InfoTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void jsonHasItsShape();
+  void frameTurnsCoordinates_data();
+  void frameTurnsCoordinates();
+  void openAndPartedMeshes();
+  void warningsAreListed();
+  void tableNamesStructures();
+  void abdomen();
+};
+
+void InfoTest::jsonHasItsShape() {
+  const QTemporaryDir folder;
+  const QJsonObject root = info({writeSample(folder.path())});
+  QStringList keys = root.keys();
+  keys.sort();
+  QCOMPARE(keys,
+           QStringList({"bounds_mm", "frame", "structures", "triangles", "vertices", "warnings"}));
+  QCOMPARE(root["structures"].toArray().size(), 3);
+  QCOMPARE(root["triangles"].toInt(), 5120 + 2 * 1280);
+  QCOMPARE(root["vertices"].toInt(), 2562 + 2 * 642);
+  QCOMPARE(root["frame"].toString(), QString("LPS"));
+  QVERIFY(isBox(root["bounds_mm"]));
+  QCOMPARE(root["bounds_mm"][1][0].toDouble(), 70.0);
+  QVERIFY(root["warnings"].toArray().isEmpty());
+  const QJsonObject artery = structureNamed(root, "renal artery");
+  keys = artery.keys();
+  keys.sort();
+  QCOMPARE(keys, QStringList({"bounds_mm", "closed", "components", "group", "name", "triangles",
+                              "vertices"}));
+  QCOMPARE(artery["group"].toString(), QString("Vessels"));
+  QCOMPARE(artery["triangles"].toInt(), 1280);
+  QCOMPARE(artery["vertices"].toInt(), 642);
+  QCOMPARE(artery["closed"], QJsonValue(true));
+  QCOMPARE(artery["components"].toInt(), 1);
+  QVERIFY(isBox(artery["bounds_mm"]));
+}
+
+void InfoTest::frameTurnsCoordinates_data() {
+  QTest::addColumn<QString>("frame");
+  QTest::addColumn<double>("x");  // of the artery's middle
+  QTest::newRow("LPS") << "LPS" << 60.0;
+  QTest::newRow("RAS") << "RAS" << -60.0;
+  QTest::newRow("file") << "file" << 60.0;
+}
+
+void InfoTest::frameTurnsCoordinates() {
+  QFETCH(QString, frame);
+  QFETCH(double, x);
+  const QTemporaryDir folder;
+  const QJsonObject root = info({writeSample(folder.path()), "--frame", frame});
+  QCOMPARE(root["frame"].toString(), frame);
+  const QJsonValue box = structureNamed(root, "renal artery")["bounds_mm"];
+  QCOMPARE(0.5 * (box[0][0].toDouble() + box[1][0].toDouble()), x);
+}
+
+void InfoTest::openAndPartedMeshes() {
+  const QTemporaryDir folder;
+  writeObj(folder.filePath("tube.obj"), *cylinder(5.0f, 40.0f, 24, 20));
+  const QJsonObject tube = structureNamed(info({folder.filePath("tube.obj")}), "tube");
+  QCOMPARE(tube["closed"], QJsonValue(false));
+  QCOMPARE(tube["components"].toInt(), 1);
+}
+
+void InfoTest::warningsAreListed() {
+  const QTemporaryDir folder;
+  writeFile(folder.filePath("broken.stl"), "solid broken\n facet normal 0 0");
+  const QJsonObject root = info({writeSample(folder.path()), folder.filePath("broken.stl")});
+  QCOMPARE(root["structures"].toArray().size(), 3);
+  QCOMPARE(root["warnings"].toArray().size(), 1);
+  const QJsonValue warning = root["warnings"][0];
+  QVERIFY(warning["file"].toString().contains("broken.stl"));
+  QVERIFY(!warning["reason"].toString().isEmpty());
+}
+
+void InfoTest::tableNamesStructures() {
+  const QTemporaryDir folder;
+  const Finished finished = runSline({"info", writeSample(folder.path())});
+  QCOMPARE(finished.code, 0);
+  for (const char* text : {"kidney", "renal artery", "Vessels", "3 structures", "LPS"})
+    QVERIFY2(finished.out.contains(text), finished.out.constData());
+  QCOMPARE(finished.err, QByteArray());
+}
+
+void InfoTest::abdomen() {
+  const QString scene =
+      QStringLiteral(SLINE_TEST_DATA "/abdomen/AbdominalAtlas-2015Sept-Slicer4-4Version.mrml");
+  if (!QFile::exists(scene))
+    QSKIP("the abdomen is not there");
+  const QJsonObject root = info({scene});
+  QCOMPARE(root["structures"].toArray().size(), 94);
+  QVERIFY(!root["warnings"].toArray().isEmpty());  // the scene refers to files that are absent
+}
+
+}  // namespace sline::test
+
+QTEST_GUILESS_MAIN(sline::test::InfoTest)
+#include "info_test.moc"

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/names.h"
+
+#include <QTest>
+
+namespace sline::cli {
+
+class NamesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void near_data();
+  void near();
+  void unknownNamesTheNear();
+};
+
+void NamesTest::near_data() {
+  QTest::addColumn<QString>("wanted");
+  QTest::addColumn<QString>("found");
+  QTest::newRow("typing error") << "livr"
+                                << "liver";
+  QTest::newRow("swapped letters") << "spelen"
+                                   << "spleen";
+  QTest::newRow("part of two") << "kidney"
+                               << "left kidney,right_kidney";
+  QTest::newRow("longer than the name") << "the liver"
+                                        << "liver";
+  QTest::newRow("case and dash") << "RIGHT-KIDNY"
+                                 << "right_kidney";
+  QTest::newRow("far from all") << "femur"
+                                << "";
+  QTest::newRow("empty") << ""
+                         << "";
+}
+
+void NamesTest::near() {
+  QFETCH(QString, wanted);
+  QFETCH(QString, found);
+  const std::vector<std::string> names{"right_kidney", "liver",           "left kidney",
+                                       "spleen",       "abdominal aorta", "liver"};
+  QStringList list;
+  for (const std::string& name : nearNames(wanted.toStdString(), names))
+    list << QString::fromStdString(name);
+  QCOMPARE(list.join(','), found);
+}
+
+void NamesTest::unknownNamesTheNear() {
+  model::Scene scene;
+  model::Node node;
+  node.name = "Liver";
+  scene.append(node);
+  QVERIFY(nodesNamed(scene, "LIVER").ok());
+  const auto wrong = nodesNamed(scene, "lver");
+  QVERIFY(!wrong.ok());
+  QVERIFY(wrong.error().text().find("\"Liver\"") != std::string::npos);
+}
+
+}  // namespace sline::cli
+
+QTEST_APPLESS_MAIN(sline::cli::NamesTest)
+#include "names_test.moc"

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QDir>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/cli/sline_process.h"
+#include "tests/support/shapes.h"
+
+namespace sline::test {
+
+class RenderTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void writesEveryKind_data();
+  void writesEveryKind();
+  void silentInAPipe();
+  void fitsWithAMargin();
+  void groupsHandDown();
+  void innermostNameWins();
+  void onlyDrawsWhatIsNamed();
+  void sidesStaySides_data();
+  void sidesStaySides();
+  void cameraFileIsFollowed();
+  void demo();
+
+ private:
+  /// Renders the sample; the picture is empty where that failed.
+  Pixels rendered(const QStringList& flags);
+  QTemporaryDir m_folder;
+  QString m_sample = writeSample(m_folder.path());
+};
+
+Pixels RenderTest::rendered(const QStringList& flags) {
+  const QString file = m_folder.filePath("picture.png");
+  QFile::remove(file);
+  const Finished finished = runSline(QStringList{"render", m_sample, "-o", file} + flags);
+  if (finished.code != 0)
+    qWarning("%s", finished.err.constData());
+  return finished.code == 0 ? readPicture(file) : Pixels{};
+}
+
+void RenderTest::writesEveryKind_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<QString>("background");
+  QTest::addColumn<int>("channels");
+  QTest::newRow("png") << "a.png"
+                       << "white" << 3;
+  QTest::newRow("png, transparent") << "a.png"
+                                    << "transparent" << 4;
+  QTest::newRow("tiff") << "a.tiff"
+                        << "paper" << 3;
+  QTest::newRow("tif, transparent") << "a.tif"
+                                    << "transparent" << 4;
+  QTest::newRow("exr, transparent") << "a.exr"
+                                    << "transparent" << 4;
+  QTest::newRow("jpg") << "a.jpg"
+                       << "dark" << 3;
+  QTest::newRow("JPEG, transparent") << "a.JPEG"
+                                     << "transparent" << 3;
+}
+
+void RenderTest::writesEveryKind() {
+  QFETCH(QString, name);
+  QFETCH(QString, background);
+  QFETCH(int, channels);
+  const QString file = m_folder.filePath(name);
+  const Finished finished = runSline({"render", m_sample, "-o", file, "--size", "201x120",
+                                      "--background", background, "--gamma", "5"});
+  QVERIFY2(finished.code == 0, finished.err.constData());
+  const Pixels picture = readPicture(file);
+  QCOMPARE(picture.width, 201);
+  QCOMPARE(picture.height, 120);
+  QCOMPARE(picture.channels, channels);
+  const PixelBox box = drawnBox(picture);
+  QVERIFY(box.right - box.left > 100);
+  // Nothing is left beside it.
+  QCOMPARE(QDir(m_folder.path()).entryList({"*" + name + "*"}, QDir::Files | QDir::Hidden).size(),
+           1);
+  QFile::remove(file);
+}
+
+void RenderTest::silentInAPipe() {
+  const Finished finished =
+      runSline({"render", m_sample, "-o", m_folder.filePath("quiet.png"), "--size", "64x64"});
+  QCOMPARE(finished.code, 0);
+  QCOMPARE(finished.out, QByteArray());
+  QCOMPARE(finished.err, QByteArray());
+}
+
+void RenderTest::fitsWithAMargin() {
+  // The kidney alone is a ball, so its outline fills 90 % of the height of a wide picture.
+  const PixelBox box =
+      drawnBox(rendered({"--size", "400x300", "--only", "kidney", "--gamma", "0"}));
+  QVERIFY2(std::abs(box.top - 15) <= 3, qPrintable(QString::number(box.top)));
+  QVERIFY2(std::abs(box.bottom - 284) <= 3, qPrintable(QString::number(box.bottom)));
+  QVERIFY(std::abs((box.left + box.right) - 399) <= 2);
+}
+
+void RenderTest::groupsHandDown() {
+  const QStringList flags{"--size",  "400x200",        "--gamma", "5",
+                          "--color", "Organs=#00ff00", "--color", "Vessels=#ff0000"};
+  const Pixels picture = rendered(flags);
+  const Tinted red = tinted(picture, 0);
+  const Tinted green = tinted(picture, 1);
+  QVERIFY(red.count > 200);
+  QVERIFY(green.count > 1000);
+  QVERIFY(std::abs(red.column - 199.5) < 3.0);  // both vessels, one on either side
+  // Drawn as bare outlines they lose their colour; the other group keeps its own.
+  const Pixels outlines = rendered(flags + QStringList{"--gamma", "Vessels=0"});
+  QVERIFY(tinted(outlines, 0).count * 10 < red.count);
+  QCOMPARE(tinted(outlines, 1).count, green.count);
+}
+
+void RenderTest::innermostNameWins() {
+  const QStringList size{"--size", "400x200", "--gamma", "5", "--only", "Vessels"};
+  const QStringList inner{"--color", "renal artery=#0000ff"};
+  const QStringList outer{"--color", "VESSELS=#ff0000"};
+  for (const QStringList& flags : {size + inner + outer, size + outer + inner}) {
+    const Pixels picture = rendered(flags);
+    QVERIFY(tinted(picture, 2).column > 300.0);  // the artery, at the patient's left
+    QVERIFY(tinted(picture, 0).column < 100.0);
+  }
+}
+
+void RenderTest::onlyDrawsWhatIsNamed() {
+  const QStringList base{"--size",  "300x300", "--camera", m_folder.filePath("front.json"),
+                         "--gamma", "1"};
+  writeFile(m_folder.filePath("front.json"), frontCamera());
+  const PixelBox all = drawnBox(rendered(base));
+  const PixelBox kidney = drawnBox(rendered(base + QStringList{"--only", "kidney"}));
+  const PixelBox vessels =
+      drawnBox(rendered(base + QStringList{"--only", "renal artery", "renal vein"}));
+  QVERIFY(kidney.right - kidney.left < all.right - all.left - 40);
+  QCOMPARE(vessels.left, all.left);
+  QVERIFY(vessels.bottom - vessels.top < all.bottom - all.top - 20);
+}
+
+void RenderTest::sidesStaySides_data() {
+  QTest::addColumn<QString>("view");
+  QTest::addColumn<bool>("leftAtRight");  // the patient's left at the right of the picture
+  QTest::newRow("anterior") << "anterior" << true;
+  QTest::newRow("posterior") << "posterior" << false;
+  QTest::newRow("superior") << "superior" << false;
+  QTest::newRow("inferior") << "inferior" << true;
+}
+
+void RenderTest::sidesStaySides() {
+  QFETCH(QString, view);
+  QFETCH(bool, leftAtRight);
+  const Pixels picture = rendered({"--size", "400x200", "--gamma", "5", "--view", view, "--color",
+                                   "renal artery=#ff0000", "--only", "Vessels"});
+  const Tinted artery = tinted(picture, 0);
+  QVERIFY(artery.count > 100);
+  QCOMPARE(artery.column > 200.0, leftAtRight);
+}
+
+void RenderTest::cameraFileIsFollowed() {
+  // A parallel camera 100 mm high: a ball of radius 30 takes 60 % of the height.
+  writeFile(m_folder.filePath("parallel.json"),
+            R"({"projection":"orthographic","eye":[0,-400,0],"target":[0,0,0],"up":[0,0,1],)"
+            R"("height_mm":100})");
+  const PixelBox box = drawnBox(rendered({"--size", "400x400", "--only", "kidney", "--gamma", "0",
+                                          "--camera", m_folder.filePath("parallel.json")}));
+  QVERIFY2(std::abs((box.bottom - box.top + 1) - 240) <= 4,
+           qPrintable(QString::number(box.bottom - box.top)));
+}
+
+void RenderTest::demo() {
+  const QString file = m_folder.filePath("kidney.png");
+  const Finished finished = runSline({"demo", "kidney", "-o", file, "--size", "320x200"});
+  QVERIFY2(finished.code == 0, finished.err.constData());
+  QVERIFY(drawnBox(readPicture(file)).bottom > 100);
+}
+
+}  // namespace sline::test
+
+QTEST_GUILESS_MAIN(sline::test::RenderTest)
+#include "render_test.moc"

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/values.h"
+
+#include <QTest>
+
+namespace sline::cli {
+
+class ValuesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void parses_data();
+  void parses();
+};
+
+void ValuesTest::parses_data() {
+  QTest::addColumn<QString>("kind");
+  QTest::addColumn<QString>("text");
+  QTest::addColumn<QString>("value");  // empty: refused
+  QTest::newRow("size") << "size"
+                        << "1920x1080"
+                        << "1920 1080";
+  QTest::newRow("size, large X") << "size"
+                                 << "16X20000"
+                                 << "16 20000";
+  QTest::newRow("size, one number") << "size"
+                                    << "1920"
+                                    << "";
+  QTest::newRow("size, rest") << "size"
+                              << "64x64px"
+                              << "";
+  QTest::newRow("size, negative") << "size"
+                                  << "-64x64"
+                                  << "";
+  QTest::newRow("size, too small") << "size"
+                                   << "64x15"
+                                   << "";
+  QTest::newRow("size, overflow") << "size"
+                                  << "99999999999x64"
+                                  << "";
+  QTest::newRow("gamma") << "gamma"
+                         << "2.5"
+                         << "2.5";
+  QTest::newRow("gamma, lowest") << "gamma"
+                                 << "0"
+                                 << "0";
+  QTest::newRow("gamma, comma") << "gamma"
+                                << "2,5"
+                                << "";
+  QTest::newRow("gamma, empty") << "gamma"
+                                << ""
+                                << "";
+  QTest::newRow("gamma, infinite") << "gamma"
+                                   << "inf"
+                                   << "";
+  QTest::newRow("gamma, below") << "gamma"
+                                << "-0.1"
+                                << "";
+  QTest::newRow("colour") << "colour"
+                          << "#A0ff07"
+                          << "160 255 7";
+  QTest::newRow("colour, short") << "colour"
+                                 << "#fff"
+                                 << "";
+  QTest::newRow("colour, no digit") << "colour"
+                                    << "#fffffg"
+                                    << "";
+  QTest::newRow("colour, no sign") << "colour"
+                                   << "ffffff0"
+                                   << "";
+  QTest::newRow("frame") << "frame"
+                         << "ras"
+                         << "RAS";
+  QTest::newRow("frame, other") << "frame"
+                                << "LP"
+                                << "";
+  QTest::newRow("smoothing") << "smoothing"
+                             << "auto"
+                             << "0 0";
+  QTest::newRow("smoothing off") << "smoothing"
+                                 << "OFF"
+                                 << "1 0";
+  QTest::newRow("smoothing steps") << "smoothing"
+                                   << "60"
+                                   << "2 60";
+  QTest::newRow("smoothing, none") << "smoothing"
+                                   << "0"
+                                   << "";
+  QTest::newRow("smoothing, endless") << "smoothing"
+                                      << "1001"
+                                      << "";
+  QTest::newRow("named") << "named"
+                         << "left=right=3"
+                         << "left=right 3";
+  QTest::newRow("not named") << "named"
+                             << "3"
+                             << "";
+}
+
+void ValuesTest::parses() {
+  QFETCH(QString, kind);
+  QFETCH(QString, text);
+  QFETCH(QString, value);
+  const std::string input = text.toStdString();
+  QString found;
+  if (const auto size = parseSize(input); kind == "size" && size.ok())
+    found = QString("%1 %2").arg(size->width).arg(size->height);
+  if (const auto gamma = parseGamma(input); kind == "gamma" && gamma.ok())
+    found = QString::number(double(gamma->value()));
+  if (const auto colour = parseColour(input); kind == "colour" && colour.ok())
+    found = QString("%1 %2 %3").arg(colour->red).arg(colour->green).arg(colour->blue);
+  if (const auto frame = parseFrame(input); kind == "frame" && frame.ok())
+    found = QString::fromStdString(std::string(frameName(*frame)));
+  if (const auto smoothing = parseSmoothing(input); kind == "smoothing" && smoothing.ok())
+    found = QString("%1 %2").arg(int(smoothing->mode)).arg(smoothing->steps);
+  if (const auto named = splitNamed(input); kind == "named" && named)
+    found = QString::fromStdString(named->name + " " + named->value);
+  QCOMPARE(found, value);
+}
+
+}  // namespace sline::cli
+
+QTEST_APPLESS_MAIN(sline::cli::ValuesTest)
+#include "values_test.moc"

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QTest>
+
+#include "model/edit/style.h"
+#include "model/edit/tree.h"
+#include "tests/support/shapes.h"
+
+namespace sline::model {
+namespace {
+
+using Ids = std::vector<NodeId>;
+
+/// Named by letters: groups A ( B ( b1, b2 ), a ), C (), structure d.
+class Sample {
+ public:
+  Sample() {
+    const MeshPtr ball = test::sphere(1.0f, 0);
+    add("A", rootId, nullptr);
+    add("B", id("A"), nullptr);
+    add("b1", id("B"), ball);
+    add("b2", id("B"), ball);
+    add("a", id("A"), ball);
+    add("C", rootId, nullptr);
+    add("d", rootId, ball);
+  }
+  NodeId id(const QString& name) const {
+    for (const Node& node : scene.nodes())
+      if (name.toStdString() == node.name)
+        return node.id;
+    return name == "root" ? rootId : NodeId{12345};
+  }
+  Ids ids(const QString& names) const {
+    Ids found;
+    for (const QString& name : names.split(' ', Qt::SkipEmptyParts))
+      found.push_back(id(name));
+    return found;
+  }
+
+  Scene scene;
+
+ private:
+  void add(const char* name, NodeId parent, const MeshPtr& mesh) {
+    Node node;
+    node.name = name;
+    node.parent = parent;
+    node.mesh = mesh;
+    scene.append(node);
+  }
+};
+
+/// "A(B(b1 b2) a) C() d"
+QString written(const Scene& scene, NodeId parent = rootId) {
+  QStringList parts;
+  for (const NodeId id : scene.children(parent)) {
+    const Node* node = scene.find(id);
+    parts << QString::fromStdString(node->name) +
+                 (node->isGroup() ? "(" + written(scene, id) + ")" : QString());
+  }
+  return parts.join(' ');
+}
+
+QString visibleNames(const Scene& scene) {
+  QStringList names;
+  for (const NodeId id : scene.structuresBelow(rootId))
+    if (scene.resolve(id).visible)
+      names << QString::fromStdString(scene.find(id)->name);
+  return names.join(' ');
+}
+
+}  // namespace
+
+class EditTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void treeEdits_data();
+  void treeEdits();
+  void rename();
+  void patchesStyle();
+  void resetsStyle();
+  void showsOnly_data();
+  void showsOnly();
+  void showsOnlyAfterHiding();
+};
+
+void EditTest::treeEdits_data() {
+  QTest::addColumn<QString>("edit");
+  QTest::addColumn<QString>("ids");
+  QTest::addColumn<QString>("group");
+  QTest::addColumn<QString>("result");
+  const QString same = "A(B(b1 b2) a) C() d";
+  QTest::newRow("remove a structure") << "remove"
+                                      << "b1"
+                                      << ""
+                                      << "A(B(b2) a) C() d";
+  QTest::newRow("remove a group") << "remove"
+                                  << "A"
+                                  << ""
+                                  << "C() d";
+  QTest::newRow("remove group and child") << "remove"
+                                          << "B b1 d"
+                                          << ""
+                                          << "A(a) C()";
+  QTest::newRow("remove nothing") << "remove"
+                                  << ""
+                                  << "" << same;
+  QTest::newRow("remove the unknown") << "remove"
+                                      << "x"
+                                      << "" << same;
+  QTest::newRow("move to an empty group") << "move"
+                                          << "d"
+                                          << "C"
+                                          << "A(B(b1 b2) a) C(d)";
+  QTest::newRow("move behind the last") << "move"
+                                        << "d"
+                                        << "B"
+                                        << "A(B(b1 b2 d) a) C()";
+  QTest::newRow("move a group") << "move"
+                                << "B"
+                                << "C"
+                                << "A(a) C(B(b1 b2)) d";
+  QTest::newRow("move to the top") << "move"
+                                   << "b1"
+                                   << "root"
+                                   << "A(B(b2) a) C() d b1";
+  QTest::newRow("tree order, not the order asked") << "move"
+                                                   << "d b1"
+                                                   << "C"
+                                                   << "A(B(b2) a) C(b1 d)";
+  QTest::newRow("a child goes along with its group") << "move"
+                                                     << "B b1"
+                                                     << "C"
+                                                     << "A(a) C(B(b1 b2)) d";
+  QTest::newRow("to the end of its own group") << "move"
+                                               << "b1"
+                                               << "B"
+                                               << "A(B(b2 b1) a) C() d";
+  QTest::newRow("already the last") << "move"
+                                    << "b2"
+                                    << "B" << same;
+  QTest::newRow("into itself") << "move"
+                               << "A"
+                               << "A" << same;
+  QTest::newRow("into what is below it") << "move"
+                                         << "A"
+                                         << "B" << same;
+  QTest::newRow("into a structure") << "move"
+                                    << "d"
+                                    << "a" << same;
+  QTest::newRow("into the unknown") << "move"
+                                    << "d"
+                                    << "x" << same;
+}
+
+void EditTest::treeEdits() {
+  QFETCH(QString, edit);
+  QFETCH(QString, ids);
+  QFETCH(QString, group);
+  QFETCH(QString, result);
+  const Sample s;
+  const QString before = written(s.scene);
+  const Edited edited =
+      edit == "remove" ? removed(s.scene, s.ids(ids)) : moved(s.scene, s.ids(ids), s.id(group));
+  QCOMPARE(written(edited.scene), result);
+  QCOMPARE(edited.changed, result != before);
+  QCOMPARE(edited.changed, !(edited.scene == s.scene));
+  QCOMPARE(written(s.scene), before);  // the value that came in is untouched
+}
+
+void EditTest::rename() {
+  const Sample s;
+  const Edited edited = renamed(s.scene, s.id("a"), "Ureter");
+  QVERIFY(edited.changed);
+  QCOMPARE(written(edited.scene), QString("A(B(b1 b2) Ureter) C() d"));
+  QVERIFY(!renamed(s.scene, s.id("a"), "a").changed);
+  QVERIFY(!renamed(s.scene, s.id("a"), "").changed);
+  QVERIFY(!renamed(s.scene, NodeId{999}, "x").changed);
+}
+
+void EditTest::patchesStyle() {
+  const Sample s;
+  Style patch;
+  patch.gamma = Gamma::clamped(3.0f);
+  patch.fill = Fill::tint;
+  const Edited edited = withStyle(s.scene, s.ids("B d x"), patch);
+  QVERIFY(edited.changed);
+  QCOMPARE(edited.scene.resolve(s.id("b1")).gamma.value(), 3.0f);  // handed down
+  QVERIFY(edited.scene.resolve(s.id("d")).fill == Fill::tint);
+  QVERIFY(edited.scene.resolve(s.id("a")) == ResolvedStyle{});
+  QVERIFY(!edited.scene.find(s.id("d"))->style.colour.has_value());
+  QVERIFY(!withStyle(edited.scene, s.ids("B d"), patch).changed);
+  QVERIFY(!withStyle(s.scene, s.ids("B d"), Style{}).changed);
+  QVERIFY(!withStyle(s.scene, s.ids("x"), patch).changed);
+}
+
+void EditTest::resetsStyle() {
+  const Sample s;
+  Style patch;
+  patch.gamma = Gamma::clamped(3.0f);
+  const Scene styled = withStyle(s.scene, s.ids("B"), patch).scene;
+  const Edited edited = withStyleReset(styled, s.ids("B b1"));
+  QVERIFY(edited.changed);
+  QVERIFY(edited.scene == s.scene);
+  QVERIFY(!withStyleReset(s.scene, s.ids("B b1")).changed);
+}
+
+void EditTest::showsOnly_data() {
+  QTest::addColumn<QString>("ids");
+  QTest::addColumn<QString>("visible");
+  QTest::newRow("one structure") << "b1"
+                                 << "b1";
+  QTest::newRow("a group") << "B"
+                           << "b1 b2";
+  QTest::newRow("group and structure") << "B d"
+                                       << "b1 b2 d";
+  QTest::newRow("all") << "root"
+                       << "b1 b2 a d";
+  QTest::newRow("an empty group") << "C"
+                                  << "";
+  QTest::newRow("the unknown") << "x"
+                               << "";
+}
+
+void EditTest::showsOnly() {
+  QFETCH(QString, ids);
+  QFETCH(QString, visible);
+  const Sample s;
+  const Edited edited = withOnlyVisible(s.scene, s.ids(ids));
+  QCOMPARE(visibleNames(edited.scene), visible);
+  QCOMPARE(edited.changed, visible != visibleNames(s.scene) || !(edited.scene == s.scene));
+  QVERIFY(!withOnlyVisible(edited.scene, s.ids(ids)).changed);
+}
+
+void EditTest::showsOnlyAfterHiding() {
+  const Sample s;
+  Style hidden;
+  hidden.visible = false;
+  const Scene dark = withStyle(s.scene, s.ids("A B b1 d"), hidden).scene;
+  QCOMPARE(visibleNames(dark), QString());
+  QCOMPARE(visibleNames(withOnlyVisible(dark, s.ids("b1")).scene), QString("b1"));
+  QCOMPARE(visibleNames(withOnlyVisible(dark, s.ids("root")).scene), QString("b1 b2 a d"));
+}
+
+}  // namespace sline::model
+
+QTEST_APPLESS_MAIN(sline::model::EditTest)
+#include "edit_test.moc"

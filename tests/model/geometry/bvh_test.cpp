@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/geometry/bvh.h"
+
+#include <QtTest>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "model/geometry/spatial_order.h"
+#include "tests/support/shapes.h"
+
+using namespace sline;
+
+namespace {
+/// Every triangle tried, in double precision.
+std::optional<double> nearestByForce(const model::Mesh& mesh, const model::Ray& ray) {
+  std::optional<double> best;
+  const glm::dvec3 o = ray.origin;
+  const glm::dvec3 d = ray.direction;
+  for (const auto& [i, j, k] : mesh.triangles()) {
+    const glm::dvec3 a = mesh.positions()[i];
+    const glm::dvec3 b = mesh.positions()[j];
+    const glm::dvec3 c = mesh.positions()[k];
+    const glm::dvec3 n = glm::cross(b - a, c - a);
+    const double t = glm::dot(a - o, n) / glm::dot(d, n);
+    const glm::dvec3 p = o + t * d;
+    const bool inside = glm::dot(glm::cross(b - a, p - a), n) >= 0 &&
+                        glm::dot(glm::cross(c - b, p - b), n) >= 0 &&
+                        glm::dot(glm::cross(a - c, p - c), n) >= 0;
+    if (inside && t >= double(ray.nearest) && t <= double(ray.farthest) && (!best || t < *best))
+      best = t;
+  }
+  return best;
+}
+}  // namespace
+
+class BvhTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void agreesWithForce() {
+    const auto mesh = test::torus(10, 3, 60, 30);
+    const model::Bvh bvh(mesh, model::spatialOrder(*mesh));
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> at(-20.0f, 20.0f);
+    int hits = 0;
+    for (int i = 0; i < 2000; ++i) {
+      model::Ray ray{.origin = {at(random), at(random), at(random)},
+                     .direction = {at(random), at(random), at(random)}};
+      if (i % 3 == 0)
+        ray.nearest = 0.3f;
+      if (i % 4 == 0)
+        ray.farthest = 1.2f;
+      const auto expected = nearestByForce(*mesh, ray);
+      const auto hit = bvh.nearest(ray);
+      QCOMPARE(hit.has_value(), expected.has_value());
+      QCOMPARE(bvh.blocked(ray), expected.has_value());
+      if (hit) {
+        ++hits;
+        QVERIFY(std::abs(double(hit->t) - *expected) < 1e-4);
+        const auto& [a, b, c] = mesh->triangles()[hit->triangle];
+        const auto p = mesh->positions();
+        const glm::vec3 point = (1 - hit->u - hit->v) * p[a] + hit->u * p[b] + hit->v * p[c];
+        QVERIFY(glm::distance(point, ray.origin + hit->t * ray.direction) < 1e-3f);
+      }
+    }
+    QVERIFY(hits > 200);
+  }
+
+  void axisParallelRays() {
+    const auto mesh = test::sphere(5, 3);
+    const model::Bvh bvh(mesh, model::spatialOrder(*mesh));
+    for (const glm::vec3 axis : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, -1)}) {
+      const auto hit = bvh.nearest({.origin = -20.0f * axis + 0.01f, .direction = axis});
+      QVERIFY(hit.has_value());
+      QVERIFY(std::abs(hit->t - 15.0f) < 0.1f);
+    }
+  }
+
+  void nothingToHit() {
+    const auto empty =
+        std::make_shared<const model::Mesh>(std::move(model::Mesh::create({}, {})).value());
+    const model::Bvh bvh(empty, {});
+    QVERIFY(!bvh.nearest({}).has_value());
+    QVERIFY(!bvh.blocked({.direction = glm::vec3(0.0f)}));
+  }
+};
+
+QTEST_APPLESS_MAIN(BvhTest)
+#include "bvh_test.moc"

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/geometry/mesh.h"
+
+#include <QtTest>
+#include <limits>
+
+using namespace sline::model;
+
+class MeshTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void create_data() {
+    QTest::addColumn<float>("coordinate");
+    QTest::addColumn<unsigned>("index");
+    QTest::addColumn<QString>("fault");
+    QTest::newRow("sound") << 1.0f << 2u << QString();
+    QTest::newRow("index out of range") << 1.0f << 3u << "triangle 0";
+    QTest::newRow("huge index") << 1.0f << 0xffffffffu << "triangle 0";
+    QTest::newRow("not a number") << std::numeric_limits<float>::quiet_NaN() << 2u << "vertex 1";
+    QTest::newRow("infinite") << std::numeric_limits<float>::infinity() << 2u << "vertex 1";
+  }
+  void create() {
+    QFETCH(float, coordinate);
+    QFETCH(unsigned, index);
+    QFETCH(QString, fault);
+    const auto mesh = Mesh::create({{0, 0, 0}, {coordinate, 0, 0}, {0, 1, 0}}, {{0, 1, index}});
+    QCOMPARE(mesh.ok(), fault.isEmpty());
+    if (!mesh.ok())
+      QCOMPARE(QString::fromStdString(mesh.error().where), fault);
+    else
+      QVERIFY((mesh->bounds() == Box{{0, 0, 0}, {1, 1, 0}}));
+  }
+
+  void errorTextNamesEverything() {
+    const sline::Error error{
+        .file = "liver.obj", .where = "line 3", .reason = "no number", .remedy = "Export again"};
+    QCOMPARE(error.text(), std::string("liver.obj: line 3: no number. Export again."));
+  }
+};
+
+QTEST_APPLESS_MAIN(MeshTest)
+#include "mesh_test.moc"

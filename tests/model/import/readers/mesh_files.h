@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// Small mesh files written by the tests themselves: one cube of 8 vertices and 12 triangles in
+// every format, and what tests say about a reader's answer.
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+#include <QTemporaryDir>
+#include <bit>
+#include <span>
+#include <vector>
+
+#include "model/import/readers/readers.h"
+
+namespace sline::test {
+
+/// A mesh file in memory.
+struct MeshFile {
+  const char* kind;       ///< "ply big endian"
+  const char* extension;  ///< ".ply"
+  QByteArray bytes;
+};
+
+/// The unit cube around the origin, normals outward.
+std::span<const glm::vec3> cubePositions();
+std::span<const model::Triangle> cubeTriangles();
+
+/// The cube in every encoding.
+std::vector<MeshFile> cubeFiles();
+/// The one of that kind.
+QByteArray cubeFile(const char* kind);
+
+/// Appends the value's bytes in that order.
+template <class T>
+void append(QByteArray& bytes, T value, std::endian order) {
+  char raw[sizeof(T)];
+  std::memcpy(raw, &value, sizeof(T));
+  if (order != std::endian::native)
+    std::reverse(raw, raw + sizeof(T));
+  bytes.append(raw, sizeof(T));
+}
+
+/// A GLB of that JSON and binary chunk.
+QByteArray glb(QByteArray json, QByteArray binary);
+
+/// Writes into the folder and reads back by extension.
+Result<model::RawMeshes> readBytes(const QTemporaryDir& folder, const QString& name,
+                                   const QByteArray& bytes, const model::ReadLimits& limits = {});
+
+std::size_t triangleCount(const model::RawMeshes& read);
+std::size_t vertexCount(const model::RawMeshes& read);
+/// All warnings in one line.
+QString warningText(const model::RawMeshes& read);
+/// Every index in range, every coordinate finite, at least one triangle in each surface.
+bool isSound(const model::RawMeshes& read);
+/// Six times the volume enclosed, positive where normals point outward.
+double volume(const model::RawMesh& mesh);
+
+}  // namespace sline::test

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Small meshes written to files of every format, for tests of what import makes of them.
+#pragma once
+
+#include <QString>
+#include <QTemporaryDir>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/geometry/mesh.h"
+#include "model/import/import.h"
+
+namespace sline::test {
+
+/// Extensions of the formats that carry one surface each, without the dot.
+std::span<const char* const> meshFormats();
+
+/// Writes the mesh as FOLDER/NAME.FORMAT, with the frame in the format's own header where one is
+/// given (glTF: none; the mesh is then taken to be in LPS millimetres and converted to glTF's axes
+/// and metres).
+void writeMesh(const QString& path, const model::Mesh& mesh,
+               std::optional<model::Frame> header = std::nullopt);
+void writeText(const QString& path, const QByteArray& text);
+
+/// An octahedron: 6 vertices, 8 triangles, outward.
+model::MeshPtr octahedron(const glm::vec3& centre, float radius);
+/// The surface of the voxels for which `inside` holds (asked at their middles), as squares of two
+/// triangles each, outward; n³ voxels of 1 mm from the origin.
+model::MeshPtr voxelSurface(int n, bool (*inside)(const glm::vec3&));
+
+/// The node of that name; fails the test loudly by returning a node with an empty name.
+const model::Node& named(const model::Scene& scene, const std::string& name);
+/// All warnings of a report in one line.
+QString warningsOf(const model::Imported& imported);
+
+}  // namespace sline::test

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/scene/scene.h"
+
+#include <QTest>
+
+#include "tests/support/shapes.h"
+
+namespace sline::model {
+namespace {
+
+Node group(const char* name, NodeId parent = rootId) {
+  Node node;
+  node.name = name;
+  node.parent = parent;
+  return node;
+}
+
+Node structure(const char* name, NodeId parent, MeshPtr mesh) {
+  Node node = group(name, parent);
+  node.mesh = std::move(mesh);
+  return node;
+}
+
+/// trunk ( vessels ( "Left_renal artery", vein ), liver ), bladder
+struct Sample {
+  Scene scene;
+  NodeId trunk, vessels, artery, vein, liver, bladder;
+  Sample() {
+    const MeshPtr ball = test::sphere(1.0f, 0);
+    trunk = scene.append(group("Trunk"));
+    bladder = scene.append(structure("bladder", rootId, test::moved(*ball, 1, {100, 0, 0})));
+    vessels = scene.append(group("Vessels", trunk));
+    liver = scene.append(structure("Liver", trunk, test::moved(*ball, 1, {0, 50, 0})));
+    artery = scene.append(structure("Left_renal artery", vessels, ball));
+    vein = scene.append(structure("vein", vessels, test::moved(*ball, 1, {0, 0, -30})));
+  }
+};
+
+}  // namespace
+
+class SceneTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void keepsTreeOrder();
+  void walksTheTree();
+  void inheritsStyle();
+  void hiddenGroupHidesAllBelow();
+  void findsByName_data();
+  void findsByName();
+  void boundsOfWhatIsVisible();
+  void idsAreNeverReused();
+};
+
+void SceneTest::keepsTreeOrder() {
+  const Sample s;
+  QStringList names;
+  for (const Node& node : s.scene.nodes())
+    names << QString::fromStdString(node.name);
+  QCOMPARE(names,
+           QStringList({"Trunk", "Vessels", "Left_renal artery", "vein", "Liver", "bladder"}));
+}
+
+void SceneTest::walksTheTree() {
+  const Sample s;
+  using Ids = std::vector<NodeId>;
+  QVERIFY(s.scene.children(rootId) == (Ids{s.trunk, s.bladder}));
+  QVERIFY(s.scene.children(s.trunk) == (Ids{s.vessels, s.liver}));
+  QVERIFY(s.scene.children(s.liver).empty());
+  QVERIFY(s.scene.structuresBelow(rootId) == (Ids{s.artery, s.vein, s.liver, s.bladder}));
+  QVERIFY(s.scene.structuresBelow(s.vessels) == (Ids{s.artery, s.vein}));
+  QVERIFY(s.scene.structuresBelow(s.vein) == Ids{s.vein});
+  QVERIFY(s.scene.structuresBelow(NodeId{999}).empty());
+  QVERIFY(s.scene.isBelow(s.vein, s.trunk));
+  QVERIFY(s.scene.isBelow(s.vein, s.vein));
+  QVERIFY(s.scene.isBelow(s.vein, rootId));
+  QVERIFY(!s.scene.isBelow(s.trunk, s.vein));
+  QVERIFY(!s.scene.isBelow(s.bladder, s.trunk));
+  QCOMPARE(s.scene.groupPath(s.vein), std::string("Trunk / Vessels"));
+  QCOMPARE(s.scene.groupPath(s.liver), std::string("Trunk"));
+  QCOMPARE(s.scene.groupPath(s.bladder), std::string());
+  QVERIFY(s.scene.find(rootId) == nullptr);
+  QVERIFY(s.scene.find(NodeId{999}) == nullptr);
+}
+
+void SceneTest::inheritsStyle() {
+  Sample s;
+  std::vector<Node> nodes = s.scene.nodes();
+  for (Node& node : nodes) {
+    if (node.id == s.trunk) {
+      node.style.gamma = Gamma::clamped(4.0f);
+      node.style.colour = Colour{1, 2, 3};
+      node.style.fill = Fill::paper;
+      node.style.penWeight = 2.0f;
+    }
+    if (node.id == s.vessels)
+      node.style.gamma = Gamma::clamped(1.0f);
+    if (node.id == s.vein)
+      node.style.opacity = Opacity::clamped(0.25f);
+  }
+  s.scene.setNodes(nodes);
+  const ResolvedStyle vein = s.scene.resolve(s.vein);
+  QCOMPARE(vein.gamma.value(), 1.0f);  // the nearest answer wins
+  QVERIFY((vein.colour == Colour{1, 2, 3}));
+  QVERIFY(vein.fill == Fill::paper);
+  QCOMPARE(vein.penWeight, 2.0f);
+  QCOMPARE(vein.opacity.value(), 0.25f);
+  QCOMPARE(s.scene.resolve(s.artery).opacity.value(), 1.0f);
+  QCOMPARE(s.scene.resolve(s.liver).gamma.value(), 4.0f);
+  QVERIFY(s.scene.resolve(s.bladder) == ResolvedStyle{});
+}
+
+void SceneTest::hiddenGroupHidesAllBelow() {
+  Sample s;
+  std::vector<Node> nodes = s.scene.nodes();
+  for (Node& node : nodes) {
+    if (node.id == s.trunk)
+      node.style.visible = false;
+    if (node.id == s.vein)
+      node.style.visible = true;  // does not help against the group
+  }
+  s.scene.setNodes(nodes);
+  QVERIFY(!s.scene.resolve(s.vein).visible);
+  QVERIFY(!s.scene.resolve(s.liver).visible);
+  QVERIFY(s.scene.resolve(s.bladder).visible);
+}
+
+void SceneTest::findsByName_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<int>("found");
+  QTest::newRow("as written") << "Left_renal artery" << 1;
+  QTest::newRow("spaces") << "left renal artery" << 1;
+  QTest::newRow("dashes and runs") << "LEFT - renal__ARTERY " << 1;
+  QTest::newRow("group") << "vessels" << 1;
+  QTest::newRow("part of a name") << "renal artery" << 0;
+  QTest::newRow("run together") << "leftrenalartery" << 0;
+  QTest::newRow("empty") << "" << 0;
+}
+
+void SceneTest::findsByName() {
+  QFETCH(QString, name);
+  QFETCH(int, found);
+  const Sample s;
+  QCOMPARE(int(s.scene.named(name.toStdString()).size()), found);
+}
+
+void SceneTest::boundsOfWhatIsVisible() {
+  Sample s;
+  QVERIFY(s.scene.visibleBounds().high.x > 100.0f);
+  std::vector<Node> nodes = s.scene.nodes();
+  for (Node& node : nodes)
+    if (node.id == s.bladder)
+      node.style.visible = false;
+  s.scene.setNodes(nodes);
+  QVERIFY(s.scene.visibleBounds().high.x < 2.0f);
+  QVERIFY(s.scene.visibleBounds().high.y > 50.0f);
+  QVERIFY(Scene{}.visibleBounds().empty());
+}
+
+void SceneTest::idsAreNeverReused() {
+  Sample s;
+  std::vector<Node> nodes = s.scene.nodes();
+  nodes.pop_back();  // the bladder
+  s.scene.setNodes(nodes);
+  const NodeId fresh = s.scene.append(group("new"));
+  for (const NodeId old : {s.trunk, s.vessels, s.artery, s.vein, s.liver, s.bladder})
+    QVERIFY(fresh != old);
+}
+
+}  // namespace sline::model
+
+QTEST_APPLESS_MAIN(sline::model::SceneTest)
+#include "scene_test.moc"

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fills: Phong that enters with Γ, paper and tint, opacity, transparency (METHOD §7).
+#include <QtTest>
+#include <cmath>
+
+#include "tests/render/picture/scenes.h"
+
+using namespace sline;
+using namespace sline::test;
+using render::Background;
+using render::Image;
+
+class FillPictureTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase();
+  void opacityGrowsWithGamma();
+  void completeAtFive();
+  void fillModes_data();
+  void fillModes();
+  void opacityOfTheStyle();
+  void seenFromWithin();
+  void lightFallsFromTheEye();
+
+ private:
+  Image picture(const model::Scene& scene, const model::Camera& camera, Background background);
+  Studio m_studio;
+};
+
+void FillPictureTest::initTestCase() {
+  m_studio = openStudio();
+  if (!m_studio.absent.empty())
+    QSKIP(m_studio.absent.c_str());
+  QVERIFY2(m_studio.fault.empty(), m_studio.fault.c_str());
+}
+
+Image FillPictureTest::picture(const model::Scene& scene, const model::Camera& camera,
+                               Background background) {
+  auto image = m_studio.picture->render(scene, camera,
+                                        {.width = 400, .height = 300, .background = background});
+  if (!image)
+    qFatal("%s", image.error().text().c_str());
+  return std::move(*image);
+}
+
+void FillPictureTest::opacityGrowsWithGamma() {
+  const model::MeshPtr shape = torus(50.0f, 20.0f, 120, 48);
+  model::Camera camera = frontal(180.0f);
+  camera.eye = {0.0f, -800.0f, 600.0f};
+  Image last;
+  for (const float gamma : {3.0f, 3.1f, 3.3f, 3.5f, 3.8f, 3.99f, 4.0f, 4.2f, 4.6f, 5.0f}) {
+    model::Scene scene;
+    model::Style style = gammaStyle(gamma);
+    style.penWeight = 0.0f;  // without lines, alpha is the fill's own
+    add(scene, shape, style);
+    const Image image = picture(scene, camera, Background::transparent);
+    if (!last.rgba.empty())
+      for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+          QVERIFY2(pixelAt(image, x, y).alpha >= pixelAt(last, x, y).alpha - 1,
+                   qPrintable(QString("gamma %1 at (%2, %3)").arg(gamma).arg(x).arg(y)));
+    last = image;
+  }
+}
+
+void FillPictureTest::completeAtFive() {
+  model::Scene scene;
+  add(scene, sphere(50.0f, 5), gammaStyle(5.0f));
+  const Image image = picture(scene, frontal(150.0f), Background::transparent);
+  for (int y = 0; y < 300; ++y)
+    for (int x = 0; x < 400; ++x) {
+      const float radius = std::hypot(float(x) - 199.5f, float(y) - 149.5f);
+      if (radius < 98.0f)
+        QCOMPARE(pixelAt(image, x, y).alpha, 255);
+      if (radius > 102.0f)
+        QCOMPARE(pixelAt(image, x, y).alpha, 0);
+    }
+}
+
+void FillPictureTest::fillModes_data() {
+  QTest::addColumn<int>("fill");
+  QTest::addColumn<int>("background");
+  QTest::addColumn<QList<int>>("expected");
+  // A sphere of Γ = 1 before an opaque box of grey 0.
+  QTest::newRow("none") << int(model::Fill::none) << int(Background::white) << QList<int>{};
+  QTest::newRow("paper on white") << int(model::Fill::paper) << int(Background::white)
+                                  << QList<int>{255, 255, 255, 255};
+  QTest::newRow("paper on dark") << int(model::Fill::paper) << int(Background::dark)
+                                 << QList<int>{28, 30, 34, 255};
+  QTest::newRow("paper on nothing")
+      << int(model::Fill::paper) << int(Background::transparent) << QList<int>{255, 255, 255, 255};
+}
+
+void FillPictureTest::fillModes() {
+  QFETCH(int, fill);
+  QFETCH(int, background);
+  QFETCH(QList<int>, expected);
+  model::Style behindStyle = gammaStyle(5.0f);
+  behindStyle.colour = Colour{220, 40, 40};
+  const model::MeshPtr behind = moved(*sphere(50.0f, 4), 1.0f, {0.0f, 200.0f, 0.0f});
+  model::Scene alone;
+  add(alone, behind, behindStyle);
+  model::Scene covered = alone;
+  model::Style style = gammaStyle(1.0f);
+  style.fill = model::Fill(fill);
+  add(covered, sphere(50.0f, 4), style);
+  const Image image = picture(covered, frontal(150.0f), Background(background));
+  const Pixel p = pixelAt(image, 200, 150);
+  if (expected.isEmpty()) {
+    const Pixel q = pixelAt(picture(alone, frontal(150.0f), Background(background)), 200, 150);
+    QCOMPARE(p.red, q.red);
+    QCOMPARE(p.green, q.green);
+  } else {
+    QCOMPARE((QList<int>{p.red, p.green, p.blue, p.alpha}), expected);
+  }
+}
+
+void FillPictureTest::opacityOfTheStyle() {
+  model::Scene scene;
+  model::Style style = gammaStyle(5.0f);
+  style.opacity = Opacity::clamped(0.5f);
+  add(scene, sphere(50.0f, 4), style);
+  const Pixel p = pixelAt(picture(scene, frontal(150.0f), Background::transparent), 200, 150);
+  QVERIFY(std::abs(p.alpha - 128) <= 1);
+  model::Scene tinted;
+  model::Style wash = gammaStyle(1.0f);
+  wash.fill = model::Fill::tint;
+  wash.colour = Colour{200, 100, 50};
+  add(tinted, sphere(50.0f, 4), wash);
+  const Pixel t = pixelAt(picture(tinted, frontal(150.0f), Background::transparent), 200, 150);
+  QVERIFY(t.alpha > 25 && t.alpha < 80);
+  // Alpha is straight: the colour is the structure's own.
+  QVERIFY(std::abs(t.red - 200) <= 3 && std::abs(t.green - 100) <= 3);
+}
+
+void FillPictureTest::seenFromWithin() {
+  // An open tube from the side of its mouth: its inner wall is lit like an outer one.
+  model::Scene scene;
+  add(scene, cylinder(40.0f, 100.0f, 96, 48), gammaStyle(5.0f));
+  model::Camera camera = frontal(150.0f);
+  camera.eye = {0.0f, -500.0f, 866.0f};
+  camera.up = {0.0f, 1.0f, 0.0f};
+  const Image image = picture(scene, camera, Background::white);
+  int dark = 0;
+  int painted = 0;
+  for (int y = 0; y < 300; ++y)
+    for (int x = 0; x < 400; ++x) {
+      painted += pixelAt(image, x, y).grey() < 250;
+      dark += pixelAt(image, x, y).grey() < 40;
+    }
+  QVERIFY(painted > 5000);
+  QVERIFY(dark < painted / 20);
+}
+
+void FillPictureTest::lightFallsFromTheEye() {
+  model::Scene scene;
+  add(scene, sphere(50.0f, 5), gammaStyle(5.0f));
+  const Image image = picture(scene, frontal(150.0f), Background::white);
+  int last = 256;
+  for (int x = 200; x < 296; x += 8) {
+    const int grey = pixelAt(image, x, 150).grey();
+    QVERIFY2(grey <= last, qPrintable(QString("x %1: %2").arg(x).arg(grey)));
+    last = grey;
+  }
+  QVERIFY(pixelAt(image, 200, 150).grey() > 1.4 * last);
+}
+
+QTEST_GUILESS_MAIN(FillPictureTest)
+#include "fill_picture_test.moc"

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+// Layers: order, what is kept between pictures, pieces of large pictures, refusals.
+#include <QtTest>
+#include <algorithm>
+#include <random>
+
+#include "tests/render/picture/scenes.h"
+
+using namespace sline;
+using namespace sline::test;
+using render::Image;
+using render::PictureSettings;
+
+class LayersPictureTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase();
+  void orderOfStructuresChangesNothing();
+  void keepsWhatDidNotChange();
+  void keptLayersGiveTheSamePicture();
+  void piecesGiveTheSamePicture_data();
+  void piecesGiveTheSamePicture();
+  void drawsWhatIsLeftOfNothing();
+  void plainPhongCoversTheSameShape();
+  void refusesBadRequests();
+
+ private:
+  Studio m_studio;
+};
+
+namespace {
+
+const PictureSettings settings{.width = 640, .height = 480};
+
+/// A heap of shapes that overlap, in every stage of Γ.
+std::vector<model::Node> heap(bool linesOnly = false) {
+  std::vector<model::Node> nodes;
+  std::mt19937 random(5);
+  const auto offset = [&random] { return float(random() % 81) - 40.0f; };
+  for (std::uint64_t i = 0; i < 14; ++i) {
+    model::Node node;
+    node.id = {i + 1};
+    node.name = "shape " + std::to_string(i);
+    const model::MeshPtr base = i % 2 ? torus(30.0f, 12.0f, 64, 32) : sphere(28.0f, 4);
+    node.mesh = moved(*base, 1.0f, {offset(), offset(), offset()});
+    node.style = gammaStyle(linesOnly ? 0.25f * float(i % 13) : 5.0f * float(i) / 13.0f);
+    node.style.colour = Colour{std::uint8_t(60 + 13 * i), 120, std::uint8_t(220 - 13 * i)};
+    if (!linesOnly && i % 5 == 2)
+      node.style.opacity = Opacity::clamped(0.6f);
+    if (!linesOnly && i % 4 == 1)
+      node.style.fill = i % 8 == 1 ? model::Fill::paper : model::Fill::tint;
+    nodes.push_back(node);
+  }
+  return nodes;
+}
+
+model::Scene sceneOf(std::vector<model::Node> nodes) {
+  model::Scene scene;
+  scene.setNodes(std::move(nodes));
+  return scene;
+}
+
+model::Camera camera() {
+  model::Camera c;
+  c.eye = {60.0f, -420.0f, 90.0f};
+  return c;
+}
+
+}  // namespace
+
+void LayersPictureTest::initTestCase() {
+  m_studio = openStudio();
+  if (!m_studio.absent.empty())
+    QSKIP(m_studio.absent.c_str());
+  QVERIFY2(m_studio.fault.empty(), m_studio.fault.c_str());
+}
+
+void LayersPictureTest::orderOfStructuresChangesNothing() {
+  std::vector<model::Node> nodes = heap();
+  // Two structures in one place: ties must not depend on the order either.
+  nodes.push_back(nodes[6]);
+  nodes.back().id = {99};
+  nodes.back().style.colour = Colour{0, 255, 0};
+  const auto first = m_studio.picture->render(sceneOf(nodes), camera(), settings);
+  QVERIFY(first.ok());
+  std::mt19937 random(3);
+  for (int i = 0; i < 3; ++i) {
+    std::shuffle(nodes.begin(), nodes.end(), random);
+    auto fresh = render::Picture::create();
+    QVERIFY(fresh.ok());
+    const auto again = (*fresh)->render(sceneOf(nodes), camera(), settings);
+    QVERIFY(again.ok());
+    QCOMPARE(difference(*first, *again).largest, 0);
+  }
+}
+
+void LayersPictureTest::keepsWhatDidNotChange() {
+  render::Picture& picture = *m_studio.picture;
+  std::vector<model::Node> nodes = heap(true);
+  const auto drawn = [&](const model::Camera& c, const PictureSettings& s) {
+    if (auto status = picture.draw(sceneOf(nodes), c, s); !status)
+      qFatal("%s", status.error().text().c_str());
+    return picture.timings().layersDrawn;
+  };
+  model::Camera c = camera();
+  c.eye.x += 1.0f;
+  QCOMPARE(drawn(c, settings), 14);
+  QCOMPARE(drawn(c, settings), 0);
+  nodes[3].style.gamma = Gamma::clamped(2.5f);
+  QCOMPARE(drawn(c, settings), 1);
+  nodes[4].style.visible = false;
+  QCOMPARE(drawn(c, settings), 0);
+  nodes[4].style.visible = true;
+  nodes[5].style.penWeight = 3.0f;
+  // The heap's bounds shrank and grew with the hidden structure only where it stuck out.
+  QVERIFY(drawn(c, settings) <= 14);
+  QCOMPARE(drawn(c, settings), 0);
+  c.eye.x += 1.0f;
+  QCOMPARE(drawn(c, settings), 14);
+  PictureSettings larger = settings;
+  larger.width += 10;
+  QCOMPARE(drawn(c, larger), 14);
+}
+
+void LayersPictureTest::keptLayersGiveTheSamePicture() {
+  std::vector<model::Node> nodes = heap();
+  render::Picture& picture = *m_studio.picture;
+  QVERIFY(picture.render(sceneOf(nodes), camera(), settings).ok());
+  for (const auto& [index, gamma] : {std::pair{2, 4.5f}, {9, 1.2f}, {13, 0.0f}, {4, 5.0f}}) {
+    nodes[std::size_t(index)].style.gamma = Gamma::clamped(gamma);
+    nodes[std::size_t(index)].style.penWeight = 1.5f;
+    const auto kept = picture.render(sceneOf(nodes), camera(), settings);
+    QVERIFY(kept.ok());
+    QVERIFY(picture.timings().layersDrawn < 10);
+    auto fresh = render::Picture::create();
+    QVERIFY(fresh.ok());
+    const auto anew = (*fresh)->render(sceneOf(nodes), camera(), settings);
+    QVERIFY(anew.ok());
+    const Difference d = difference(*kept, *anew);
+    QVERIFY2(d.largest <= 2, qPrintable(QString::number(d.largest)));
+  }
+}
+
+void LayersPictureTest::piecesGiveTheSamePicture_data() {
+  QTest::addColumn<bool>("linesOnly");
+  QTest::addColumn<int>("side");
+  QTest::addColumn<int>("atlasPixels");
+  QTest::addColumn<int>("tolerance");
+  // Interpolated shading may round to the other side; lines are equal byte for byte.
+  QTest::newRow("lines, small pieces") << true << 100 << 20'000'000 << 0;
+  QTest::newRow("lines, small atlas") << true << 0 << 200'000 << 0;
+  QTest::newRow("all stages, small pieces") << false << 150 << 20'000'000 << 2;
+}
+
+void LayersPictureTest::piecesGiveTheSamePicture() {
+  QFETCH(bool, linesOnly);
+  QFETCH(int, side);
+  QFETCH(int, atlasPixels);
+  QFETCH(int, tolerance);
+  const model::Scene scene = sceneOf(heap(linesOnly));
+  const auto whole = m_studio.picture->render(scene, camera(), settings);
+  QVERIFY(whole.ok());
+  auto pieces =
+      render::Picture::create({.maximumSide = side, .atlasPixels = std::size_t(atlasPixels)});
+  QVERIFY(pieces.ok());
+  const auto tiled = (*pieces)->render(scene, camera(), settings);
+  QVERIFY2(tiled.ok(), tiled.ok() ? "" : tiled.error().text().c_str());
+  QVERIFY((*pieces)->timings().layersDrawn > 14);
+  const Difference d = difference(*whole, *tiled);
+  QVERIFY2(d.largest <= tolerance,
+           qPrintable(QString("%1, %2 of pixels").arg(d.largest).arg(d.share)));
+}
+
+void LayersPictureTest::drawsWhatIsLeftOfNothing() {
+  const auto empty = m_studio.picture->render({}, camera(), settings);
+  QVERIFY(empty.ok());
+  QCOMPARE(pixelAt(*empty, 320, 240).grey(), 255);
+  // A structure behind the eye leaves the picture empty too.
+  model::Scene behind;
+  add(behind, moved(*sphere(20.0f, 3), 1.0f, {0.0f, -2000.0f, 0.0f}), gammaStyle(2.0f));
+  const auto image = m_studio.picture->render(behind, camera(), settings);
+  QVERIFY(image.ok());
+  QCOMPARE(difference(*empty, *image).largest, 0);
+}
+
+void LayersPictureTest::plainPhongCoversTheSameShape() {
+  model::Scene scene;
+  add(scene, sphere(40.0f, 4), gammaStyle(2.0f));
+  QVERIFY(m_studio.picture->drawPlainPhong(scene, camera(), settings).ok());
+  QVERIFY(m_studio.picture->timings().passes.size() == 1);
+}
+
+void LayersPictureTest::refusesBadRequests() {
+  const model::Scene scene = sceneOf(heap());
+  QVERIFY(!m_studio.picture->render(scene, camera(), {.width = 0, .height = 10}).ok());
+  QVERIFY(!m_studio.picture->render(scene, camera(), {.width = 10, .height = -4}).ok());
+  model::Camera blind = camera();
+  blind.eye = blind.target;
+  const auto image = m_studio.picture->render(scene, blind, settings);
+  QVERIFY(!image.ok());
+  QCOMPARE(image.error().where, std::string("camera"));
+}
+
+QTEST_GUILESS_MAIN(LayersPictureTest)
+#include "layers_picture_test.moc"

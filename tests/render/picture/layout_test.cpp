@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// The CPU's share of a picture: places in the atlas, lists of tiles, projected bounds.
+#include <QtTest>
+#include <random>
+
+#include "render/picture/picture_view.h"
+#include "render/picture/shelf_packer.h"
+#include "render/picture/tile_lists.h"
+#include "render/picture/transitions.h"
+
+using namespace sline;
+using namespace sline::render;
+
+class LayoutTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void packsWithoutOverlap();
+  void refusesWhatDoesNotFit();
+  void listsLayersInOrder();
+  void sphereBoundsHoldTheSphere_data();
+  void sphereBoundsHoldTheSphere();
+  void stagesOfGamma_data();
+  void stagesOfGamma();
+};
+
+void LayoutTest::packsWithoutOverlap() {
+  ShelfPacker packer({512, 2048});
+  std::mt19937 random(1);
+  std::vector<gpu::Rect> placed;
+  for (int i = 0; i < 60; ++i) {
+    const auto place = packer.place(10 + int(random() % 200), 10 + int(random() % 60));
+    QVERIFY(place.has_value());
+    QVERIFY(place->x >= 0 && place->right() <= 512 && place->top() <= packer.usedHeight());
+    for (const gpu::Rect& other : placed)
+      QVERIFY(gpu::intersection(*place, other).empty());
+    placed.push_back(*place);
+  }
+}
+
+void LayoutTest::refusesWhatDoesNotFit() {
+  ShelfPacker packer({100, 100});
+  QVERIFY(!packer.place(101, 10));
+  QVERIFY(packer.place(60, 60));
+  QVERIFY(!packer.place(60, 60));
+  QVERIFY(packer.place(40, 60));
+}
+
+void LayoutTest::listsLayersInOrder() {
+  const gpu::Rect region{100, 0, 96, 64};
+  std::array<TileMask, 3> masks{TileMask(region), TileMask(region), TileMask(region)};
+  masks[0].mark({100, 0, 1, 1});      // first tile only
+  masks[1].mark({110, 10, 50, 10});   // first and second
+  masks[2].mark({-500, -500, 5, 5});  // outside of the region
+  masks[2].mark({131, 31, 2, 2});     // where four tiles meet
+  std::vector<ListedLayer> layers;
+  for (const TileMask& mask : masks)
+    layers.push_back(
+        {.mask = &mask,
+         .layer = {.area = {0, 0, 96, 64}, .offsetX = int(layers.size()), .inked = true}});
+  const TileLists lists = tileLists(layers);
+  QCOMPARE(lists.tiles.size(), std::size_t(4));
+  const auto offsets = [&](std::size_t tile) {
+    QList<int> found;
+    for (int i = 0; i < lists.tiles[tile].count; ++i)
+      found.append((lists.entries[std::size_t(lists.tiles[tile].first + i)].packed[0] & 0xffff) -
+                   32768);
+    return found;
+  };
+  QCOMPARE(offsets(0), (QList<int>{0, 1, 2}));
+  QCOMPARE(offsets(1), (QList<int>{1, 2}));
+  QCOMPARE(offsets(2), (QList<int>{2}));
+  QCOMPARE(lists.tiles[2].y, 32);
+}
+
+void LayoutTest::sphereBoundsHoldTheSphere_data() {
+  QTest::addColumn<int>("projection");
+  QTest::newRow("perspective") << int(model::Projection::perspective);
+  QTest::newRow("parallel") << int(model::Projection::orthographic);
+}
+
+void LayoutTest::sphereBoundsHoldTheSphere() {
+  QFETCH(int, projection);
+  model::Camera camera;
+  camera.projection = model::Projection(projection);
+  camera.eye = {100.0f, -400.0f, 50.0f};
+  const PictureView view(camera, {glm::vec3(-300.0f), glm::vec3(300.0f)}, 640, 480);
+  std::mt19937 random(9);
+  const auto number = [&] { return float(random() % 2001) / 1000.0f - 1.0f; };
+  for (int i = 0; i < 200; ++i) {
+    const model::Sphere sphere{150.0f * glm::vec3(number(), number(), number()),
+                               10.0f + 5.0f * number()};
+    const gpu::Rect bounds = view.bounds(sphere);
+    for (int k = 0; k < 50; ++k) {
+      const glm::vec3 direction =
+          glm::normalize(glm::vec3(number(), number(), number()) + glm::vec3(1e-4f));
+      const glm::vec2 p = view.project(sphere.centre + sphere.radius * direction).pixel;
+      QVERIFY(p.x >= float(bounds.x) && p.x <= float(bounds.right()));
+      QVERIFY(p.y >= float(bounds.y) && p.y <= float(bounds.top()));
+    }
+    QVERIFY(float(bounds.width) < 4.0f * 15.0f * 720.0f / 200.0f);
+  }
+}
+
+void LayoutTest::stagesOfGamma_data() {
+  QTest::addColumn<float>("gamma");
+  QTest::addColumn<QList<float>>("stages");
+  QTest::newRow("0") << 0.0f << QList<float>{0.0f, 0.0f, 0.0f, 0.0f, 1.0f};
+  QTest::newRow("0.5") << 0.5f << QList<float>{0.5f, 0.0f, 0.0f, 0.0f, 1.0f};
+  QTest::newRow("1.25") << 1.25f << QList<float>{1.0f, 0.25f, 0.0f, 0.0f, 1.0f};
+  QTest::newRow("3.5") << 3.5f << QList<float>{1.0f, 1.0f, 0.5f, 0.0f, 1.0f};
+  QTest::newRow("4") << 4.0f << QList<float>{1.0f, 1.0f, 1.0f, 0.0f, 1.0f};
+  QTest::newRow("4.75") << 4.75f << QList<float>{1.0f, 1.0f, 1.0f, 0.75f, 0.25f};
+  QTest::newRow("5") << 5.0f << QList<float>{1.0f, 1.0f, 1.0f, 1.0f, 0.0f};
+}
+
+void LayoutTest::stagesOfGamma() {
+  QFETCH(float, gamma);
+  QFETCH(QList<float>, stages);
+  const Transitions t = transitions(Gamma::clamped(gamma));
+  QCOMPARE((QList<float>{t.contours, t.suggestive, t.shading, t.complete, t.lines}), stages);
+}
+
+QTEST_APPLESS_MAIN(LayoutTest)
+#include "layout_test.moc"

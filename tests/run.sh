@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Installs what is missing, builds and passes every test; arguments go to ctest and then only the
+# release build is tested.
+set -euo pipefail
+
+top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+jobs=$(nproc)
+
+"$top/app/install-packages.sh"
+launcher=()
+command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+
+build() { # preset target...
+  local preset=$1
+  shift
+  cmake -S "$top" --preset "$preset" -DSLINE_TESTS=ON "${launcher[@]}"
+  cmake --build "$top/build/$preset" --parallel "$jobs" --target "$@"
+}
+
+# Every public header must compile alone, so their check is part of the build.
+build release all all_verify_interface_header_sets
+if [ $# -gt 0 ]; then
+  exec ctest --test-dir "$top/build/release" --output-on-failure "$@"
+fi
+
+# The rooms that read untrusted files and run mathematics on them, under AddressSanitizer and
+# UndefinedBehaviorSanitizer. Leaks of third-party libraries at exit are not ours to mend.
+build asan sanitized_tests
+ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1 \
+  ctest --test-dir "$top/build/asan" --output-on-failure --parallel "$jobs" -L sanitized
+
+ctest --test-dir "$top/build/release" --output-on-failure --parallel "$jobs"

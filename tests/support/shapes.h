@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Surfaces whose curvature and contours are known in closed form, outward normals, millimetres.
+#pragma once
+
+#include <cstdint>
+
+#include "model/geometry/mesh.h"
+
+namespace sline::test {
+
+/// An icosphere with 20·4^levels faces around the origin.
+model::MeshPtr sphere(float radius, int levels);
+/// A torus around z: ring radius `major`, tube radius `minor`, 2·aroundRing·aroundTube faces.
+model::MeshPtr torus(float major, float minor, int aroundRing, int aroundTube);
+/// An open tube around z from −height/2 to height/2.
+model::MeshPtr cylinder(float radius, float height, int around, int along);
+/// z = (a·x² + b·y²)/2 over [−size, size]², open; normals point to +z.
+model::MeshPtr paraboloid(float a, float b, float size, int cells);
+/// Moves every vertex within the surface's tangent plane, evenly distributed over a disc whose
+/// radius is `fraction` of the shortest edge there, then back onto the surface with `project`.
+model::MeshPtr jittered(const model::Mesh& mesh, float fraction, std::uint32_t seed,
+                        glm::vec3 (*project)(const glm::vec3&));
+/// Mirrored at x = 0, triangles turned so that normals stay outward.
+model::MeshPtr mirrored(const model::Mesh& mesh);
+model::MeshPtr moved(const model::Mesh& mesh, float scale, const glm::vec3& offset);
+
+}  // namespace sline::test
