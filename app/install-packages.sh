@@ -8,7 +8,7 @@ packages=(
   # compiler, build, checks
   build-essential cmake ninja-build ccache git pkg-config clang clang-format clang-tidy
   # Qt (tests so far), meshes and volumes, pixel files
-  qt6-base-dev libvtk9-dev libopenmesh-dev
+  qt6-base-dev libvtk9-dev libglew-dev
   libopenimageio-dev openimageio-tools libopencv-dev
   # OpenGL without a display
   libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri

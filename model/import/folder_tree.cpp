@@ -118,6 +118,7 @@ class Builder {
   Branch slicerBranch(const ImportSource& source, const std::vector<std::size_t>& members) const {
     const std::vector<SlicerGroup>& groups = source.scene->groups;
     std::vector<Branch> branches;
+    branches.reserve(groups.size());
     for (const SlicerGroup& group : groups)
       branches.push_back({group.name, group.style, {}, {}});
     Branch top;
@@ -159,6 +160,7 @@ class Builder {
     if (!byFolders.groups.empty())
       return byFolders;
     std::vector<std::string> files;
+    files.reserve(members.size());
     for (const std::size_t part : members)
       files.push_back(fileOf(part).file.filename().string());
     const std::filesystem::path folder =

@@ -37,7 +37,7 @@ class LoopStep {
     m_edgeVertex.assign(m_edges.count(), 0);
     addEdgeVertices(result);
     result.triangles.reserve(m_triangles.size() * 4);
-    for (std::uint32_t t = 0; t < m_triangles.size(); ++t) {
+    for (std::size_t t = 0; t < m_triangles.size(); ++t) {
       const Triangle& v = m_triangles[t];
       const std::uint32_t ab = m_edgeVertex[3 * t];
       const std::uint32_t bc = m_edgeVertex[3 * t + 1];

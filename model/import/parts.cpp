@@ -154,6 +154,11 @@ void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothi
     for (std::size_t k = 0; k < members.size(); ++k)
       grids[members[k]] = common[k];
   }
+  std::vector<SurfaceMeasure> all;
+  all.reserve(parts.size());
+  for (const Part& part : parts)
+    all.push_back(part.measure);
+  const std::vector<int> allowed = refinementAllowances(all);
   std::vector<std::size_t> order(parts.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -162,7 +167,8 @@ void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothi
   forFewAtATime(order, meter, [&](std::size_t i) {
     Part& part = parts[i];
     const double bytes = double(part.raw.triangles.size()) * 6.0;
-    const Smoothed done = smooth(part.raw.positions, part.raw.triangles, grids[i], smoothing);
+    const Smoothed done =
+        smooth(part.raw.positions, part.raw.triangles, grids[i], smoothing, allowed[i]);
     part.provenance.smoothingSteps = done.smoothingSteps;
     part.provenance.refinementSteps = done.refinementSteps;
     part.provenance.displacementMm = done.displacement * part.unit;

@@ -183,7 +183,7 @@ std::optional<glm::dmat4> SceneReader::ownMatrix(const XmlNode& transform,
   glm::dmat4 matrix(1.0);
   for (int row = 0; values && row < 4; ++row)
     for (int column = 0; column < 4; ++column)
-      matrix[column][row] = (*values)[std::size_t(row * 4 + column)];
+      matrix[column][row] = (*values)[std::size_t(row) * 4 + std::size_t(column)];
   const double size = glm::determinant(glm::dmat3(matrix));
   const bool affine =
       matrix[0][3] == 0.0 && matrix[1][3] == 0.0 && matrix[2][3] == 0.0 && matrix[3][3] == 1.0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <utility>
 
 #include "model/base/parallel.h"
@@ -201,17 +202,21 @@ float meanBend(std::span<const glm::vec3> positions, std::span<const Triangle> t
   return count == 0 ? 0.0f : float(sum / double(count));
 }
 
-void refine(std::vector<glm::vec3>& positions, std::vector<Triangle>& triangles, float meanEdge,
-            Smoothed& result) {
-  const float featureSize = smallestBoundingSphere(positions).radius;
+int wantedRefinements(float meanEdge, float featureSize) {
   const float share = featureSize > 0.0f ? meanEdge / featureSize : 0.0f;
-  if (!(share > coarsestEdge))
+  return share > 3.0f * coarsestEdge ? 2 : share > coarsestEdge ? 1 : 0;
+}
+
+void refine(std::vector<glm::vec3>& positions, std::vector<Triangle>& triangles, float meanEdge,
+            int allowed, Smoothed& result) {
+  const float featureSize = smallestBoundingSphere(positions).radius;
+  const int steps = std::min(allowed, wantedRefinements(meanEdge, featureSize));
+  if (steps == 0)
     return;
   constexpr float polyhedral = 0.7853982f;
   if (meanBend(positions, triangles, HalfEdges(positions.size(), triangles)) > polyhedral)
     return;
   const std::vector<glm::vec3> before = positions;
-  const int steps = share > 3.0f * coarsestEdge ? 2 : 1;
   const auto rings = [&] {
     return VertexRings(positions.size(), triangles, HalfEdges(positions.size(), triangles));
   };
@@ -232,6 +237,8 @@ SurfaceMeasure measureSurface(std::span<const glm::vec3> positions,
                               std::span<const Triangle> triangles) {
   SurfaceMeasure measure;
   measure.vertices = positions.size();
+  measure.triangles = triangles.size();
+  measure.featureSize = smallestBoundingSphere(positions).radius;
   double sum = 0.0;
   for (const Triangle& t : triangles)
     for (std::size_t k = 0; k < 3; ++k)
@@ -264,8 +271,36 @@ std::vector<VoxelGrid> commonGrids(std::span<const SurfaceMeasure> surfaces) {
   return grids;
 }
 
+std::vector<int> refinementAllowances(std::span<const SurfaceMeasure> surfaces) {
+  constexpr double leastAllowance = 150'000.0;
+  constexpr double allowedShare = 0.15;
+  std::vector<std::size_t> order(surfaces.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto share = [&](std::size_t i) {
+    return surfaces[i].meanEdge / std::max(surfaces[i].featureSize, 1e-30f);
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return share(a) > share(b); });
+  double triangles = 0.0;
+  for (const SurfaceMeasure& surface : surfaces)
+    triangles += double(surface.triangles);
+  double left = std::max(leastAllowance, allowedShare * triangles);
+  std::vector<int> allowed(surfaces.size(), 0);
+  for (const std::size_t i : order)
+    for (int steps = wantedRefinements(surfaces[i].meanEdge, surfaces[i].featureSize); steps > 0;
+         --steps) {
+      const double added = double(surfaces[i].triangles) * (std::pow(4.0, steps) - 1.0);
+      if (added > left)
+        continue;
+      left -= added;
+      allowed[i] = steps;
+      break;
+    }
+  return allowed;
+}
+
 Smoothed smooth(std::vector<glm::vec3>& positions, std::vector<Triangle>& triangles,
-                const VoxelGrid& grid, const Smoothing& smoothing) {
+                const VoxelGrid& grid, const Smoothing& smoothing, int allowedRefinements) {
   Smoothed result;
   const bool steps = smoothing.mode == Smoothing::Mode::steps && smoothing.steps > 0;
   const bool automatic = smoothing.mode == Smoothing::Mode::automatic;
@@ -278,7 +313,8 @@ Smoothed smooth(std::vector<glm::vec3>& positions, std::vector<Triangle>& triang
     for (const Triangle& t : triangles)
       for (std::size_t k = 0; k < 3; ++k)
         sum += glm::distance(positions[t[k]], positions[t[(k + 1) % 3]]);
-    refine(positions, triangles, float(sum / double(3 * triangles.size())), result);
+    refine(positions, triangles, float(sum / double(3 * triangles.size())), allowedRefinements,
+           result);
   }
   return result;
 }

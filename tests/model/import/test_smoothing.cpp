@@ -74,6 +74,7 @@ class SmoothingTest : public QObject {
   void siblingsShareTheGrid();
   void offAndSteps();
   void coarseSphereIsRefined();
+  void coarsestAreRefinedFirst();
   void boxIsLeftAlone();
   void loopKeepsBorders();
   void nonManifoldSurvives();
@@ -248,6 +249,25 @@ void SmoothingTest::coarseSphereIsRefined() {
   QVERIFY2(done.displacement < 0.05f, qPrintable(QString::number(double(done.displacement))));
   for (const glm::vec3& p : s.positions)
     QVERIFY(std::abs(glm::length(p) - 10.0f) < 0.1f);
+}
+
+void SmoothingTest::coarsestAreRefinedFirst() {
+  const auto measure = [](std::size_t triangles, float share) {
+    SurfaceMeasure m;
+    m.triangles = triangles;
+    m.meanEdge = 10.0f * share;
+    m.featureSize = 10.0f;
+    return m;
+  };
+  // Alone, each has what it wants; fine ones want nothing.
+  QCOMPARE(refinementAllowances(std::vector{measure(1000, 0.07f)}), std::vector{2});
+  QCOMPARE(refinementAllowances(std::vector{measure(1000, 0.03f)}), std::vector{1});
+  QCOMPARE(refinementAllowances(std::vector{measure(1000, 0.01f)}), std::vector{0});
+  // 30,000 triangles twice refined would be 450,000 more: once is what the allowance holds, and
+  // then 60,000 are left, too few for the next.
+  QCOMPARE(refinementAllowances(
+               std::vector{measure(30'000, 0.05f), measure(30'000, 0.08f), measure(1'000, 0.021f)}),
+           (std::vector{0, 1, 1}));
 }
 
 void SmoothingTest::boxIsLeftAlone() {
