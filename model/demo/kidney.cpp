@@ -34,7 +34,7 @@ Tubes arteryTubes() {
                                      {{-8, -3, 19}, 1.5f}}}),
       Tube(std::array<TubePoint, 4>{
           {{{-46, 3, 5}, 3.1f}, {{-33, 1, 3}, 2.9f}, {{-20, -2, -1}, 2.3f}, {{-6, -4, 2}, 1.5f}}}),
-      Tube(std::array<TubePoint, 4>{{{{-46, 3, 5}, 2.9f},
+      Tube(std::array<TubePoint, 4>{{{{-44, 3, 5}, 1.5f},
                                      {{-33, 1, 3}, 2.8f},
                                      {{-22, 0, -9}, 2.0f},
                                      {{-9, -2, -20}, 1.4f}}})};
@@ -46,7 +46,7 @@ Tubes veinTubes() {
                                          {{-34, -10, 0}, 4.6f},
                                          {{-22, -9, 7}, 3.2f},
                                          {{-8, -9, 14}, 2.0f}}}),
-          Tube(std::array<TubePoint, 4>{{{{-48, -12, 1}, 4.8f},
+          Tube(std::array<TubePoint, 4>{{{{-46, -12, 1}, 2.6f},
                                          {{-34, -10, 0}, 4.3f},
                                          {{-22, -8, -8}, 3.1f},
                                          {{-8, -9, -15}, 1.9f}}})};
@@ -132,7 +132,7 @@ Scene kidneyDemo() {
   const NodeId vessels = addGroup(scene, "Vessels");
   addStructure(scene, organs, "left kidney",
                polygonise(kidney, {{-58, -34, -72}, {40, 34, 66}}, 1.1f),
-               {.colour = {158, 79, 62}, .gamma = 3.6f});
+               {.colour = {158, 79, 62}, .gamma = 4.0f});
   addStructure(scene, organs, "left ureter", polygonise(ureterField, around(ureter, 3.0f), 0.7f),
                {.colour = {226, 190, 92}, .gamma = 5.0f});
   addStructure(scene, vessels, "left renal artery",
