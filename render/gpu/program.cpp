@@ -125,7 +125,8 @@ Status Program::matchUniforms(const ProgramRecipe& recipe) {
     GLenum type = GL_NONE;
     glGetActiveUniform(m_handle, i, sizeof(buffer), &length, &elements, &type, buffer);
     const std::string_view name(buffer, std::size_t(length));
-    const auto declared = std::ranges::find(recipe.uniforms, name, &Uniform::name);
+    const auto declared = std::find_if(recipe.uniforms.begin(), recipe.uniforms.end(),
+                                       [&](const Uniform& u) { return u.name == name; });
     if (declared == recipe.uniforms.end())
       return fault(name, "the shaders use it, but the pass does not declare it");
     if (glType(declared->type) != type)
@@ -146,7 +147,8 @@ Status Program::matchUniforms(const ProgramRecipe& recipe) {
 }
 
 const Program::Slot& Program::slot(std::string_view name, [[maybe_unused]] UniformType type) const {
-  const auto found = std::ranges::find(m_slots, name, &Slot::name);
+  const auto found =
+      std::find_if(m_slots.begin(), m_slots.end(), [&](const Slot& s) { return s.name == name; });
   assert(found != m_slots.end() && found->type == type);
   glUseProgram(m_handle);
   return *found;

@@ -22,9 +22,10 @@ class Resolver {
       : m_files(files), m_source(source) {}
 
   Status append(std::string_view name, std::string_view asker) {
-    if (std::ranges::find(m_source.files, name) != m_source.files.end())
+    if (std::find(m_source.files.begin(), m_source.files.end(), name) != m_source.files.end())
       return Unit{};
-    const auto file = std::ranges::find(m_files, name, &ShaderFile::name);
+    const auto file = std::find_if(m_files.begin(), m_files.end(),
+                                   [&](const ShaderFile& f) { return f.name == name; });
     if (file == m_files.end())
       return Error{.file = std::string(asker),
                    .reason = "the shader file \"" + std::string(name) + "\" is not built in",

@@ -2,14 +2,14 @@
 #include "render/picture/atlas.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace sline::render {
 
 namespace {
 
-/// Coarse steps keep the textures while sizes change a little from frame to frame.
+/// A common width and coarse steps of height keep the textures while a scene turns.
+constexpr int usualWidth = 2048;
 constexpr int sizeStep = 256;
 
 int roundedUp(int value) {
@@ -27,8 +27,7 @@ std::vector<gpu::Rect> Atlas::layOut(std::span<const gpu::TextureSize> sizes) {
   }
   if (area > m_limits.pixels || widest > m_limits.side)
     return {};
-  const int square = int(std::sqrt(double(area)) * 1.1);
-  const int width = std::min(m_limits.side, roundedUp(std::max(widest, square)));
+  const int width = std::min(m_limits.side, std::max(usualWidth, roundedUp(widest)));
   const int height = int(std::min<std::size_t>(m_limits.side, m_limits.pixels / width));
   // Rows fill best from the tallest to the lowest; the order given decides between equals.
   std::vector<std::size_t> order(sizes.size());
@@ -43,8 +42,11 @@ std::vector<gpu::Rect> Atlas::layOut(std::span<const gpu::TextureSize> sizes) {
       return {};
     places[i] = *place;
   }
-  m_wanted = {width, std::min(height, roundedUp(std::max(packer.usedHeight(), 1)))};
+  // Some room for layers that change their size while the view stays.
+  m_wanted = {width,
+              std::min(height, roundedUp(packer.usedHeight() + packer.usedHeight() / 8 + 1))};
   m_packer = packer;
+  m_packer.limitHeight(m_wanted.height);
   return places;
 }
 

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/lines/chains.h"
+#include "render/lines/view_fields.h"
 #include "render/picture/transitions.h"
 
 namespace sline::render {
@@ -23,8 +24,8 @@ constexpr float wideStep = 2.5f;
 
 // Where triangles are smaller than pixels, segments are joined: by at most this many pixels off the
 // line, to strokes of at most that many.
-constexpr float simplification = 0.1f;
-constexpr float longestStroke = 8.0f;
+constexpr float simplification = 0.12f;
+constexpr float longestStroke = 16.0f;
 
 struct Pen {
   float width;    ///< px
@@ -102,7 +103,7 @@ class StrokeMaker {
 
   /// How much depth changes per unit across the picture where the surface is seen at that angle.
   float slope(const glm::vec3& p, const glm::vec3& normal) const {
-    const float nv = glm::dot(normal, model::towardsEye(m_view.camera(), p));
+    const float nv = glm::dot(normal, directionTo(m_view.eye(), p));
     const float tangent = std::sqrt(std::max(0.0f, 1.0f - nv * nv)) / std::max(nv, 1e-3f);
     return std::min(tangent, 8.0f);
   }

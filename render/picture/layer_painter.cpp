@@ -51,17 +51,25 @@ Result<std::unique_ptr<LayerPainter>> LayerPainter::create(const gpu::Device& de
 
 std::vector<std::size_t> LayerPainter::reuse(std::vector<Layer>& layers, const Key& key) {
   std::vector<std::size_t> changed;
-  const bool sameView = key == m_key;
+  if (key != m_key)
+    m_kept.clear();
   m_key = key;
   for (std::size_t i = 0; i < layers.size(); ++i) {
-    const auto kept =
-        !sameView ? m_kept.end() : std::ranges::find_if(m_kept, [&](const Layer& old) {
-          return layers[i].drawnLike(old);
-        });
-    if (kept != m_kept.end())
-      layers[i] = std::move(*kept);
-    else
-      changed.push_back(i);
+    Layer& layer = layers[i];
+    const auto same = std::find_if(m_kept.begin(), m_kept.end(),
+                                   [&](const Layer& old) { return layer.drawnLike(old); });
+    if (same != m_kept.end()) {
+      layer = std::move(*same);
+      continue;
+    }
+    changed.push_back(i);
+    // A structure whose style changes is drawn anew in its old place, if that still fits.
+    const auto before = std::find_if(m_kept.begin(), m_kept.end(), [&](const Layer& old) {
+      return old.area == layer.area && old.members.size() == 1 && layer.members.size() == 1 &&
+             old.members.front().id == layer.members.front().id;
+    });
+    if (before != m_kept.end())
+      layer.slot = before->slot;
   }
   m_freshAtlas = changed.size() == layers.size();
   m_kept.clear();
@@ -70,7 +78,9 @@ std::vector<std::size_t> LayerPainter::reuse(std::vector<Layer>& layers, const K
 
 bool LayerPainter::place(std::vector<Layer>& layers, std::vector<std::size_t>& changed) {
   if (!m_freshAtlas) {
-    const bool fits = std::ranges::all_of(changed, [&](std::size_t i) {
+    const bool fits = std::all_of(changed.begin(), changed.end(), [&](std::size_t i) {
+      if (!layers[i].slot.empty())
+        return true;
       const auto slot = m_atlas.add({layers[i].area.width, layers[i].area.height});
       if (slot)
         layers[i].slot = *slot;
@@ -107,8 +117,8 @@ void LayerPainter::clear(gpu::Device& device, std::span<const Layer> layers,
       clearBoth(layers[i].slot);
 }
 
-void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
-                                const Layer& layer) const {
+void LayerPainter::drawSurface(gpu::Device& device, const PictureInput& input, const Layer& layer,
+                               DrawQueue& queue) const {
   const passes::SurfaceView view{.viewProjection = input.view.viewProjection(),
                                  .eye = input.view.eyeVector(),
                                  .pictureSize = input.view.size()};
@@ -120,10 +130,21 @@ void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
                                    .slot = layer.slot,
                                    .fill = surfaceFill(shown, input.view, input.background)};
     m_surfacePass->draw(device, m_atlas.surfaceTarget(), view, draw);
+    for (const gpu::DrawRange& range : draw.ranges)
+      queue.add(device, range.count);
   }
   // Where a layer has a fill, it lies as deep as its surface; else only its ink counts.
   if (layer.filled)
     device.copyDepth(m_atlas.surfaceTarget(), m_atlas.inkTarget(), layer.slot);
+}
+
+void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
+                                std::span<const Layer> layers,
+                                std::span<const std::size_t> changed) const {
+  DrawQueue queue;
+  for (const std::size_t i : changed)
+    if (layers[i].shows())
+      drawSurface(device, input, layers[i], queue);
 }
 
 passes::InkDraw LayerPainter::inkDraw(const PictureInput& input, const Layer& layer,
@@ -145,7 +166,8 @@ void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
     all.insert(all.end(), some.begin(), some.end());
   };
   for (const std::size_t i : changed) {
-    std::ranges::for_each(layers[i].edges, append);
+    for (const std::vector<passes::InkSegment>& edges : layers[i].edges)
+      append(edges);
     append(layers[i].strokes);
   }
   m_inkPass->upload(all);
@@ -227,9 +249,7 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   stopwatch.lines();
 
   clear(device, layers, changed);
-  for (const std::size_t i : changed)
-    if (layers[i].shows())
-      drawSurfaces(device, input, layers[i]);
+  drawSurfaces(device, input, layers, changed);
   stopwatch.pass(device, "surface");
   drawInk(device, input, layers, changed);
   stopwatch.pass(device, "ink");

@@ -9,6 +9,7 @@
 #include "render/passes/resolve/pass.h"
 #include "render/passes/surface/pass.h"
 #include "render/picture/atlas.h"
+#include "render/picture/draw_queue.h"
 #include "render/picture/layer.h"
 #include "render/picture/stopwatch.h"
 
@@ -53,7 +54,10 @@ class LayerPainter {
   bool place(std::vector<Layer>& layers, std::vector<std::size_t>& changed);
   void clear(gpu::Device& device, std::span<const Layer> layers,
              std::span<const std::size_t> changed) const;
-  void drawSurfaces(gpu::Device& device, const PictureInput& input, const Layer& layer) const;
+  void drawSurface(gpu::Device& device, const PictureInput& input, const Layer& layer,
+                   DrawQueue& queue) const;
+  void drawSurfaces(gpu::Device& device, const PictureInput& input, std::span<const Layer> layers,
+                    std::span<const std::size_t> changed) const;
   static passes::InkDraw inkDraw(const PictureInput& input, const Layer& layer, const Shown& shown);
   void drawInk(gpu::Device& device, const PictureInput& input, std::vector<Layer>& layers,
                std::span<const std::size_t> changed);

@@ -222,11 +222,13 @@ Status Picture::drawPlainPhong(const model::Scene& scene, const model::Camera& c
   const PictureView view(camera, scene.visibleBounds(), settings.width, settings.height);
   const gpu::Target& target = *data.plainCanvas.target;
   data.device->clear(target, {.colour = backgroundColour(settings.background), .depth = 1.0f});
+  DrawQueue queue;
   for (const Shown& s : visible) {
     const Colour& c = s.style.colour;
     data.plainPhong->draw(*data.device, target, {view.viewProjection(), view.eyeVector()},
                           *s.cached->geometry,
                           glm::vec3(float(c.red), float(c.green), float(c.blue)) / 255.0f);
+    queue.add(*data.device, s.cached->geometry->indexCount());
   }
   stopwatch.pass(*data.device, "plain phong");
   data.timings = stopwatch.done();

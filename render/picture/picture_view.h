@@ -3,6 +3,7 @@
 // with y upwards.
 #pragma once
 
+#include <algorithm>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
@@ -29,8 +30,13 @@ class PictureView {
   gpu::Rect whole() const { return {0, 0, int(m_size.x), int(m_size.y)}; }
   /// λ in pixels: the unit of pens (METHOD §1).
   float outputUnit() const { return m_size.y / 720.0f; }
+  /// At the point's depth; 0 behind a perspective camera.
   float millimetresPerPixel(const glm::vec3& p) const {
-    return model::millimetresPerPixel(m_camera, p, m_size.y);
+    // w is the distance from the eye's plane, or 1 in a parallel projection.
+    return std::max(m_viewProjection[0][3] * p.x + m_viewProjection[1][3] * p.y +
+                        m_viewProjection[2][3] * p.z + m_viewProjection[3][3],
+                    0.0f) /
+           m_focal.y;
   }
 
   struct Point {

@@ -17,6 +17,8 @@ class ShelfPacker {
 
   /// Nothing where there is no room.
   std::optional<gpu::Rect> place(int width, int height);
+  /// From now on no higher than that.
+  void limitHeight(int height) { m_size.height = height; }
   /// Rows in use, from the bottom.
   int usedHeight() const { return m_top; }
 

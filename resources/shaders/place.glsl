@@ -12,6 +12,6 @@ vec4 layerClip(vec4 clip, vec2 pictureSize, vec4 layer) {
   if (clip.w < 1e-6)
     return vec4(clip.xy * pictureSize / layer.zw, clip.zw);
   vec2 pixel = (clip.xy / clip.w * 0.5 + 0.5) * pictureSize;
-
+  pixel = floor(pixel * 256.0 + 0.5) / 256.0;
   return vec4(layerPosition(pixel, layer) * clip.w, clip.zw);
 }

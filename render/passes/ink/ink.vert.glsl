@@ -23,7 +23,7 @@ void main() {
   strokeEnds = ends + outwards * max(strokes.xxyy - 0.5, 0.0) * depths.w;
   vec2 a = strokeEnds.xy;
   vec2 b = strokeEnds.zw;
-  float reach = max(strokes.x, strokes.y) + 1.0;
+  float reach = max(strokes.x, strokes.y) + 0.5;
   vec2 along = b - a;
   float lengthAB = length(along);
   along = lengthAB > 1e-6 ? along / lengthAB : vec2(1.0, 0.0);

@@ -128,16 +128,20 @@ void LayersPictureTest::keptLayersGiveTheSamePicture() {
   QVERIFY(picture.render(sceneOf(nodes), camera(), settings).ok());
   for (const auto& [index, gamma] : {std::pair{2, 4.5f}, {9, 1.2f}, {13, 0.0f}, {4, 5.0f}}) {
     nodes[std::size_t(index)].style.gamma = Gamma::clamped(gamma);
-    nodes[std::size_t(index)].style.penWeight = 1.5f;
+    // A bolder pen needs a larger place, and may need all places laid out anew.
+    const bool bolder = index == 13;
+    if (bolder)
+      nodes[std::size_t(index)].style.penWeight = 2.5f;
     const auto kept = picture.render(sceneOf(nodes), camera(), settings);
     QVERIFY(kept.ok());
-    QVERIFY(picture.timings().layersDrawn < 10);
+    QVERIFY(bolder || picture.timings().layersDrawn <= 3);
     auto fresh = render::Picture::create();
     QVERIFY(fresh.ok());
     const auto anew = (*fresh)->render(sceneOf(nodes), camera(), settings);
     QVERIFY(anew.ok());
     const Difference d = difference(*kept, *anew);
-    QVERIFY2(d.largest <= 2, qPrintable(QString::number(d.largest)));
+    // Another place in the atlas may round shading otherwise.
+    QVERIFY2(d.largest <= 2, qPrintable(QString("%1, %2 of pixels").arg(d.largest).arg(d.share)));
   }
 }
 

@@ -97,6 +97,9 @@ void LayoutTest::sphereBoundsHoldTheSphere() {
       QVERIFY(p.x >= float(bounds.x) && p.x <= float(bounds.right()));
       QVERIFY(p.y >= float(bounds.y) && p.y <= float(bounds.top()));
     }
+    const float unit = view.millimetresPerPixel(sphere.centre);
+    const float expected = model::millimetresPerPixel(camera, sphere.centre, 480.0f);
+    QVERIFY(std::abs(unit - expected) < 1e-4f * expected);
     QVERIFY(float(bounds.width) < 4.0f * 15.0f * 720.0f / 200.0f);
   }
 }
