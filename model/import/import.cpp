@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/import/import.h"
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 #include <algorithm>
 #include <glm/common.hpp>
 
@@ -186,6 +190,10 @@ Result<Imported> importInputs(std::span<const std::filesystem::path> inputs,
     report.frameReason = "chosen by the user";
   }
   imported.scene = buildScene(std::move(parts), sources, table);
+  // Hundreds of files' intermediate copies are free now; the system may have them back.
+#if defined(__GLIBC__)
+  malloc_trim(0);
+#endif
   return imported;
 }
 

@@ -22,13 +22,17 @@ PackedShape packedShape(const glm::mat3& scaledShape) {
       {bits(s[0][0]), bits(s[1][1]), bits(s[2][2]), bits(s[0][1]), bits(s[0][2]), bits(s[1][2])}};
 }
 
-SurfaceGeometry::SurfaceGeometry(std::span<const SurfaceVertex> vertices,
-                                 std::span<const std::uint32_t> indices, std::string_view name)
+SurfaceGeometry::SurfaceGeometry(std::span<const SurfaceVertex> vertices, std::string_view name)
     : m_vertices(gpu::BufferKind::vertices, name),
       m_indices(gpu::BufferKind::indices, name),
-      m_indexCount(std::uint32_t(indices.size())) {
+      m_visibleIndices(gpu::BufferKind::indices, name) {
   m_vertices.fill(std::as_bytes(vertices));
+  rebuild();
+}
+
+void SurfaceGeometry::addWhole(std::span<const std::uint32_t> indices) {
   m_indices.fill(std::as_bytes(indices));
+  m_indexCount = std::uint32_t(indices.size());
   rebuild();
 }
 
@@ -36,6 +40,10 @@ void SurfaceGeometry::addShape(std::span<const PackedShape> shape) {
   m_shape.emplace(gpu::BufferKind::vertices, "curvature");
   m_shape->fill(std::as_bytes(shape));
   rebuild();
+}
+
+void SurfaceGeometry::showOnly(std::span<const std::uint32_t> indices) {
+  m_visibleIndices.stream(std::as_bytes(indices));
 }
 
 void SurfaceGeometry::rebuild() {
@@ -50,7 +58,9 @@ void SurfaceGeometry::rebuild() {
         {.buffer = &*m_shape,
          .stride = sizeof(PackedShape),
          .attributes = {{2, 4, AttributeType::signed16, 0}, {3, 2, AttributeType::signed16, 8}}});
-  m_geometry = std::make_unique<gpu::Geometry>(std::move(streams), &m_indices, "surface");
+  m_geometry = std::make_unique<gpu::Geometry>(streams, &m_indices, "surface");
+  m_visibleGeometry =
+      std::make_unique<gpu::Geometry>(std::move(streams), &m_visibleIndices, "visible surface");
 }
 
 }  // namespace sline::render::passes

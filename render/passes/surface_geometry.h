@@ -29,13 +29,20 @@ PackedShape packedShape(const glm::mat3& scaledShape);
 
 class SurfaceGeometry {
  public:
-  SurfaceGeometry(std::span<const SurfaceVertex> vertices, std::span<const std::uint32_t> indices,
-                  std::string_view name);
+  SurfaceGeometry(std::span<const SurfaceVertex> vertices, std::string_view name);
+
+  /// The triangles of all of the surface; only surfaces with two sides are drawn whole.
+  void addWhole(std::span<const std::uint32_t> indices);
+  bool hasWhole() const { return m_indexCount > 0; }
 
   /// One entry per vertex; only fills at 3 < Γ < 4 read it.
   void addShape(std::span<const PackedShape> shape);
   bool hasShape() const { return m_shape.has_value(); }
+  /// All of the surface, once `addWhole` was called.
   const gpu::Geometry& geometry() const { return *m_geometry; }
+  /// The triangles that `visibleGeometry` has until the next call.
+  void showOnly(std::span<const std::uint32_t> indices);
+  const gpu::Geometry& visibleGeometry() const { return *m_visibleGeometry; }
   std::uint32_t indexCount() const { return m_indexCount; }
 
  private:
@@ -43,8 +50,10 @@ class SurfaceGeometry {
 
   gpu::Buffer m_vertices;
   gpu::Buffer m_indices;
+  gpu::Buffer m_visibleIndices;
   std::optional<gpu::Buffer> m_shape;
   std::unique_ptr<gpu::Geometry> m_geometry;
+  std::unique_ptr<gpu::Geometry> m_visibleGeometry;
   std::uint32_t m_indexCount = 0;
 };
 

@@ -50,17 +50,25 @@ std::vector<gpu::Rect> Atlas::layOut(std::span<const gpu::TextureSize> sizes) {
   return places;
 }
 
-Status Atlas::allocate() {
+bool Atlas::outgrown() const {
   const gpu::TextureSize now = m_colours ? m_colours->size() : gpu::TextureSize{};
-  if (now.width == m_wanted.width && now.height >= m_wanted.height &&
-      now.height <= 2 * m_wanted.height)
-    return Unit{};
+  return now.width != m_wanted.width || now.height < m_wanted.height ||
+         now.height > 2 * m_wanted.height;
+}
+
+bool Atlas::release() {
+  const bool any = m_colours != nullptr;
   m_surfaceTarget.reset();
   m_inkTarget.reset();
   m_edgeTarget.reset();
+  for (auto* texture : {&m_colours, &m_inks, &m_surfaceDepths, &m_layerDepths})
+    texture->reset();
+  return any;
+}
+
+Status Atlas::allocate() {
   const auto make = [this](std::unique_ptr<gpu::Texture>& texture, gpu::TextureFormat format,
                            const char* name) {
-    texture.reset();
     texture = std::make_unique<gpu::Texture>(format, m_wanted, name);
   };
   make(m_colours, gpu::TextureFormat::rgba8, "fills");

@@ -27,7 +27,11 @@ class Atlas {
   std::optional<gpu::Rect> add(gpu::TextureSize size) {
     return m_packer.place(size.width, size.height);
   }
-  /// Makes the textures that the last layout needs, unless those there are of about that size.
+  /// True where the textures that are there do not serve the last layout.
+  bool outgrown() const;
+  /// True where there was something to release.
+  bool release();
+  /// Makes the textures that the last layout needs.
   Status allocate();
 
   const gpu::Texture& colours() const { return *m_colours; }

@@ -18,7 +18,7 @@ class DrawQueue {
   }
 
  private:
-  static constexpr std::uint32_t longest = 750'000;
+  static constexpr std::uint32_t longest = 100'000;
   std::uint32_t m_waiting = 0;
 };
 

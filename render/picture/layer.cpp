@@ -2,6 +2,7 @@
 #include "render/picture/layer.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "model/base/parallel.h"
 #include "render/picture/transitions.h"
@@ -104,6 +105,37 @@ passes::SurfaceFill surfaceFill(const Shown& shown, const PictureView& view,
   return fill;
 }
 
+namespace {
+
+/// Appends the cluster's triangles that turn their outside to the eye. Software drivers shade
+/// vertices on one thread, and this leaves them half the work; a graphics card hardly minds.
+void appendFacing(const model::Surface& surface, const model::Cluster& cluster,
+                  const model::EyePoint& eye, std::vector<std::uint32_t>& visible) {
+  const bool all = model::facing(cluster, eye) == model::Facing::front;
+  const auto positions = surface.mesh->positions();
+  for (std::uint32_t i = 0; i < cluster.triangleCount; ++i) {
+    const auto& [a, b, c] =
+        surface.mesh->triangles()[surface.clusters.triangles[cluster.firstTriangle + i]];
+    if (!all) {
+      const glm::vec3 p = positions[a];
+      const glm::vec3 toEye = eye.atInfinity ? eye.value : eye.value - p;
+      if (!(glm::dot(glm::cross(positions[b] - p, positions[c] - p), toEye) > 0.0f))
+        continue;
+    }
+    visible.insert(visible.end(), {a, b, c});
+  }
+}
+
+void appendRange(const model::Cluster& cluster, std::vector<gpu::DrawRange>& ranges) {
+  const gpu::DrawRange range{3 * cluster.firstTriangle, 3 * cluster.triangleCount};
+  if (!ranges.empty() && ranges.back().first + ranges.back().count == range.first)
+    ranges.back().count += range.count;
+  else
+    ranges.push_back(range);
+}
+
+}  // namespace
+
 Coverage coverage(const Shown& shown, const PictureView& view, const gpu::Rect& region) {
   Coverage found;
   const bool cull = cullsBack(shown, view);
@@ -117,12 +149,10 @@ Coverage coverage(const Shown& shown, const PictureView& view, const gpu::Rect& 
     if (seen.empty())
       continue;
     found.area = unite(found.area, seen);
-    const gpu::DrawRange range{3 * cluster.firstTriangle, 3 * cluster.triangleCount};
-    if (!found.ranges.empty() &&
-        found.ranges.back().first + found.ranges.back().count == range.first)
-      found.ranges.back().count += range.count;
+    if (cull)
+      appendFacing(shown.surface(), cluster, view.eye(), found.visible);
     else
-      found.ranges.push_back(range);
+      appendRange(cluster, found.ranges);
   }
   return found;
 }

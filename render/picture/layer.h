@@ -30,7 +30,9 @@ struct Shown {
 /// What of a surface can be seen, from its clusters alone.
 struct Coverage {
   gpu::Rect area;  ///< pixels of the whole picture that the surface or its strokes can touch
-  std::vector<gpu::DrawRange> ranges;
+  std::vector<gpu::DrawRange> ranges;  ///< of a surface with two sides
+  std::vector<std::uint32_t> visible;  ///< of one with an outside only: the triangles that face the
+                                       ///< eye, as indices; dropped once drawn
 };
 
 struct Layer {

@@ -59,7 +59,10 @@ std::vector<std::size_t> LayerPainter::reuse(std::vector<Layer>& layers, const K
     const auto same = std::find_if(m_kept.begin(), m_kept.end(),
                                    [&](const Layer& old) { return layer.drawnLike(old); });
     if (same != m_kept.end()) {
+      // What can be seen is known anew; a new layout may yet ask for it.
+      std::vector<Coverage> coverage = std::move(layer.coverage);
       layer = std::move(*same);
+      layer.coverage = std::move(coverage);
       continue;
     }
     changed.push_back(i);
@@ -126,16 +129,15 @@ void LayerPainter::drawSurface(gpu::Device& device, const PictureInput& input, c
     const Shown& shown = layer.members[i];
     const passes::SurfaceDraw draw{.surface = *shown.cached->geometry,
                                    .ranges = layer.coverage[i].ranges,
+                                   .visible = layer.coverage[i].visible,
                                    .layer = layer.area,
                                    .slot = layer.slot,
                                    .fill = surfaceFill(shown, input.view, input.background)};
     m_surfacePass->draw(device, m_atlas.surfaceTarget(), view, draw);
     for (const gpu::DrawRange& range : draw.ranges)
       queue.add(device, range.count);
+    queue.add(device, std::uint32_t(draw.visible.size()));
   }
-  // Where a layer has a fill, it lies as deep as its surface; else only its ink counts.
-  if (layer.filled)
-    device.copyDepth(m_atlas.surfaceTarget(), m_atlas.inkTarget(), layer.slot);
 }
 
 void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
@@ -145,6 +147,11 @@ void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
   for (const std::size_t i : changed)
     if (layers[i].shows())
       drawSurface(device, input, layers[i], queue);
+  // Where a layer has a fill, it lies as deep as its surface; else only its ink counts. All copies
+  // after all surfaces: a software driver starts anew at each change of target.
+  for (const std::size_t i : changed)
+    if (layers[i].shows() && layers[i].filled)
+      device.copyDepth(m_atlas.surfaceTarget(), m_atlas.inkTarget(), layers[i].slot);
 }
 
 passes::InkDraw LayerPainter::inkDraw(const PictureInput& input, const Layer& layer,
@@ -162,37 +169,42 @@ passes::InkDraw LayerPainter::inkDraw(const PictureInput& input, const Layer& la
 void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
                            std::vector<Layer>& layers, std::span<const std::size_t> changed) {
   std::vector<passes::InkSegment> all;
-  const auto append = [&all](const std::vector<passes::InkSegment>& some) {
+  const auto append = [&all](std::vector<passes::InkSegment>& some) {
     all.insert(all.end(), some.begin(), some.end());
+    some = {};
   };
-  for (const std::size_t i : changed) {
-    for (const std::vector<passes::InkSegment>& edges : layers[i].edges)
-      append(edges);
-    append(layers[i].strokes);
-  }
-  m_inkPass->upload(all);
-  std::size_t first = 0;
-  for (const std::size_t i : changed) {
-    Layer& layer = layers[i];
-    for (std::size_t k = 0; k < layer.members.size(); ++k) {
-      const Shown& shown = layer.members[k];
-      passes::InkDraw draw = inkDraw(input, layer, shown);
-      draw.first = first;
-      draw.count = layer.edges[k].size();
+  // All edges, then all strokes, so that the target changes once.
+  std::vector<passes::InkDraw> edges;
+  std::vector<passes::InkDraw> strokes;
+  for (const std::size_t i : changed)
+    for (std::size_t k = 0; k < layers[i].members.size(); ++k) {
+      const Shown& shown = layers[i].members[k];
+      passes::InkDraw draw = inkDraw(input, layers[i], shown);
+      draw.first = all.size();
+      draw.count = layers[i].edges[k].size();
       draw.inner = 1.0f;
       const passes::SurfaceFill fill = surfaceFill(shown, input.view, input.background);
       draw.edge = glm::vec4(fill.colour, fill.complete * fill.opacity);
-      m_inkPass->draw(device, m_atlas.edgeTarget(), m_atlas.surfaceDepths(), draw);
-      first += draw.count;
+      append(layers[i].edges[k]);
+      edges.push_back(draw);
     }
-    passes::InkDraw draw = inkDraw(input, layer, layer.members.front());
-    draw.first = first;
-    draw.count = layer.strokes.size();
-    m_inkPass->draw(device, m_atlas.inkTarget(), m_atlas.surfaceDepths(), draw);
-    first += draw.count;
-    layer.strokes = {};
-    layer.edges = {};
+  for (const std::size_t i : changed) {
+    passes::InkDraw draw = inkDraw(input, layers[i], layers[i].members.front());
+    draw.first = all.size();
+    draw.count = layers[i].strokes.size();
+    append(layers[i].strokes);
+    strokes.push_back(draw);
   }
+  m_inkPass->upload(all);
+  DrawQueue queue;
+  const auto drawAll = [&](std::span<const passes::InkDraw> draws, const gpu::Target& target) {
+    for (const passes::InkDraw& draw : draws) {
+      m_inkPass->draw(device, target, m_atlas.surfaceDepths(), draw);
+      queue.add(device, std::uint32_t(6 * draw.count));
+    }
+  };
+  drawAll(edges, m_atlas.edgeTarget());
+  drawAll(strokes, m_atlas.inkTarget());
 }
 
 void LayerPainter::resolve(gpu::Device& device, const PictureInput& input, const gpu::Rect& region,
@@ -220,6 +232,33 @@ void LayerPainter::resolve(gpu::Device& device, const PictureInput& input, const
                        .background = backgroundColour(input.background)});
 }
 
+/// Draws a little from other textures, to and fro. Drivers hold on to what they last drew with, a
+/// software driver for each of the batches it has under way, and an outgrown atlas would be in
+/// memory beside the new one.
+void LayerPainter::letGo(gpu::Device& device) {
+  constexpr int side = 256;
+  constexpr int rounds = 16;
+  const gpu::Texture colours(gpu::TextureFormat::rgba8, {side, side}, "scratch");
+  const gpu::Texture inks(gpu::TextureFormat::r8, {side, side}, "scratch");
+  const gpu::Texture depths(gpu::TextureFormat::depth32f, {side, side}, "scratch");
+  const gpu::Texture pixels(gpu::TextureFormat::rgba8, {side, side}, "scratch");
+  const gpu::Texture others(gpu::TextureFormat::rgba8, {side, side}, "scratch");
+  const auto one = gpu::Target::create({{&pixels}, nullptr}, "scratch");
+  const auto other = gpu::Target::create({{&others}, nullptr}, "scratch");
+  if (!one.ok() || !other.ok())
+    return;
+  std::vector<passes::ResolveTile> tiles;
+  for (int y = 0; y < side; y += passes::ResolvePass::tileSide)
+    for (int x = 0; x < side; x += passes::ResolvePass::tileSide)
+      tiles.push_back({.x = x, .y = y, .first = 0, .count = 1});
+  const passes::ResolveEntry entry = passes::resolveEntry({.area = {0, 0, side, side}});
+  m_resolvePass->upload(tiles, std::span(&entry, 1));
+  for (int i = 0; i < rounds; ++i)
+    m_resolvePass->draw(device, i % 2 == 0 ? **one : **other,
+                        {.colours = colours, .inks = inks, .depths = depths});
+  device.finish();
+}
+
 Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const PictureInput& input,
                                                   const gpu::Rect& region,
                                                   const gpu::Target& target, Stopwatch& stopwatch) {
@@ -231,13 +270,21 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
       reuse(layers, {input.view.camera(), bounds, input.view.size(), input.background, region});
   if (!place(layers, changed))
     return Outcome::tooLarge;
-  if (Status s = m_atlas.allocate(); !s)
-    return s.error();
+  if (m_atlas.outgrown()) {
+    if (m_atlas.release())
+      letGo(device);
+    if (Status s = m_atlas.allocate(); !s)
+      return s.error();
+  }
   for (const std::size_t i : changed)
-    for (const Shown& shown : layers[i].members)
-      if (const float t = surfaceFill(shown, input.view, input.background).shading;
-          t > 0.0f && t < 1.0f)
+    for (std::size_t k = 0; k < layers[i].members.size(); ++k) {
+      const Shown& shown = layers[i].members[k];
+      const float shading = surfaceFill(shown, input.view, input.background).shading;
+      if (shading > 0.0f && shading < 1.0f)
         shown.cached->needShape();
+      if (!layers[i].coverage[k].ranges.empty())
+        shown.cached->needWhole();
+    }
   stopwatch.pass(device, "plan");
 
   std::map<model::NodeId, LineSet> own;
@@ -255,6 +302,9 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   stopwatch.pass(device, "ink");
   resolve(device, input, region, target, layers);
   stopwatch.pass(device, "resolve");
+  for (Layer& layer : layers)
+    for (Coverage& drawn : layer.coverage)
+      drawn.visible = {};
   m_layersDrawn = int(changed.size());
   m_kept = std::move(layers);
   return Outcome::painted;

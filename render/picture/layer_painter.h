@@ -52,6 +52,7 @@ class LayerPainter {
   explicit LayerPainter(const AtlasLimits& limits) : m_atlas(limits) {}
   std::vector<std::size_t> reuse(std::vector<Layer>& layers, const Key& key);
   bool place(std::vector<Layer>& layers, std::vector<std::size_t>& changed);
+  void letGo(gpu::Device& device);
   void clear(gpu::Device& device, std::span<const Layer> layers,
              std::span<const std::size_t> changed) const;
   void drawSurface(gpu::Device& device, const PictureInput& input, const Layer& layer,

@@ -224,6 +224,7 @@ Status Picture::drawPlainPhong(const model::Scene& scene, const model::Camera& c
   data.device->clear(target, {.colour = backgroundColour(settings.background), .depth = 1.0f});
   DrawQueue queue;
   for (const Shown& s : visible) {
+    s.cached->needWhole();
     const Colour& c = s.style.colour;
     data.plainPhong->draw(*data.device, target, {view.viewProjection(), view.eyeVector()},
                           *s.cached->geometry,

@@ -18,12 +18,7 @@ std::unique_ptr<passes::SurfaceGeometry> upload(const model::Surface& surface) {
   std::vector<passes::SurfaceVertex> vertices(positions.size());
   for (std::size_t i = 0; i < positions.size(); ++i)
     vertices[i] = {positions[i], passes::packedNormal(surface.normals[i])};
-  std::vector<std::uint32_t> indices;
-  indices.reserve(3 * surface.clusters.triangles.size());
-  for (const std::uint32_t triangle : surface.clusters.triangles)
-    for (const std::uint32_t vertex : surface.mesh->triangles()[triangle])
-      indices.push_back(vertex);
-  return std::make_unique<passes::SurfaceGeometry>(vertices, indices, "surface");
+  return std::make_unique<passes::SurfaceGeometry>(vertices, "surface");
 }
 
 }  // namespace
@@ -41,6 +36,17 @@ void CachedSurface::needShape() {
         passes::packedShape(k.x * glm::outerProduct(e1, e1) + k.y * glm::outerProduct(e2, e2));
   }
   geometry->addShape(shape);
+}
+
+void CachedSurface::needWhole() {
+  if (geometry->hasWhole())
+    return;
+  std::vector<std::uint32_t> indices;
+  indices.reserve(3 * surface->clusters.triangles.size());
+  for (const std::uint32_t triangle : surface->clusters.triangles)
+    for (const std::uint32_t vertex : surface->mesh->triangles()[triangle])
+      indices.push_back(vertex);
+  geometry->addWhole(indices);
 }
 
 CachedSurface& SurfaceCache::at(const model::MeshPtr& mesh, bool smoothed) {

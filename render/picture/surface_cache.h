@@ -17,6 +17,8 @@ struct CachedSurface {
 
   /// Uploads the curvature that fills at 3 < Γ < 4 need, once.
   void needShape();
+  /// Uploads all triangles in the order of the clusters, for drawing without culling, once.
+  void needWhole();
 };
 
 class SurfaceCache {

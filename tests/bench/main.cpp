@@ -110,6 +110,8 @@ Status measureFrames(render::Picture& picture, const Stage& stage, bench::Report
   });
   if (!frame)
     return frame.error();
+  // Read here: the yardsticks upload and hold what no picture needs.
+  report.peakRssMiB = bench::peakResidentMiB();
   report.frame = bench::spreadOf(*frame);
   report.lines = bench::spreadOf(lines);
   for (const std::string& name : order)
@@ -124,8 +126,6 @@ Status measurePhong(render::Picture& picture, const Stage& stage, bench::Report&
   if (!phong)
     return phong.error();
   report.phong = bench::spreadOf(*phong);
-  // Read here: VTK holds its own copies of everything, which are not ours to answer for.
-  report.peakRssMiB = bench::peakResidentMiB();
   return Unit{};
 }
 

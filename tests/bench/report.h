@@ -16,7 +16,7 @@ struct Report {
   double importMs = 0.0;
   double preprocessMs = 0.0;
   double baseRssMiB = 0.0;  ///< after the context was made, before the import
-  double peakRssMiB = 0.0;  ///< before VTK's yardstick makes its own copies
+  double peakRssMiB = 0.0;  ///< until the last frame, before the yardsticks
   Spread frame;
   Spread lines;
   std::vector<std::pair<std::string, Spread>> passes;

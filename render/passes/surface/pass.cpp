@@ -75,7 +75,13 @@ void SurfacePass::draw(gpu::Device& device, const gpu::Target& target, const Sur
                              .depth = gpu::DepthTest::less,
                              .writeDepth = true,
                              .writeColour = fill.kind != SurfaceFill::Kind::depthOnly};
-  device.triangles({target, program, draw.surface.geometry(), state}, draw.ranges);
+  if (draw.visible.empty()) {
+    device.triangles({target, program, draw.surface.geometry(), state}, draw.ranges);
+    return;
+  }
+  draw.surface.showOnly(draw.visible);
+  const gpu::DrawRange all{0, std::uint32_t(draw.visible.size())};
+  device.triangles({target, program, draw.surface.visibleGeometry(), state}, std::span(&all, 1));
 }
 
 }  // namespace sline::render::passes

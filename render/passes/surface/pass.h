@@ -32,10 +32,11 @@ struct SurfaceFill {
 };
 
 struct SurfaceDraw {
-  const SurfaceGeometry& surface;
+  SurfaceGeometry& surface;
   std::span<const gpu::DrawRange> ranges;
-  gpu::Rect layer;  ///< in picture pixels, y upwards
-  gpu::Rect slot;   ///< the layer's place in the target, of the same size
+  std::span<const std::uint32_t> visible;  ///< where not empty, only these triangles are drawn
+  gpu::Rect layer;                         ///< in picture pixels, y upwards
+  gpu::Rect slot;                          ///< the layer's place in the target, of the same size
   SurfaceFill fill;
 };
 
