@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "model/base/parallel.h"
 #include "render/lines/chains.h"
 #include "render/lines/view_fields.h"
 #include "render/picture/transitions.h"
@@ -142,27 +143,33 @@ float penWidth(const model::Surface& surface, const PictureView& view, float pen
 
 LineSet styledLines(const model::Surface& surface, const PictureView& view,
                     const model::ResolvedStyle& style) {
-  const bool twoSided = needsTwoSides(surface, view.camera());
-  LineSet lines =
-      extractLines(surface, view.camera(),
-                   {.contours = true,
-                    .suggestive = showsLines(style) && transitions(style.gamma).suggestive > 0.0f,
-                    .thresholds = suggestiveThresholds(style.gamma),
-                    .twoSided = twoSided});
-  if (!twoSided)
+  return extractLines(
+      surface, view.camera(),
+      {.contours = true,
+       .suggestive = showsLines(style) && transitions(style.gamma).suggestive > 0.0f,
+       .thresholds = suggestiveThresholds(style.gamma),
+       .twoSided = needsTwoSides(surface, view.camera())});
+}
+
+void joinLines(const model::Surface& surface, const PictureView& view, LineSet& lines) {
+  if (!needsTwoSides(surface, view.camera()))
     std::erase_if(lines.contours, [](const Segment& s) { return s.concave; });
   const float pixel = view.millimetresPerPixel(surface.boundingSphere.centre);
   if (!(pixel > 0.0f))
-    return lines;
-  const auto joined = [pixel](const std::vector<Segment>& segments, const Chains& chains) {
-    return simplified(segments, chains, simplification * pixel, longestStroke * pixel);
+    return;
+  const auto join = [pixel](std::vector<Segment>& segments, const Chains& chains) {
+    segments = simplified(segments, chains, simplification * pixel, longestStroke * pixel);
   };
-  lines.contours = joined(lines.contours, connectedChains(lines.contours));
-  const Chains chains = connectedChains(lines.suggestive);
-  const float unit = view.outputUnit() * pixel;
-  fadeShortChains(lines.suggestive, chains, speckLength * unit, wholeLineLength * unit);
-  lines.suggestive = joined(lines.suggestive, chains);
-  return lines;
+  parallelFor(2, 1, [&](std::size_t kind) {
+    if (kind == 0) {
+      join(lines.contours, connectedChains(lines.contours));
+      return;
+    }
+    const Chains chains = connectedChains(lines.suggestive);
+    const float unit = view.outputUnit() * pixel;
+    fadeShortChains(lines.suggestive, chains, speckLength * unit, wholeLineLength * unit);
+    join(lines.suggestive, chains);
+  });
 }
 
 ContourProbes contourProbes(const model::Surface& surface, const PictureView& view,

@@ -22,6 +22,9 @@ float penWidth(const model::Surface& surface, const PictureView& view, float pen
 /// The segments that the style's lines and edges ask for, in the patient's frame.
 LineSet styledLines(const model::Surface& surface, const PictureView& view,
                     const model::ResolvedStyle& style);
+/// Joins them to the strokes a pen would set: pieces of a line become one, specks fade, and what
+/// its own closed surface always hides goes.
+void joinLines(const model::Surface& surface, const PictureView& view, LineSet& lines);
 
 /// How contours are looked at in the picture; see InkDraw.
 struct ContourProbes {

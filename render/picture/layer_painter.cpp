@@ -10,9 +10,10 @@ namespace sline::render {
 
 namespace {
 
-/// Adds the lines of every member of a changed layer that shows any and has none yet.
+/// Finds the lines of all changed layers that have none in `lines` yet.
 void findLines(const PictureInput& input, std::span<const Layer> layers,
-               std::span<const std::size_t> changed, std::map<model::NodeId, LineSet>& lines) {
+               std::span<const std::size_t> changed, std::map<model::NodeId, LineSet>& lines,
+               Stopwatch& stopwatch) {
   struct Absent {
     const Shown* shown;
     LineSet* lines;
@@ -26,6 +27,10 @@ void findLines(const PictureInput& input, std::span<const Layer> layers,
   parallelFor(absent.size(), 1, [&](std::size_t i) {
     const Shown& shown = *absent[i].shown;
     *absent[i].lines = styledLines(shown.surface(), input.view, shown.style);
+  });
+  stopwatch.lines();
+  parallelFor(absent.size(), 1, [&](std::size_t i) {
+    joinLines(absent[i].shown->surface(), input.view, *absent[i].lines);
   });
 }
 
@@ -289,11 +294,11 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
 
   std::map<model::NodeId, LineSet> own;
   std::map<model::NodeId, LineSet>& lines = input.lines ? *input.lines : own;
-  findLines(input, layers, changed, lines);
+  findLines(input, layers, changed, lines, stopwatch);
   parallelFor(changed.size(), 1,
               [&](std::size_t i) { completeLayer(layers[changed[i]], input.view, region, lines); });
   own.clear();
-  stopwatch.lines();
+  stopwatch.pass(device, "strokes");
 
   clear(device, layers, changed);
   drawSurfaces(device, input, layers, changed);
