@@ -272,7 +272,7 @@ std::vector<VoxelGrid> commonGrids(std::span<const SurfaceMeasure> surfaces) {
 }
 
 std::vector<int> refinementAllowances(std::span<const SurfaceMeasure> surfaces) {
-  constexpr double leastAllowance = 150'000.0;
+  constexpr double wholeScene = 800'000.0;
   constexpr double allowedShare = 0.15;
   std::vector<std::size_t> order(surfaces.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
@@ -284,7 +284,7 @@ std::vector<int> refinementAllowances(std::span<const SurfaceMeasure> surfaces) 
   double triangles = 0.0;
   for (const SurfaceMeasure& surface : surfaces)
     triangles += double(surface.triangles);
-  double left = std::max(leastAllowance, allowedShare * triangles);
+  double left = std::max(wholeScene - triangles, allowedShare * triangles);
   std::vector<int> allowed(surfaces.size(), 0);
   for (const std::size_t i : order)
     for (int steps = wantedRefinements(surfaces[i].meanEdge, surfaces[i].featureSize); steps > 0;

@@ -29,10 +29,10 @@ SurfaceMeasure measureSurface(std::span<const glm::vec3> positions,
 /// small to show it themselves have it too. No spacing: none.
 std::vector<VoxelGrid> commonGrids(std::span<const SurfaceMeasure> surfaces);
 
-/// How many refinement steps each surface may have: the coarsest first, while all together add no
-/// more than 15 % to the scene's triangles, or 150,000 where that is more. METHOD §5 asks for edges
-/// of at most 2 % of F, which a compact organ reaches with 70,000 triangles; given to each of a
-/// body's hundred structures that would treble the scene for detail that no picture of it shows.
+/// How many refinement steps each surface may have: the coarsest first, until the scene has 800,000
+/// triangles, or 15 % more than it came with. METHOD §5 asks for edges of at most 2 % of F, which a
+/// compact organ reaches with 70,000 triangles; given to each of a body's hundred structures that
+/// would treble the scene for detail that no picture of it shows.
 std::vector<int> refinementAllowances(std::span<const SurfaceMeasure> surfaces);
 
 struct Smoothed {
