@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The `sline` program: line illustrations of anatomy without a display.
+#include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <new>
 
+#include "app/cli/arguments.h"
 #include "app/cli/command.h"
 
 namespace {
@@ -33,7 +36,12 @@ int run(int argc, char** argv) {
   sline::cli::addInfo(program, exit);
   sline::cli::addDemo(program, exit);
   try {
-    program.parse(argc, argv);
+    std::vector<std::string> arguments = sline::cli::withInputsFirst(
+        {argv + std::min(argc, 1), argv + argc},
+        [](const std::string& path) { return std::filesystem::exists(path); });
+    // CLI11 takes them from the last to the first.
+    std::reverse(arguments.begin(), arguments.end());
+    program.parse(arguments);
   } catch (const CLI::ParseError& message) {
     return program.exit(message) == 0 ? int(Exit::done) : int(Exit::wrongUse);
   }

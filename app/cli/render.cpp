@@ -47,11 +47,8 @@ void declareRender(CLI::App& command, RenderFlags& flags) {
   command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
   command.footer(
       "NAME is a structure's or a group's name (`sline info` lists them); case and the difference\n"
-      "between space, '_' and '-' do not matter. A group's value holds for all in it; the "
-      "innermost\n"
-      "name wins. Name the inputs first: --only, --gamma and --color take all that follows them, "
-      "up\n"
-      "to the next flag.\n\n"
+      "between space, '_' and '-' do not matter. A group's value holds for all in it; the\n"
+      "innermost name wins. --gamma and --color take several NAME=VALUE, --only several names.\n\n"
       "  sline render pelvis/ -o pelvis.png --gamma 1 --gamma bladder=4 --view anterior\n"
       "  sline render liver.stl -o liver.tiff --size 4000x3000 --background transparent");
 }
