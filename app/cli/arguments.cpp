@@ -27,7 +27,7 @@ std::vector<std::string> withInputsFirst(const std::vector<std::string>& argumen
       others.push_back(argument);
       continue;
     }
-    const bool assigns = option == "--gamma" || option == "--color";
+    const bool assigns = option == "--gamma" || option == "--color" || option == "--colour";
     const bool isInput = (assigns && values > 0 && argument.find('=') == std::string::npos) ||
                          (option == "--only" && values > 0 && exists(argument));
     ++values;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // `sline demo`: a scene that the program models itself.
 #include "app/cli/command.h"
+#include "app/cli/draw_scene.h"
 #include "app/cli/picture_options.h"
 #include "model/demo/kidney.h"
 
@@ -18,18 +19,7 @@ Exit runDemo(const DemoFlags& flags) {
   if (!order.ok())
     return complain(order.error(), Exit::wrongUse);
   Progress progress;
-  const Result<model::Scene> scene = styled(model::kidneyDemo(), *order);
-  if (!scene.ok())
-    return complain(scene.error(), Exit::wrongUse);
-  const Result<model::Camera> camera = cameraFor(*scene, *order);
-  if (!camera.ok())
-    return complain(camera.error(), Exit::wrongUse);
-  const Status drawn = drawToFile(*scene, *camera, *order, progress);
-  if (!drawn.ok()) {
-    progress.wipe();
-    return complain(drawn.error(), Exit::failed);
-  }
-  return Exit::done;
+  return drawScene(model::kidneyDemo(), *order, progress);
 }
 
 void declareDemo(CLI::App& command, DemoFlags& flags) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // `sline render`: files in, a picture out.
 #include "app/cli/command.h"
+#include "app/cli/draw_scene.h"
 #include "app/cli/picture_options.h"
 
 namespace sline::cli {
@@ -24,18 +25,7 @@ Exit runRender(const RenderFlags& flags) {
   const Result<model::Imported> imported = readInputs(flags.input.inputs, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
-  const Result<model::Scene> scene = styled(imported->scene, *order);
-  if (!scene.ok())
-    return complain(scene.error(), Exit::wrongUse);
-  const Result<model::Camera> camera = cameraFor(*scene, *order);
-  if (!camera.ok())
-    return complain(camera.error(), Exit::wrongUse);
-  const Status drawn = drawToFile(*scene, *camera, *order, progress);
-  if (!drawn.ok()) {
-    progress.wipe();
-    return complain(drawn.error(), Exit::failed);
-  }
-  return Exit::done;
+  return drawScene(imported->scene, *order, progress);
 }
 
 void declareRender(CLI::App& command, RenderFlags& flags) {

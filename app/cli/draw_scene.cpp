@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/draw_scene.h"
+
+namespace sline::cli {
+
+Exit drawScene(const model::Scene& scene, const PictureOrder& order, Progress& progress) {
+  const Result<model::Scene> dressed = styled(scene, order);
+  if (!dressed.ok())
+    return complain(dressed.error(), Exit::wrongUse);
+  const Result<model::Camera> camera = cameraFor(*dressed, order);
+  if (!camera.ok())
+    return complain(camera.error(), Exit::wrongUse);
+  const Status drawn = drawToFile(*dressed, *camera, order, progress);
+  if (!drawn.ok()) {
+    progress.wipe();
+    return complain(drawn.error(), Exit::failed);
+  }
+  return Exit::done;
+}
+
+}  // namespace sline::cli
