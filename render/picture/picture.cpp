@@ -90,8 +90,7 @@ std::vector<Shown> Picture::Data::shown(const model::Scene& scene) {
     meshes.push_back(node.mesh);
     const model::ResolvedStyle style = scene.resolve(node.id);
     if (style.visible && node.mesh->triangleCount() > 0)
-      visible.push_back(
-          {node.id, node.mesh, style, &surfaces.at(node.mesh, node.provenance.smoothingSteps > 0)});
+      visible.push_back({node.id, node.mesh, style, &surfaces.at(node.mesh, node.provenance)});
   }
   surfaces.keepOnly(meshes);
   std::sort(visible.begin(), visible.end(),

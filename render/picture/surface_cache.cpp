@@ -10,8 +10,15 @@ namespace sline::render {
 
 namespace {
 
-// One-ring averaging steps of the curvature tensor that go with smoothed surfaces (METHOD §5).
-constexpr int tensorSmoothing = 4;
+/// One-ring averaging steps of the curvature tensor (METHOD §5). Refinement halves the rings, so
+/// that twice the steps make up for a part of it; four times, for the whole, were seen to wipe out
+/// the folds of a coarse colon.
+int tensorSmoothing(const model::Provenance& provenance) {
+  constexpr int steps = 4;
+  if (provenance.refinementSteps > 0)
+    return steps << std::min(provenance.refinementSteps, 2);
+  return provenance.smoothingSteps > 0 ? steps : 0;
+}
 
 std::unique_ptr<passes::SurfaceGeometry> upload(const model::Surface& surface) {
   const auto positions = surface.mesh->positions();
@@ -49,11 +56,10 @@ void CachedSurface::needWhole() {
   geometry->addWhole(indices);
 }
 
-CachedSurface& SurfaceCache::at(const model::MeshPtr& mesh, bool smoothed) {
+CachedSurface& SurfaceCache::at(const model::MeshPtr& mesh, const model::Provenance& provenance) {
   CachedSurface& cached = m_surfaces[mesh];
   if (!cached.surface) {
-    cached.surface =
-        model::prepareSurface(mesh, {.smoothingSteps = smoothed ? tensorSmoothing : 0});
+    cached.surface = model::prepareSurface(mesh, {.smoothingSteps = tensorSmoothing(provenance)});
     cached.geometry = upload(*cached.surface);
   }
   return cached;

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "model/geometry/surface.h"
+#include "model/scene/scene.h"
 #include "render/passes/surface_geometry.h"
 
 namespace sline::render {
@@ -23,10 +24,10 @@ struct CachedSurface {
 
 class SurfaceCache {
  public:
-  /// Prepares one mesh at a time, so that intermediate memory is needed once. A mesh that import
-  /// smoothed, because it shows the steps of a label map, has its curvature smoothed too (METHOD
-  /// §5); what is there already stays as it is.
-  CachedSurface& at(const model::MeshPtr& mesh, bool smoothed);
+  /// Prepares one mesh at a time, so that intermediate memory is needed once. What import smoothed,
+  /// because it shows the steps of a label map, or refined, because its few vertices carry its
+  /// noise, has its curvature smoothed too (METHOD §5); what is there already stays as it is.
+  CachedSurface& at(const model::MeshPtr& mesh, const model::Provenance& provenance);
   /// Forgets meshes that are not among these.
   void keepOnly(std::span<const model::MeshPtr> meshes);
 
