@@ -37,8 +37,10 @@ int run(int argc, char** argv) {
   sline::cli::addDemo(program, exit);
   try {
     std::vector<std::string> arguments = sline::cli::withInputsFirst(
-        {argv + std::min(argc, 1), argv + argc},
-        [](const std::string& path) { return std::filesystem::exists(path); });
+        {argv + std::min(argc, 1), argv + argc}, [](const std::string& path) {
+          std::error_code unknown;  // a name too long for a path is none
+          return std::filesystem::exists(path, unknown);
+        });
     // CLI11 takes them from the last to the first.
     std::reverse(arguments.begin(), arguments.end());
     program.parse(arguments);

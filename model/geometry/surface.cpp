@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/geometry/bounding_sphere.h"
+#include "model/geometry/edge_length.h"
 #include "model/geometry/normals.h"
 #include "model/geometry/spatial_order.h"
 #include "model/geometry/topology.h"
@@ -24,16 +25,6 @@ float medianRadius(std::span<const glm::vec2> curvatures) {
   std::nth_element(largest.begin(), middle, largest.end());
   return 1.0f / *middle;
 }
-
-float meanEdgeLength(const Mesh& mesh) {
-  double sum = 0.0;
-  for (const auto& [a, b, c] : mesh.triangles()) {
-    const auto p = mesh.positions();
-    sum +=
-        double(glm::distance(p[a], p[b]) + glm::distance(p[b], p[c]) + glm::distance(p[c], p[a]));
-  }
-  return mesh.triangleCount() ? float(sum / (3.0 * double(mesh.triangleCount()))) : 0.0f;
-}
 }  // namespace
 
 SurfacePtr prepareSurface(MeshPtr mesh, const CurvatureOptions& options) {
@@ -49,7 +40,7 @@ SurfacePtr prepareSurface(MeshPtr mesh, const CurvatureOptions& options) {
   surface->boundingSphere = smallestBoundingSphere(mesh->positions());
   surface->featureSize = surface->boundingSphere.radius;
   surface->filigreeSize = std::min(surface->featureSize, medianRadius(surface->curvature.k));
-  surface->meanEdge = meanEdgeLength(*mesh);
+  surface->meanEdge = meanEdgeLength(mesh->positions(), mesh->triangles());
   surface->mesh = std::move(mesh);
   return surface;
 }

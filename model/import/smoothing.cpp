@@ -9,6 +9,7 @@
 
 #include "model/base/parallel.h"
 #include "model/geometry/bounding_sphere.h"
+#include "model/geometry/edge_length.h"
 #include "model/import/loop_subdivision.h"
 #include "model/import/vertex_rings.h"
 #include "model/import/windowed_sinc.h"
@@ -207,10 +208,11 @@ int wantedRefinements(float meanEdge, float featureSize) {
   return share > 3.0f * coarsestEdge ? 2 : share > coarsestEdge ? 1 : 0;
 }
 
-void refine(std::vector<glm::vec3>& positions, std::vector<Triangle>& triangles, float meanEdge,
-            int allowed, Smoothed& result) {
+void refine(std::vector<glm::vec3>& positions, std::vector<Triangle>& triangles, int allowed,
+            Smoothed& result) {
   const float featureSize = smallestBoundingSphere(positions).radius;
-  const int steps = std::min(allowed, wantedRefinements(meanEdge, featureSize));
+  const int steps =
+      std::min(allowed, wantedRefinements(meanEdgeLength(positions, triangles), featureSize));
   if (steps == 0)
     return;
   constexpr float polyhedral = 0.7853982f;
@@ -239,11 +241,7 @@ SurfaceMeasure measureSurface(std::span<const glm::vec3> positions,
   measure.vertices = positions.size();
   measure.triangles = triangles.size();
   measure.featureSize = smallestBoundingSphere(positions).radius;
-  double sum = 0.0;
-  for (const Triangle& t : triangles)
-    for (std::size_t k = 0; k < 3; ++k)
-      sum += glm::distance(positions[t[k]], positions[t[(k + 1) % 3]]);
-  measure.meanEdge = float(sum / double(std::max<std::size_t>(1, 3 * triangles.size())));
+  measure.meanEdge = meanEdgeLength(positions, triangles);
   measure.grid = findVoxelGrid(positions, measure.meanEdge);
   if (showsGrid(measure))
     measure.greyValues = isGreyValueSurface(positions, measure.grid);
@@ -308,14 +306,8 @@ Smoothed smooth(std::vector<glm::vec3>& positions, std::vector<Triangle>& triang
     return result;
   if (steps || grid.found())
     smoothPositions(positions, triangles, grid, smoothing, result);
-  if (automatic) {
-    double sum = 0.0;
-    for (const Triangle& t : triangles)
-      for (std::size_t k = 0; k < 3; ++k)
-        sum += glm::distance(positions[t[k]], positions[t[(k + 1) % 3]]);
-    refine(positions, triangles, float(sum / double(3 * triangles.size())), allowedRefinements,
-           result);
-  }
+  if (automatic)
+    refine(positions, triangles, allowedRefinements, result);
   return result;
 }
 

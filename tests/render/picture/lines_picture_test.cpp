@@ -29,6 +29,7 @@ class LinesPictureTest : public QObject {
   void mirroredMeshMirrorsThePicture();
   void scaleChangesNothing();
   void doubleSizeIsTheSameDrawing();
+  void refinedSurfacesKeepTheirNoiseToThemselves();
 
  private:
   Image picture(const model::Scene& scene, const model::Camera& camera,
@@ -334,6 +335,36 @@ void LinesPictureTest::doubleSizeIsTheSameDrawing() {
   QVERIFY2(d.mean < 0.35, qPrintable(QString::number(d.mean)));
   const double ratio = totalInk(twice) / totalInk(once);
   QVERIFY2(std::abs(ratio - 4.0) < 0.12, qPrintable(QString::number(ratio)));
+}
+
+// The same rough ball, once as its file gave it, once refined on the way in: there its roughness is
+// the few vertices' noise, and no pen would draw it as lines.
+void LinesPictureTest::refinedSurfacesKeepTheirNoiseToThemselves() {
+  const auto ball = test::sphere(20.0f, 4);
+  std::vector<glm::vec3> positions(ball->positions().begin(), ball->positions().end());
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    positions[i] *= 1.0f + 0.05f * float(i * 2654435761u % 1000) / 1000.0f;
+  const auto rough = std::make_shared<const model::Mesh>(
+      std::move(model::Mesh::create(std::move(positions),
+                                    {ball->triangles().begin(), ball->triangles().end()}))
+          .value());
+  const auto ink = [&](int refinements) {
+    model::Scene scene;
+    scene.append({.style = gammaStyle(2.0f),
+                  .mesh = std::make_shared<const model::Mesh>(*rough),
+                  .provenance = {.refinementSteps = refinements}});
+    const Image image = picture(scene, frontal(60.0f), {.width = 360, .height = 360});
+    float sum = 0.0f;
+    // Inside the outline, which is 120 px from the centre.
+    for (int y = 100; y < 260; ++y)
+      for (int x = 100; x < 260; ++x)
+        sum += inkAt(image, x, y);
+    return sum;
+  };
+  const float asGiven = ink(0);
+  const float refined = ink(2);
+  QVERIFY2(asGiven > 200.0f, qPrintable(QString::number(double(asGiven))));
+  QVERIFY2(refined < 0.3f * asGiven, qPrintable(QString::number(double(refined))));
 }
 
 QTEST_GUILESS_MAIN(LinesPictureTest)
