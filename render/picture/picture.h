@@ -17,10 +17,24 @@ namespace sline::render {
 
 enum class Background { white, paper, dark, transparent };
 
+/// How hatching is made: strokes along curves (ours), or S §3.4 as printed, which is grey and of one
+/// scale: a yardstick for measures.
+enum class HatchingMethod { strokes, asPrinted };
+
+/// What of a picture is drawn; measures look at one part alone.
+struct PictureParts {
+  bool lines = true;  ///< contours, suggestive contours
+  bool hatching = true;
+  bool fills = true;
+  bool operator==(const PictureParts&) const = default;
+};
+
 struct PictureSettings {
   int width = 1280;
   int height = 720;
   Background background = Background::white;
+  HatchingMethod hatching = HatchingMethod::strokes;
+  PictureParts parts;
 };
 
 /// Where the time of the last picture went, in milliseconds; the GPU is finished where a phase
