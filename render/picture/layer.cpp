@@ -181,7 +181,7 @@ std::vector<Layer> planLayers(std::span<const Shown> shown, const PictureView& v
 }
 
 void completeLayer(Layer& layer, const PictureView& view, const gpu::Rect& region,
-                   const std::map<model::NodeId, LineSet>& lines) {
+                   const std::map<model::NodeId, StructureLines>& lines) {
   layer.mask = TileMask(region);
   layer.edges.resize(layer.members.size());
   for (std::size_t i = 0; i < layer.members.size(); ++i) {
@@ -189,7 +189,7 @@ void completeLayer(Layer& layer, const PictureView& view, const gpu::Rect& regio
     if (layer.filled)
       markSurface(member, view, layer.mask);
     if (showsEdges(member.style))
-      layer.edges[i] = edges(member.surface(), view, lines.at(member.id), layer.area);
+      layer.edges[i] = edges(member.surface(), view, lines.at(member.id).lines, layer.area);
   }
   const Shown& first = layer.members.front();
   if (!showsLines(first.style))

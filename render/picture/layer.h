@@ -73,6 +73,6 @@ std::vector<Layer> planLayers(std::span<const Shown> shown, const PictureView& v
 /// Makes the layer's strokes and edges and finds its tiles. `lines` has an entry for each member
 /// that shows any.
 void completeLayer(Layer& layer, const PictureView& view, const gpu::Rect& region,
-                   const std::map<model::NodeId, LineSet>& lines);
+                   const std::map<model::NodeId, StructureLines>& lines);
 
 }  // namespace sline::render

@@ -12,11 +12,11 @@ namespace {
 
 /// Finds the lines of all changed layers that have none in `lines` yet.
 void findLines(const PictureInput& input, std::span<const Layer> layers,
-               std::span<const std::size_t> changed, std::map<model::NodeId, LineSet>& lines,
+               std::span<const std::size_t> changed, std::map<model::NodeId, StructureLines>& lines,
                Stopwatch& stopwatch) {
   struct Absent {
     const Shown* shown;
-    LineSet* lines;
+    StructureLines* lines;
   };
   std::vector<Absent> absent;
   for (const std::size_t i : changed)
@@ -26,11 +26,17 @@ void findLines(const PictureInput& input, std::span<const Layer> layers,
           absent.push_back({&shown, &it->second});
   parallelFor(absent.size(), 1, [&](std::size_t i) {
     const Shown& shown = *absent[i].shown;
-    *absent[i].lines = styledLines(shown.surface(), input.view, shown.style);
+    absent[i].lines->lines = styledLines(shown.surface(), input.view, shown.style);
   });
   stopwatch.lines();
   parallelFor(absent.size(), 1, [&](std::size_t i) {
-    joinLines(absent[i].shown->surface(), input.view, *absent[i].lines);
+    joinLines(absent[i].shown->surface(), input.view, absent[i].lines->lines);
+  });
+  parallelFor(absent.size(), 1, [&](std::size_t i) {
+    const Shown& shown = *absent[i].shown;
+    if (shown.cached->neighbours && showsHatching(shown.style))
+      absent[i].lines->hatching =
+          styledHatching(shown.surface(), *shown.cached->neighbours, input.view, shown.style);
   });
 }
 
@@ -287,13 +293,15 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
       const float shading = surfaceFill(shown, input.view, input.background).shading;
       if (shading > 0.0f && shading < 1.0f)
         shown.cached->needShape();
+      if (showsHatching(shown.style))
+        shown.cached->needNeighbours();
       if (!layers[i].coverage[k].ranges.empty())
         shown.cached->needWhole();
     }
   stopwatch.pass(device, "plan");
 
-  std::map<model::NodeId, LineSet> own;
-  std::map<model::NodeId, LineSet>& lines = input.lines ? *input.lines : own;
+  std::map<model::NodeId, StructureLines> own;
+  std::map<model::NodeId, StructureLines>& lines = input.lines ? *input.lines : own;
   findLines(input, layers, changed, lines, stopwatch);
   parallelFor(changed.size(), 1,
               [&](std::size_t i) { completeLayer(layers[changed[i]], input.view, region, lines); });

@@ -21,7 +21,7 @@ struct PictureInput {
   std::span<const Shown> shown;  ///< sorted by id
   Background background = Background::white;
   /// Where lines are kept between the regions of one picture, by structure; null to keep none.
-  std::map<model::NodeId, LineSet>* lines = nullptr;
+  std::map<model::NodeId, StructureLines>* lines = nullptr;
 };
 
 class LayerPainter {

@@ -153,7 +153,7 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
     bounds.add(s.mesh->bounds());
   Stopwatch stopwatch;
   const PictureView view(camera, bounds, settings.width, settings.height);
-  std::map<model::NodeId, LineSet> lines;
+  std::map<model::NodeId, StructureLines> lines;
   const bool whole = std::max(settings.width, settings.height) <= regionSide();
   layersDrawn = 0;
   Status done = paint({.view = view,
