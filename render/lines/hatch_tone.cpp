@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/lines/hatch_tone.h"
 
+#include <array>
 #include <glm/geometric.hpp>
 
 #include "render/lines/view_fields.h"
@@ -8,7 +9,12 @@
 namespace sline::render {
 
 namespace {
-constexpr float perQuarterTurn = 0.63661977f;
+/// acos(x) / (π/2) for x in 0 … 1, within 5·10⁻⁵ (M. Abramowitz, I. Stegun, "Handbook of
+/// Mathematical Functions", 4.4.45): the library's keeps the loop from being vectorised.
+float quarterTurns(float x) {
+  return 0.63661977f * std::sqrt(1.0f - x) *
+         (1.5707288f + x * (-0.2121144f + x * (0.0742610f - 0.0187293f * x)));
+}
 
 /// METHOD §3: k = S w + (nv/d)·w. Seen from behind n and S change sign and w does not, so k turns.
 HatchField fieldAt(const model::ClusterVertices& in, std::size_t i, const model::EyePoint& eye,
@@ -32,9 +38,24 @@ HatchField fieldAt(const model::ClusterVertices& in, std::size_t i, const model:
   }
   return {.k = k,
           .weight = -glm::dot(k, v),
-          .angle = std::acos(std::clamp(facing, -1.0f, 1.0f)) * perQuarterTurn};
+          .angle = facing > 0.0f ? quarterTurns(std::min(facing, 1.0f)) : 1.0f - facing};
+}
+constexpr std::size_t tableSize = 64;
+
+std::array<float, tableSize + 2> widthTable() {
+  std::array<float, tableSize + 2> table{};
+  for (std::size_t i = 0; i < table.size(); ++i)
+    table[i] = 0.62f * std::pow(float(i) / float(tableSize), 1.2f);
+  return table;
 }
 }  // namespace
+
+float hatchWidth(float opacity) {
+  static const std::array<float, tableSize + 2> table = widthTable();
+  const float x = std::sqrt(std::clamp(opacity, 0.0f, 1.0f)) * float(tableSize);
+  const std::size_t i = std::size_t(x);
+  return table[i] + (x - float(i)) * (table[i + 1] - table[i]);
+}
 
 HatchFields::HatchFields(const model::Surface& surface, const model::EyePoint& eye, bool twoSided)
     : m_fields(surface.mesh->vertexCount()) {

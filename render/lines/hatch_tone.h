@@ -16,7 +16,7 @@ namespace sline::render {
 struct HatchField {
   glm::vec3 k{0.0f};    ///< light gradient, 1/mm
   float weight = 0.0f;  ///< w_k·F_c = −⟨k, v̂⟩·F_c: positive on concave parts
-  float angle = 2.0f;   ///< acos(nv) / (π/2): 0 facing the eye, 1 on the contour, 2 not looked at
+  float angle = 2.0f;   ///< acos(nv) / (π/2): 0 facing the eye, 1 on the contour, more behind it
 };
 
 /// One entry per vertex; only clusters that may carry hatching are looked at.
@@ -40,9 +40,8 @@ inline float hatchOpacity(float weight, float angle, float entered) {
   return std::clamp(byAngle * weight, 0.0f, 1.0f);
 }
 
-/// W = 0.62·O_h^0.6: the share of the space between strokes that ink takes (METHOD §6.6 ▲).
-inline float hatchWidth(float opacity) {
-  return 0.62f * std::pow(opacity, 0.6f);
-}
+/// W = 0.62·O_h^0.6: the share of the space between strokes that ink takes (METHOD §6.6 ▲). The
+/// power is interpolated in a table over √O_h, within 10⁻³: it is most of the work otherwise.
+float hatchWidth(float opacity);
 
 }  // namespace sline::render

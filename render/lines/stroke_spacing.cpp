@@ -48,15 +48,17 @@ float StrokeSpacing::room(const glm::vec2& at, const glm::vec3& position, float 
         const Mark& mark = m_marks[std::size_t(i)].mark;
         const glm::vec2 d = at - mark.at;
         const float along = glm::dot(d, mark.direction);
-        const float across2 = std::max(glm::dot(d, d) - along * along, 0.0f);
-        const float away = std::sqrt(across2 + past * past * along * along) / m_distance;
-        if (away >= clear)
+        const float away2 = glm::dot(d, d) + (past * past - 1.0f) * along * along;
+        if (away2 >= clear * clear * m_distance * m_distance)
           continue;
         const glm::vec3 apart = position - mark.position;
         if (glm::dot(apart, apart) > reachMm * reachMm)
           continue;
+        const float away = std::sqrt(away2) / m_distance;
         const float free = std::clamp((away - touching) / (clear - touching), 0.0f, 1.0f);
         left = std::min(left, 1.0f - mark.strength * (1.0f - free));
+        if (left <= 0.0f)
+          return 0.0f;
       }
   return left;
 }
