@@ -19,8 +19,10 @@ constexpr float step = 2.0f;  // λ from point to point
 // Strokes shorter than this many λ each way are dots.
 constexpr float shortest = 2.0f * step;
 // A stroke narrower than this half width (λ) ends rather than become a grey hair.
-constexpr float hair = 0.22f;
-constexpr float pen = 0.55f;  // half width at and above which it is drawn as it is
+constexpr float hair = 0.3f;
+constexpr float pen = 0.42f;  // half width at and above which it is drawn as it is
+// A pen's point opens by no more than this half width per length.
+constexpr float opening = 0.14f;
 // Steps that a stroke may be thinner than a hair before it ends.
 constexpr int longestGap = 3;
 constexpr float faintest = 0.02f;
@@ -32,6 +34,19 @@ float smooth(float low, float high, float x) {
 /// The thinnest strokes taper off quickly instead of fading.
 float definite(float halfWidth) {
   return halfWidth >= pen ? halfWidth : std::max(halfWidth - hair, 0.0f) * pen / (pen - hair);
+}
+
+/// Points strokes where they begin and end, without touching ends that stop at a contour.
+template <class Samples>
+void sharpen(Samples& samples) {
+  const auto limit = [](const auto& before, auto& sample) {
+    float& width = sample.point.halfWidth;
+    width = std::min(width, before.point.halfWidth + opening * step);
+  };
+  for (std::size_t i = 1; i < samples.size(); ++i)
+    limit(samples[i - 1], samples[i]);
+  for (std::size_t i = samples.size(); i-- > 1;)
+    limit(samples[i], samples[i - 1]);
 }
 
 /// θ_c is re-timed (METHOD §7 ▲) so that the amount of ink grows evenly with T_H: the value of
@@ -108,6 +123,7 @@ class Hatcher {
       std::reverse(samples.begin(), samples.end());
       follow(seed, true, presence, spacing);
     }
+    sharpen(samples);
     keep(seed, spacing);
   }
 
