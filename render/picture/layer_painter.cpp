@@ -10,6 +10,16 @@ namespace sline::render {
 
 namespace {
 
+bool needsLines(const PictureInput& input, const Shown& shown) {
+  return (input.parts.lines && showsLines(shown.style)) ||
+         (input.parts.fills && showsEdges(shown.style));
+}
+
+passes::SurfaceFill shownFill(const PictureInput& input, const Shown& shown) {
+  return input.parts.fills ? surfaceFill(shown, input.view, input.background)
+                           : passes::SurfaceFill{};
+}
+
 /// Finds the lines of all changed layers that have none in `lines` yet.
 void findLines(const PictureInput& input, std::span<const Layer> layers,
                std::span<const std::size_t> changed, std::map<model::NodeId, LineSet>& lines,
@@ -21,7 +31,7 @@ void findLines(const PictureInput& input, std::span<const Layer> layers,
   std::vector<Absent> absent;
   for (const std::size_t i : changed)
     for (const Shown& shown : layers[i].members)
-      if (showsLines(shown.style) || showsEdges(shown.style))
+      if (needsLines(input, shown))
         if (const auto [it, fresh] = lines.try_emplace(shown.id); fresh)
           absent.push_back({&shown, &it->second});
   parallelFor(absent.size(), 1, [&](std::size_t i) {
@@ -137,7 +147,7 @@ void LayerPainter::drawSurface(gpu::Device& device, const PictureInput& input, c
                                    .visible = layer.coverage[i].visible,
                                    .layer = layer.area,
                                    .slot = layer.slot,
-                                   .fill = surfaceFill(shown, input.view, input.background)};
+                                   .fill = shownFill(input, shown)};
     m_surfacePass->draw(device, m_atlas.surfaceTarget(), view, draw);
     for (const gpu::DrawRange& range : draw.ranges)
       queue.add(device, range.count);
@@ -188,7 +198,7 @@ void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
       draw.first = all.size();
       draw.count = layers[i].edges[k].size();
       draw.inner = 1.0f;
-      const passes::SurfaceFill fill = surfaceFill(shown, input.view, input.background);
+      const passes::SurfaceFill fill = shownFill(input, shown);
       draw.edge = glm::vec4(fill.colour, fill.complete * fill.opacity);
       append(layers[i].edges[k]);
       edges.push_back(draw);
@@ -267,12 +277,12 @@ void LayerPainter::letGo(gpu::Device& device) {
 Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const PictureInput& input,
                                                   const gpu::Rect& region,
                                                   const gpu::Target& target, Stopwatch& stopwatch) {
-  std::vector<Layer> layers = planLayers(input.shown, input.view, region);
+  std::vector<Layer> layers = planLayers(input.shown, input.view, region, input.parts);
   model::Box bounds;
   for (const Shown& shown : input.shown)
     bounds.add(shown.mesh->bounds());
-  std::vector<std::size_t> changed =
-      reuse(layers, {input.view.camera(), bounds, input.view.size(), input.background, region});
+  std::vector<std::size_t> changed = reuse(layers, {input.view.camera(), bounds, input.view.size(),
+                                                    input.background, input.parts, region});
   if (!place(layers, changed))
     return Outcome::tooLarge;
   if (m_atlas.outgrown()) {
@@ -284,7 +294,7 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   for (const std::size_t i : changed)
     for (std::size_t k = 0; k < layers[i].members.size(); ++k) {
       const Shown& shown = layers[i].members[k];
-      const float shading = surfaceFill(shown, input.view, input.background).shading;
+      const float shading = shownFill(input, shown).shading;
       if (shading > 0.0f && shading < 1.0f)
         shown.cached->needShape();
       if (!layers[i].coverage[k].ranges.empty())
