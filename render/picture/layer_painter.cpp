@@ -285,7 +285,7 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
     for (std::size_t k = 0; k < layers[i].members.size(); ++k) {
       const Shown& shown = layers[i].members[k];
       const float shading = surfaceFill(shown, input.view, input.background).shading;
-      if (shading > 0.0f && shading < 1.0f)
+      if ((shading > 0.0f && shading < 1.0f) || shown.printedHatching)
         shown.cached->needShape();
       if (!layers[i].coverage[k].ranges.empty())
         shown.cached->needWhole();
@@ -303,6 +303,9 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   clear(device, layers, changed);
   drawSurfaces(device, input, layers, changed);
   stopwatch.pass(device, "surface");
+  // Hatching before lines, which lie on it.
+  if (Status s = m_printedHatching.draw(device, input.view, m_atlas, layers, changed); !s)
+    return s.error();
   drawInk(device, input, layers, changed);
   stopwatch.pass(device, "ink");
   resolve(device, input, region, target, layers);
