@@ -20,9 +20,11 @@ struct Shown {
   model::MeshPtr mesh;
   model::ResolvedStyle style;
   CachedSurface* cached = nullptr;
+  bool printedHatching = false;  ///< hatched as S prints it
 
   bool operator==(const Shown& other) const {
-    return id == other.id && mesh == other.mesh && style == other.style;
+    return id == other.id && mesh == other.mesh && style == other.style &&
+           printedHatching == other.printedHatching;
   }
   const model::Surface& surface() const { return *cached->surface; }
 };

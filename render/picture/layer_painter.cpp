@@ -21,7 +21,7 @@ passes::SurfaceFill shownFill(const PictureInput& input, const Shown& shown) {
 }
 
 bool hatches(const PictureInput& input, const Shown& shown) {
-  return input.parts.hatching && showsHatching(shown.style);
+  return input.parts.hatching && !shown.printedHatching && showsHatching(shown.style);
 }
 
 /// Finds the lines of all changed layers that have none in `lines` yet.
@@ -305,7 +305,7 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
     for (std::size_t k = 0; k < layers[i].members.size(); ++k) {
       const Shown& shown = layers[i].members[k];
       const float shading = shownFill(input, shown).shading;
-      if (shading > 0.0f && shading < 1.0f)
+      if ((shading > 0.0f && shading < 1.0f) || shown.printedHatching)
         shown.cached->needShape();
       if (hatches(input, shown))
         shown.cached->needNeighbours();
@@ -325,6 +325,9 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   clear(device, layers, changed);
   drawSurfaces(device, input, layers, changed);
   stopwatch.pass(device, "surface");
+  // Hatching before lines, which lie on it.
+  if (Status s = m_printedHatching.draw(device, input.view, m_atlas, layers, changed); !s)
+    return s.error();
   drawInk(device, input, layers, changed);
   stopwatch.pass(device, "ink");
   resolve(device, input, region, target, layers);
