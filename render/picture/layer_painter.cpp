@@ -2,6 +2,7 @@
 #include "render/picture/layer_painter.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <numeric>
 
 #include "model/base/parallel.h"
@@ -9,6 +10,12 @@
 namespace sline::render {
 
 namespace {
+
+/// Towards the key light, in the camera's frame: over the draughtsman's left shoulder, as plates of
+/// anatomy are lit.
+glm::vec3 keyLight(const PictureInput& input) {
+  return input.keyLight ? glm::normalize(glm::vec3(-0.55f, 0.62f, 0.6f)) : glm::vec3(0.0f);
+}
 
 /// Finds the lines of all changed layers that have none in `lines` yet.
 void findLines(const PictureInput& input, std::span<const Layer> layers,
@@ -129,7 +136,8 @@ void LayerPainter::drawSurface(gpu::Device& device, const PictureInput& input, c
                                DrawQueue& queue) const {
   const passes::SurfaceView view{.viewProjection = input.view.viewProjection(),
                                  .eye = input.view.eyeVector(),
-                                 .pictureSize = input.view.size()};
+                                 .pictureSize = input.view.size(),
+                                 .key = input.view.toPatient(keyLight(input))};
   for (std::size_t i = 0; i < layer.members.size(); ++i) {
     const Shown& shown = layer.members[i];
     const passes::SurfaceDraw draw{.surface = *shown.cached->geometry,
@@ -190,6 +198,7 @@ void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
       draw.inner = 1.0f;
       const passes::SurfaceFill fill = surfaceFill(shown, input.view, input.background);
       draw.edge = glm::vec4(fill.colour, fill.complete * fill.opacity);
+      draw.key = keyLight(input);
       append(layers[i].edges[k]);
       edges.push_back(draw);
     }
@@ -271,8 +280,8 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   model::Box bounds;
   for (const Shown& shown : input.shown)
     bounds.add(shown.mesh->bounds());
-  std::vector<std::size_t> changed =
-      reuse(layers, {input.view.camera(), bounds, input.view.size(), input.background, region});
+  std::vector<std::size_t> changed = reuse(layers, {input.view.camera(), bounds, input.view.size(),
+                                                    input.background, input.keyLight, region});
   if (!place(layers, changed))
     return Outcome::tooLarge;
   if (m_atlas.outgrown()) {

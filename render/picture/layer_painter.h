@@ -21,6 +21,7 @@ struct PictureInput {
   const PictureView& view;
   std::span<const Shown> shown;  ///< sorted by id
   Background background = Background::white;
+  bool keyLight = false;
   /// Where lines are kept between the regions of one picture, by structure; null to keep none.
   std::map<model::NodeId, LineSet>* lines = nullptr;
 };
@@ -46,6 +47,7 @@ class LayerPainter {
     model::Box bounds;
     glm::vec2 size{0.0f};
     Background background = Background::white;
+    bool keyLight = false;
     gpu::Rect region;
     bool operator==(const Key&) const = default;
   };
