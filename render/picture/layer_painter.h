@@ -22,8 +22,9 @@ struct PictureInput {
   std::span<const Shown> shown;  ///< sorted by id
   Background background = Background::white;
   bool keyLight = false;
+  PictureParts parts;
   /// Where lines are kept between the regions of one picture, by structure; null to keep none.
-  std::map<model::NodeId, LineSet>* lines = nullptr;
+  std::map<model::NodeId, StructureLines>* lines = nullptr;
 };
 
 class LayerPainter {
@@ -48,6 +49,7 @@ class LayerPainter {
     glm::vec2 size{0.0f};
     Background background = Background::white;
     bool keyLight = false;
+    PictureParts parts;
     gpu::Rect region;
     bool operator==(const Key&) const = default;
   };

@@ -155,13 +155,14 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
   }
   Stopwatch stopwatch;
   const PictureView view(camera, bounds, settings.width, settings.height);
-  std::map<model::NodeId, LineSet> lines;
+  std::map<model::NodeId, StructureLines> lines;
   const bool whole = std::max(settings.width, settings.height) <= regionSide();
   layersDrawn = 0;
   Status done = paint({.view = view,
                        .shown = visible,
                        .background = settings.background,
                        .keyLight = settings.keyLight,
+                       .parts = settings.parts,
                        .lines = whole ? nullptr : &lines},
                       view.whole(), stopwatch, image);
   timings = stopwatch.done();
