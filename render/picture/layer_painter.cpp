@@ -2,6 +2,7 @@
 #include "render/picture/layer_painter.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <numeric>
 
 #include "model/base/parallel.h"
@@ -9,6 +10,12 @@
 namespace sline::render {
 
 namespace {
+
+/// Towards the key light, in the camera's frame: over the draughtsman's left shoulder, as plates of
+/// anatomy are lit.
+glm::vec3 keyLight(const PictureInput& input) {
+  return input.keyLight ? glm::normalize(glm::vec3(-0.55f, 0.62f, 0.6f)) : glm::vec3(0.0f);
+}
 
 bool needsLines(const PictureInput& input, const Shown& shown) {
   return ((input.parts.lines || input.parts.hatching) && showsLines(shown.style)) ||
@@ -150,7 +157,8 @@ void LayerPainter::drawSurface(gpu::Device& device, const PictureInput& input, c
                                DrawQueue& queue) const {
   const passes::SurfaceView view{.viewProjection = input.view.viewProjection(),
                                  .eye = input.view.eyeVector(),
-                                 .pictureSize = input.view.size()};
+                                 .pictureSize = input.view.size(),
+                                 .key = input.view.toPatient(keyLight(input))};
   for (std::size_t i = 0; i < layer.members.size(); ++i) {
     const Shown& shown = layer.members[i];
     const passes::SurfaceDraw draw{.surface = *shown.cached->geometry,
@@ -209,6 +217,7 @@ void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
       draw.count = layers[i].edges[k].size();
       const passes::SurfaceFill fill = shownFill(input, shown);
       draw.edge = glm::vec4(fill.colour, fill.complete * fill.opacity);
+      draw.key = keyLight(input);
       append(layers[i].edges[k]);
       edges.push_back(draw);
     }
@@ -290,8 +299,9 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   model::Box bounds;
   for (const Shown& shown : input.shown)
     bounds.add(shown.mesh->bounds());
-  std::vector<std::size_t> changed = reuse(layers, {input.view.camera(), bounds, input.view.size(),
-                                                    input.background, input.parts, region});
+  std::vector<std::size_t> changed =
+      reuse(layers, {input.view.camera(), bounds, input.view.size(), input.background,
+                     input.keyLight, input.parts, region});
   if (!place(layers, changed))
     return Outcome::tooLarge;
   if (m_atlas.outgrown()) {

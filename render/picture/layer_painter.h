@@ -21,6 +21,7 @@ struct PictureInput {
   const PictureView& view;
   std::span<const Shown> shown;  ///< sorted by id
   Background background = Background::white;
+  bool keyLight = false;
   PictureParts parts;
   /// Where lines are kept between the regions of one picture, by structure; null to keep none.
   std::map<model::NodeId, StructureLines>* lines = nullptr;
@@ -47,6 +48,7 @@ class LayerPainter {
     model::Box bounds;
     glm::vec2 size{0.0f};
     Background background = Background::white;
+    bool keyLight = false;
     PictureParts parts;
     gpu::Rect region;
     bool operator==(const Key&) const = default;

@@ -161,6 +161,7 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
   Status done = paint({.view = view,
                        .shown = visible,
                        .background = settings.background,
+                       .keyLight = settings.keyLight,
                        .parts = settings.parts,
                        .lines = whole ? nullptr : &lines},
                       view.whole(), stopwatch, image);

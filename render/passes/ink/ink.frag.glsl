@@ -19,6 +19,7 @@ uniform vec2 reach;        // px at which a contour's far side is looked for: a 
 uniform float sheet;       // mm by which a surface may hide a line of its own sheet
 uniform int edges;         // 1: soft edges of a fill in its own colour instead of ink
 uniform vec4 paint;        // the fill's colour and opacity; for edges only
+uniform vec3 key;          // towards the key light, x and y in the picture; 0: there is none
 
 out vec4 fragment;
 
@@ -94,7 +95,12 @@ void main() {
     if (depthAt(pixel) <= depth)
       discard;
     coverage *= paint.a;
-    fragment = vec4(min(phong(paint.rgb, 0.1), 1.0) * coverage, coverage);
+    // At its contour a surface's normal lies in the picture, across the line.
+    vec2 normal = normalize(mix(lineOutwards.xy, lineOutwards.zw, t) + vec2(1e-6, 0.0));
+    vec3 shaded = key != vec3(0.0)
+        ? phongWithKey(paint.rgb, 0.1, dot(normal, key.xy) + 0.1 * key.z, 0.0)
+        : phong(paint.rgb, 0.1);
+    fragment = vec4(min(shaded, 1.0) * coverage, coverage);
   } else {
     fragment = vec4(coverage);
   }

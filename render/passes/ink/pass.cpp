@@ -23,7 +23,8 @@ gpu::ProgramRecipe recipe() {
                        {"reach", UniformType::vec2},
                        {"sheet", UniformType::real},
                        {"edges", UniformType::integer},
-                       {"paint", UniformType::vec4}}};
+                       {"paint", UniformType::vec4},
+                       {"key", UniformType::vec3}}};
 }
 
 std::vector<gpu::Stream> streams(const gpu::Buffer& buffer) {
@@ -72,6 +73,7 @@ void InkPass::draw(gpu::Device& device, const gpu::Target& target, const gpu::Te
   m_program->set("sheet", draw.sheet);
   m_program->set("edges", draw.edge ? 1 : 0);
   m_program->set("paint", draw.edge.value_or(glm::vec4(0.0f)));
+  m_program->set("key", draw.key);
   m_geometry.startInstancesAt(draw.first);
   // Segments come farthest first, so the depth that stays is the nearest line's although every
   // coverage counts.

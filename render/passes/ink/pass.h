@@ -5,6 +5,7 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
 #include <optional>
@@ -40,7 +41,8 @@ struct InkDraw {
   float probe = 3.0f;          ///< px outside a contour at which its own mask makes it an inner one
   glm::vec2 reach{1.0f, 4.0f};    ///< px outside a contour at which the surface has fallen away
   std::optional<glm::vec4> edge;  ///< a fill's colour and opacity: draws edges instead of ink
-  float sheet = 0.0f;  ///< mm in front of a contour within which its own sheet may lie (see .glsl)
+  glm::vec3 key{0.0f};  ///< the surfaces' key light in the camera's frame, for edges; 0: none
+  float sheet = 0.0f;   ///< mm in front of a contour within which its own sheet may lie (see .glsl)
 };
 
 class InkPass {
