@@ -17,6 +17,8 @@ namespace sline::cli {
 
 namespace {
 
+constexpr std::size_t mostOnASheet = 12;
+
 struct RampFlags {
   MeasureFlags measure;
   std::string sheet;
@@ -78,7 +80,7 @@ Json rampJson(const MeasuredRamp& measured) {
            {{"largest_fall", jsonNumber(float(ramp.fill.largestFall))},
             {"fall_at", jsonNumber(float(ramp.fill.fallAt))},
             {"fallen_pixels", jsonNumber(float(ramp.fill.fallenPixels))},
-            {"least_at_5", jsonNumber(float(ramp.fill.leastAtEnd))}}},
+            {"open_at_5", jsonNumber(float(ramp.fill.openAtEnd))}}},
           {"steps", numbers(ramp.steps)},
           {"luminance", numbers(tone.luminance)},
           {"faults", measured.faults}};
@@ -146,9 +148,9 @@ void printRamp(const MeasuredRamp& measured) {
       100.0 * tone.bump.height, render::rampGamma(tone.bump.at).value(), 100.0 * tone.bumpedPixels);
   for (const double share : tone.bumpedByStage)
     std::printf(" %.1f", 100.0 * share);
-  std::printf(")\n  fill  falls by %.3f at most (%.2f %% of pixels, at %.2f); least at 5: %.3f\n",
+  std::printf(")\n  fill  falls by %.3f at most (%.2f %% of pixels, at %.2f); open at 5: %.2f %%\n",
               ramp.fill.largestFall, 100.0 * ramp.fill.fallenPixels, ramp.fill.fallAt,
-              ramp.fill.leastAtEnd);
+              100.0 * ramp.fill.openAtEnd);
   for (const std::string& fault : measured.faults)
     std::printf("  ✗ %s\n", fault.c_str());
   std::printf("\n");
@@ -269,6 +271,11 @@ Exit runRamp(const RampFlags& flags) {
   const Result<MeasureOrder> order = measureOrder(flags.measure, progress, wrongUse);
   if (!order.ok())
     return complain(order.error(), wrongUse ? Exit::wrongUse : Exit::failed);
+  if (!flags.sheet.empty() && order->structures.size() > mostOnASheet)
+    return complain({.reason = "a sheet of " + std::to_string(order->structures.size()) +
+                               " structures is too large to look at",
+                     .remedy = "Name at most " + std::to_string(mostOnASheet) + " structures"},
+                    Exit::wrongUse);
   RampReport report;
   if (const auto stopped = measureAll(*order, flags, progress, report))
     return *stopped;

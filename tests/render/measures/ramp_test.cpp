@@ -114,7 +114,7 @@ void RampTest::figuresOfAnEvenRamp() {
     QVERIFY(std::abs(ramp->tone.luminance[std::size_t(i)] - lightOf(evenGrey(i))) < 1e-5);
   QVERIFY(std::abs(ramp->tone.lowest - 1.0) < 1e-6);
   QCOMPARE(ramp->tone.bumpedPixels, 0.0);
-  QCOMPARE(ramp->fill.leastAtEnd, 1.0);
+  QCOMPARE(ramp->fill.openAtEnd, 0.0);
   QCOMPARE(ramp->fill.largestFall, 0.0);
 }
 
@@ -154,7 +154,7 @@ void RampTest::rules_data() {
   row("a fill that shrinks", evenGrey, [](int i) { return i == 90 ? 100 : closingFill(i); },
       {"fill: opacity falls by 0.329 at Γ = 4.50"});
   row("a fill that stays open", evenGrey, [](int i) { return closingFill(i) * 249 / 255; },
-      {"fill: at Γ = 5 some pixel's opacity is 0.976"});
+      {"fill: 100.0 % of the structure is not filled at Γ = 5"});
   row("rounding is no fall", evenGrey, [](int i) { return closingFill(i) - (i == 85); }, {});
 }
 
