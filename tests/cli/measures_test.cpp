@@ -43,7 +43,7 @@ QJsonObject firstOf(const QJsonObject& root) {
 
 void MeasuresTest::initTestCase() {
   m_vessels = writeSample(m_folder.path()) + "/Vessels";
-  writeObj(path("ring.obj"), *torus(40.0f, 15.0f, 160, 64));
+  writeObj(path("ring.obj"), *torus(40.0f, 15.0f, 96, 40));
   writeFile(path("slanted.json"),
             R"({"eye":[0,-300,250],"target":[0,0,0],"up":[0,0,1],"fovy_deg":30})");
   writeFile(path("away.json"), R"({"eye":[0,-300,0],"target":[0,-600,0],"up":[0,0,1]})");
