@@ -80,7 +80,7 @@ void main() {
         float thin = halfWidth * inner;
         opacity *= inner * min(1.0, thin * 2.0);
         halfWidth = max(thin, 0.5);
-        distance = length(pixel - c);
+        distance = length(pixel - c - outward * max(thin - 0.5, 0.0));
       }
     }
   } else if (!surfaceLineVisible(c, depth)) {
