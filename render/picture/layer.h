@@ -20,9 +20,11 @@ struct Shown {
   model::MeshPtr mesh;
   model::ResolvedStyle style;
   CachedSurface* cached = nullptr;
+  bool printedHatching = false;  ///< hatched as S prints it
 
   bool operator==(const Shown& other) const {
-    return id == other.id && mesh == other.mesh && style == other.style;
+    return id == other.id && mesh == other.mesh && style == other.style &&
+           printedHatching == other.printedHatching;
   }
   const model::Surface& surface() const { return *cached->surface; }
 };
@@ -74,6 +76,6 @@ std::vector<Layer> planLayers(std::span<const Shown> shown, const PictureView& v
 /// Makes the layer's strokes and edges and finds its tiles. `lines` has an entry for each member
 /// that shows any.
 void completeLayer(Layer& layer, const PictureView& view, const gpu::Rect& region,
-                   const std::map<model::NodeId, LineSet>& lines);
+                   const std::map<model::NodeId, StructureLines>& lines);
 
 }  // namespace sline::render

@@ -11,7 +11,7 @@ namespace sline::render {
 namespace {
 
 bool needsLines(const PictureInput& input, const Shown& shown) {
-  return (input.parts.lines && showsLines(shown.style)) ||
+  return ((input.parts.lines || input.parts.hatching) && showsLines(shown.style)) ||
          (input.parts.fills && showsEdges(shown.style));
 }
 
@@ -20,13 +20,17 @@ passes::SurfaceFill shownFill(const PictureInput& input, const Shown& shown) {
                            : passes::SurfaceFill{};
 }
 
+bool hatches(const PictureInput& input, const Shown& shown) {
+  return input.parts.hatching && !shown.printedHatching && showsHatching(shown.style);
+}
+
 /// Finds the lines of all changed layers that have none in `lines` yet.
 void findLines(const PictureInput& input, std::span<const Layer> layers,
-               std::span<const std::size_t> changed, std::map<model::NodeId, LineSet>& lines,
+               std::span<const std::size_t> changed, std::map<model::NodeId, StructureLines>& lines,
                Stopwatch& stopwatch) {
   struct Absent {
     const Shown* shown;
-    LineSet* lines;
+    StructureLines* lines;
   };
   std::vector<Absent> absent;
   for (const std::size_t i : changed)
@@ -36,11 +40,18 @@ void findLines(const PictureInput& input, std::span<const Layer> layers,
           absent.push_back({&shown, &it->second});
   parallelFor(absent.size(), 1, [&](std::size_t i) {
     const Shown& shown = *absent[i].shown;
-    *absent[i].lines = styledLines(shown.surface(), input.view, shown.style);
+    absent[i].lines->lines = styledLines(shown.surface(), input.view, shown.style);
   });
   stopwatch.lines();
   parallelFor(absent.size(), 1, [&](std::size_t i) {
-    joinLines(absent[i].shown->surface(), input.view, *absent[i].lines);
+    const Shown& shown = *absent[i].shown;
+    joinLines(shown.surface(), input.view, shown.style, absent[i].lines->lines);
+  });
+  parallelFor(absent.size(), 1, [&](std::size_t i) {
+    const Shown& shown = *absent[i].shown;
+    if (hatches(input, shown))
+      absent[i].lines->hatching =
+          styledHatching(shown.surface(), *shown.cached->neighbours, input.view, shown.style);
   });
 }
 
@@ -175,7 +186,6 @@ passes::InkDraw LayerPainter::inkDraw(const PictureInput& input, const Layer& la
   return {.layer = layer.area,
           .slot = layer.slot,
           .projection = input.view.depthTerms(),
-          .inner = probes.inner,
           .probe = probes.probe,
           .reach = probes.reach,
           .sheet = probes.sheet};
@@ -197,7 +207,6 @@ void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
       passes::InkDraw draw = inkDraw(input, layers[i], shown);
       draw.first = all.size();
       draw.count = layers[i].edges[k].size();
-      draw.inner = 1.0f;
       const passes::SurfaceFill fill = shownFill(input, shown);
       draw.edge = glm::vec4(fill.colour, fill.complete * fill.opacity);
       append(layers[i].edges[k]);
@@ -295,15 +304,17 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
     for (std::size_t k = 0; k < layers[i].members.size(); ++k) {
       const Shown& shown = layers[i].members[k];
       const float shading = shownFill(input, shown).shading;
-      if (shading > 0.0f && shading < 1.0f)
+      if ((shading > 0.0f && shading < 1.0f) || shown.printedHatching)
         shown.cached->needShape();
+      if (hatches(input, shown))
+        shown.cached->needNeighbours();
       if (!layers[i].coverage[k].ranges.empty())
         shown.cached->needWhole();
     }
   stopwatch.pass(device, "plan");
 
-  std::map<model::NodeId, LineSet> own;
-  std::map<model::NodeId, LineSet>& lines = input.lines ? *input.lines : own;
+  std::map<model::NodeId, StructureLines> own;
+  std::map<model::NodeId, StructureLines>& lines = input.lines ? *input.lines : own;
   findLines(input, layers, changed, lines, stopwatch);
   parallelFor(changed.size(), 1,
               [&](std::size_t i) { completeLayer(layers[changed[i]], input.view, region, lines); });
@@ -313,6 +324,9 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   clear(device, layers, changed);
   drawSurfaces(device, input, layers, changed);
   stopwatch.pass(device, "surface");
+  // Hatching before lines, which lie on it.
+  if (Status s = m_printedHatching.draw(device, input.view, m_atlas, layers, changed); !s)
+    return s.error();
   drawInk(device, input, layers, changed);
   stopwatch.pass(device, "ink");
   resolve(device, input, region, target, layers);

@@ -11,6 +11,7 @@
 #include "render/picture/atlas.h"
 #include "render/picture/draw_queue.h"
 #include "render/picture/layer.h"
+#include "render/picture/printed_hatching.h"
 #include "render/picture/stopwatch.h"
 
 namespace sline::render {
@@ -22,7 +23,7 @@ struct PictureInput {
   Background background = Background::white;
   PictureParts parts;
   /// Where lines are kept between the regions of one picture, by structure; null to keep none.
-  std::map<model::NodeId, LineSet>* lines = nullptr;
+  std::map<model::NodeId, StructureLines>* lines = nullptr;
 };
 
 class LayerPainter {
@@ -71,6 +72,7 @@ class LayerPainter {
   std::unique_ptr<passes::SurfacePass> m_surfacePass;
   std::unique_ptr<passes::InkPass> m_inkPass;
   std::unique_ptr<passes::ResolvePass> m_resolvePass;
+  PrintedHatching m_printedHatching;
   Key m_key;
   std::vector<Layer> m_kept;
   bool m_freshAtlas = true;
