@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/picture_flags.h"
+#include "app/cli/section_options.h"
 
 namespace sline::cli {
 
@@ -43,6 +44,7 @@ inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
   many(command.add_option("--color,--colour", flags.colours,
                           "The colour of a structure, or of all in a group"))
       ->type_name("NAME=#rrggbb");
+  addSectionOptions(command, flags.sections);
   command
       .add_option("--fill", flags.fill,
                   "What hides behind unfilled structures: none lets it show through, paper hides "

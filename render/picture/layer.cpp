@@ -44,7 +44,8 @@ gpu::Rect unite(const gpu::Rect& a, const gpu::Rect& b) {
 void markSurface(const Shown& shown, const PictureView& view, TileMask& mask) {
   const bool cull = cullsBack(shown, view);
   for (const model::Cluster& cluster : shown.surface().clusters.items)
-    if (!cull || model::facing(cluster, view.eye()) != model::Facing::back)
+    if ((!cull || model::facing(cluster, view.eye()) != model::Facing::back) &&
+        !takenAway(shown, cluster.bounds))
       mask.mark(gpu::grown(view.bounds(cluster.bounds), edgeMargin));
 }
 
@@ -142,7 +143,8 @@ Coverage coverage(const Shown& shown, const PictureView& view, const gpu::Rect& 
   const int around = margin(shown, view);
   const gpu::Rect within = gpu::grown(region, around);
   for (const model::Cluster& cluster : shown.surface().clusters.items) {
-    if (cull && model::facing(cluster, view.eye()) == model::Facing::back)
+    if ((cull && model::facing(cluster, view.eye()) == model::Facing::back) ||
+        takenAway(shown, cluster.bounds))
       continue;
     const gpu::Rect seen =
         gpu::intersection(gpu::grown(view.bounds(cluster.bounds), around), within);
@@ -154,6 +156,9 @@ Coverage coverage(const Shown& shown, const PictureView& view, const gpu::Rect& 
     else
       appendRange(cluster, found.ranges);
   }
+  if (shown.cut)
+    found.area =
+        unite(found.area, gpu::intersection(gpu::grown(sectionArea(shown, view), around), within));
   return found;
 }
 
@@ -166,14 +171,15 @@ std::vector<Layer> planLayers(std::span<const Shown> shown, const PictureView& v
   for (std::size_t i = 0; i < shown.size(); ++i) {
     if (found[i].area.empty())
       continue;
-    const bool opaque = isOpaque(shown[i].style);
+    // Cut faces have outlines, so what is cut has a layer of its own.
+    const bool opaque = isOpaque(shown[i].style) && !shown[i].cut;
     if (!opaque)
       layers.emplace_back();
     Layer& layer = opaque ? layers.front() : layers.back();
     layer.area = unite(layer.area, found[i].area);
     layer.members.push_back(shown[i]);
     layer.coverage.push_back(std::move(found[i]));
-    layer.filled = hasFill(shown[i].style);
+    layer.filled = hasFill(shown[i].style) || hasCaps(shown[i]);
   }
   if (layers.front().members.empty())
     layers.erase(layers.begin());
@@ -186,13 +192,15 @@ void completeLayer(Layer& layer, const PictureView& view, const gpu::Rect& regio
   layer.edges.resize(layer.members.size());
   for (std::size_t i = 0; i < layer.members.size(); ++i) {
     const Shown& member = layer.members[i];
-    if (layer.filled)
+    if (hasFill(member.style))
       markSurface(member, view, layer.mask);
+    if (hasCaps(member))
+      markCaps(member, view, layer.mask);
     if (showsEdges(member.style))
       layer.edges[i] = edges(member.surface(), view, lines.at(member.id), layer.area);
   }
   const Shown& first = layer.members.front();
-  if (!showsLines(first.style))
+  if (!showsLines(first.style) && !first.cut)
     return;
   layer.strokes = strokes(first.surface(), view, first.style, lines.at(first.id), layer.area);
   layer.inked = !layer.strokes.empty();

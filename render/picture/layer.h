@@ -8,6 +8,7 @@
 #include "model/scene/scene.h"
 #include "render/passes/surface/pass.h"
 #include "render/picture/layer_lines.h"
+#include "render/picture/layer_sections.h"
 #include "render/picture/picture.h"
 #include "render/picture/surface_cache.h"
 #include "render/picture/tile_lists.h"
@@ -20,9 +21,12 @@ struct Shown {
   model::MeshPtr mesh;
   model::ResolvedStyle style;
   CachedSurface* cached = nullptr;
+  std::vector<model::Section> sections;   ///< that cut it
+  std::shared_ptr<SectionedSurface> cut;  ///< by these; null where there are none
 
   bool operator==(const Shown& other) const {
-    return id == other.id && mesh == other.mesh && style == other.style;
+    return id == other.id && mesh == other.mesh && style == other.style &&
+           alike(sections, other.sections);
   }
   const model::Surface& surface() const { return *cached->surface; }
 };

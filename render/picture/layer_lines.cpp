@@ -8,7 +8,9 @@
 
 #include "model/base/parallel.h"
 #include "render/lines/chains.h"
+#include "render/lines/clipping.h"
 #include "render/lines/view_fields.h"
+#include "render/picture/layer_sections.h"
 #include "render/picture/transitions.h"
 
 namespace sline::render {
@@ -74,6 +76,18 @@ class StrokeMaker {
     stroke.contour = 1.0f;
     stroke.tolerance = 0.5f * m_surface.meanEdge + 1e-3f * m_surface.filigreeSize;
     finish(stroke, devicePen(width, s.opacityA * opacity), devicePen(width, s.opacityB * opacity));
+  }
+
+  /// Around a cut face: centred on the line, in front of the faces that it borders.
+  void outline(const Segment& s, float width, float opacity) {
+    passes::InkSegment stroke;
+    if (!place(s, stroke))
+      return;
+    stroke.depthA -= outlineLift;
+    stroke.depthB -= outlineLift;
+    stroke.tolerance = 0.1f * m_surface.meanEdge + 1e-4f * m_surface.featureSize +
+                       3.0f * m_view.millimetresPerPixel(s.a);
+    finish(stroke, devicePen(width, opacity), devicePen(width, opacity));
   }
 
   void surfaceLine(const Segment& s, float width, float opacity) {
@@ -151,6 +165,13 @@ LineSet styledLines(const model::Surface& surface, const PictureView& view,
        .twoSided = needsTwoSides(surface, view.camera())});
 }
 
+void cutLines(const SectionedSurface& cut, LineSet& lines) {
+  clip(lines.contours, cut.planes);
+  clip(lines.suggestive, cut.planes);
+  for (const CutFace& face : cut.faces)
+    lines.section.insert(lines.section.end(), face.outline.begin(), face.outline.end());
+}
+
 void joinLines(const model::Surface& surface, const PictureView& view, LineSet& lines) {
   if (!needsTwoSides(surface, view.camera()))
     std::erase_if(lines.contours, [](const Segment& s) { return s.concave; });
@@ -160,9 +181,10 @@ void joinLines(const model::Surface& surface, const PictureView& view, LineSet& 
   const auto join = [pixel](std::vector<Segment>& segments, const Chains& chains) {
     segments = simplified(segments, chains, simplification * pixel, longestStroke * pixel);
   };
-  parallelFor(2, 1, [&](std::size_t kind) {
-    if (kind == 0) {
-      join(lines.contours, connectedChains(lines.contours));
+  parallelFor(3, 1, [&](std::size_t kind) {
+    if (kind < 2) {
+      std::vector<Segment>& whole = kind == 0 ? lines.contours : lines.section;
+      join(whole, connectedChains(whole));
       return;
     }
     const Chains chains = connectedChains(lines.suggestive);
@@ -194,6 +216,10 @@ std::vector<passes::InkSegment> strokes(const model::Surface& surface, const Pic
   const float entered = std::sqrt(t.suggestive);
   for (const Segment& s : lines.suggestive)
     maker.surfaceLine(s, width * entered, t.lines * entered);
+  // What is cut stays outlined where other lines leave: half as wide.
+  const float outline = penWidth(surface, view, style.penWeight) * (0.5f + 0.5f * t.lines);
+  for (const Segment& s : lines.section)
+    maker.outline(s, outline, style.penWeight > 0.0f ? 1.0f : 0.0f);
   return maker.take();
 }
 

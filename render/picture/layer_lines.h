@@ -12,6 +12,8 @@
 
 namespace sline::render {
 
+struct SectionedSurface;
+
 /// True where a structure of that style shows any line.
 bool showsLines(const model::ResolvedStyle& style);
 /// True where lines leave and the fill needs a soft edge of its own.
@@ -22,6 +24,8 @@ float penWidth(const model::Surface& surface, const PictureView& view, float pen
 /// The segments that the style's lines and edges ask for, in the patient's frame.
 LineSet styledLines(const model::Surface& surface, const PictureView& view,
                     const model::ResolvedStyle& style);
+/// Ends them at the section planes and adds the outlines of the cut faces.
+void cutLines(const SectionedSurface& cut, LineSet& lines);
 /// Joins them to the strokes a pen would set: pieces of a line become one, specks fade, and what
 /// its own closed surface always hides goes.
 void joinLines(const model::Surface& surface, const PictureView& view, LineSet& lines);

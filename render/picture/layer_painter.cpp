@@ -21,12 +21,14 @@ void findLines(const PictureInput& input, std::span<const Layer> layers,
   std::vector<Absent> absent;
   for (const std::size_t i : changed)
     for (const Shown& shown : layers[i].members)
-      if (showsLines(shown.style) || showsEdges(shown.style))
+      if (showsLines(shown.style) || showsEdges(shown.style) || shown.cut)
         if (const auto [it, fresh] = lines.try_emplace(shown.id); fresh)
           absent.push_back({&shown, &it->second});
   parallelFor(absent.size(), 1, [&](std::size_t i) {
     const Shown& shown = *absent[i].shown;
     *absent[i].lines = styledLines(shown.surface(), input.view, shown.style);
+    if (shown.cut)
+      cutLines(*shown.cut, *absent[i].lines);
   });
   stopwatch.lines();
   parallelFor(absent.size(), 1, [&](std::size_t i) {
@@ -42,6 +44,9 @@ Result<std::unique_ptr<LayerPainter>> LayerPainter::create(const gpu::Device& de
   auto surface = passes::SurfacePass::create(device.dialect());
   if (!surface)
     return surface.error();
+  auto cap = passes::CapPass::create(device.dialect());
+  if (!cap)
+    return cap.error();
   auto ink = passes::InkPass::create(device.dialect());
   if (!ink)
     return ink.error();
@@ -49,6 +54,7 @@ Result<std::unique_ptr<LayerPainter>> LayerPainter::create(const gpu::Device& de
   if (!resolve)
     return resolve.error();
   painter->m_surfacePass = std::move(*surface);
+  painter->m_capPass = std::move(*cap);
   painter->m_inkPass = std::move(*ink);
   painter->m_resolvePass = std::move(*resolve);
   return painter;
@@ -132,16 +138,30 @@ void LayerPainter::drawSurface(gpu::Device& device, const PictureInput& input, c
                                  .pictureSize = input.view.size()};
   for (std::size_t i = 0; i < layer.members.size(); ++i) {
     const Shown& shown = layer.members[i];
+    const std::vector<glm::vec4> sections =
+        shown.cut ? sectionVectors(shown.cut->planes) : std::vector<glm::vec4>();
     const passes::SurfaceDraw draw{.surface = *shown.cached->geometry,
                                    .ranges = layer.coverage[i].ranges,
                                    .visible = layer.coverage[i].visible,
                                    .layer = layer.area,
                                    .slot = layer.slot,
-                                   .fill = surfaceFill(shown, input.view, input.background)};
+                                   .fill = surfaceFill(shown, input.view, input.background),
+                                   .sections = sections};
     m_surfacePass->draw(device, m_atlas.surfaceTarget(), view, draw);
     for (const gpu::DrawRange& range : draw.ranges)
       queue.add(device, range.count);
     queue.add(device, std::uint32_t(draw.visible.size()));
+  }
+}
+
+void LayerPainter::drawCaps(gpu::Device& device, const PictureInput& input,
+                            const Layer& layer) const {
+  for (const Shown& shown : layer.members) {
+    if (!hasCaps(shown))
+      continue;
+    const CapDraws caps = capDraws(shown, input.view, input.background, layer.area, layer.slot);
+    for (const passes::CapDraw& draw : caps.draws)
+      m_capPass->draw(device, m_atlas.surfaceTarget(), draw);
   }
 }
 
@@ -150,8 +170,10 @@ void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
                                 std::span<const std::size_t> changed) const {
   DrawQueue queue;
   for (const std::size_t i : changed)
-    if (layers[i].shows())
+    if (layers[i].shows()) {
       drawSurface(device, input, layers[i], queue);
+      drawCaps(device, input, layers[i]);
+    }
   // Where a layer has a fill, it lies as deep as its surface; else only its ink counts. All copies
   // after all surfaces: a software driver starts anew at each change of target.
   for (const std::size_t i : changed)
