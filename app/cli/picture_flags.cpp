@@ -92,10 +92,8 @@ model::Camera fittedToVisible(const model::Scene& scene, const model::Camera& ca
   for (const model::Node& node : scene.nodes()) {
     if (node.isGroup() || !scene.resolve(node.id).visible)
       continue;
-    std::vector<model::Plane> planes;
-    for (const model::Section& section : scene.sectionsOf(node.id))
-      planes.push_back(section.plane);
-    const std::vector<glm::vec3> kept = model::keptPoints(*node.mesh, planes);
+    const std::vector<glm::vec3> kept =
+        model::keptPoints(*node.mesh, model::planesOf(scene.sectionsOf(node.id)));
     points.insert(points.end(), kept.begin(), kept.end());
   }
   return model::fitted(camera, points, aspect);

@@ -34,7 +34,8 @@ struct Trapezoid {
 /// two edges grows from slab to slab into one trapezoid.
 class Sweep {
  public:
-  explicit Sweep(std::span<const std::array<glm::dvec2, 2>> edges) {
+  explicit Sweep(std::vector<std::array<glm::dvec2, 2>> edges) {
+    snapHeights(edges);
     for (const auto& edge : edges)
       for (const glm::dvec2& p : edge)
         m_heights.push_back(p.y);
@@ -67,6 +68,21 @@ class Sweep {
     std::uint32_t since = 0;
     std::uint32_t seen = none;  ///< the last slab it was found in
   };
+
+  /// To multiples of a length below what a float of the outline's size can tell apart. Ends that
+  /// differ by roundings alone would otherwise make slabs too thin to say what is left and right.
+  static void snapHeights(std::vector<std::array<glm::dvec2, 2>>& edges) {
+    double largest = 0.0;
+    for (const auto& edge : edges)
+      for (const glm::dvec2& p : edge)
+        largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+    if (!(largest > 0.0))
+      return;
+    const double grain = std::exp2(std::ceil(std::log2(largest)) - 26.0);
+    for (auto& edge : edges)
+      for (glm::dvec2& p : edge)
+        p.y = std::round(p.y / grain) * grain;
+  }
 
   std::uint32_t level(double y) const {
     return std::uint32_t(std::lower_bound(m_heights.begin(), m_heights.end(), y) -
@@ -193,7 +209,7 @@ class Sweep {
 }  // namespace
 
 FlatFill oddEvenFill(std::span<const std::array<glm::dvec2, 2>> edges) {
-  return edges.empty() ? FlatFill{} : Sweep(edges).fill();
+  return edges.empty() ? FlatFill{} : Sweep({edges.begin(), edges.end()}).fill();
 }
 
 }  // namespace sline::model

@@ -32,6 +32,13 @@ Plane anatomicalPlane(AnatomicalView kept, float mm) {
   return plane;
 }
 
+std::vector<Plane> planesOf(std::span<const Section> sections) {
+  std::vector<Plane> planes;
+  for (const Section& section : sections)
+    planes.push_back(section.plane);
+  return planes;
+}
+
 std::optional<std::string_view> planeFault(const Plane& plane) {
   const glm::vec3& n = plane.normal;
   if (!std::isfinite(n.x) || !std::isfinite(n.y) || !std::isfinite(n.z) ||

@@ -5,8 +5,10 @@
 #include <compare>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "model/geometry/plane.h"
 #include "model/scene/camera.h"
@@ -41,6 +43,9 @@ inline constexpr std::size_t maximumSections = 8;
 Plane anatomicalPlane(AnatomicalView kept, float mm);
 /// 0 for the sides of a sagittal plane, 1 of a coronal, 2 of an axial one: its axis of LPS.
 int axisOf(AnatomicalView side);
+
+/// The planes of the sections, in their order.
+std::vector<Plane> planesOf(std::span<const Section> sections);
 
 /// What makes a plane unusable, for an error message.
 std::optional<std::string_view> planeFault(const Plane& plane);

@@ -30,13 +30,6 @@ bool cutsBox(const model::Plane& plane, const model::Box& box) {
   return plane.distance(farthest) > 0.0;
 }
 
-std::vector<model::Plane> planesOf(std::span<const model::Section> sections) {
-  std::vector<model::Plane> planes;
-  for (const model::Section& section : sections)
-    planes.push_back(section.plane);
-  return planes;
-}
-
 /// Faces of one plane would lie equally deep. The smaller comes first, so that what lies inside
 /// another shows on its cut face: a step of depth for every 4 % of area.
 float lift(const CutFace& face, const PictureView& view) {
@@ -78,7 +71,7 @@ glm::vec3 paperColour(Background background) {
 
 std::shared_ptr<SectionedSurface> SectionCache::at(const model::SurfacePtr& surface,
                                                    std::span<const model::Section> sections) {
-  std::vector<model::Plane> planes = planesOf(sections);
+  std::vector<model::Plane> planes = model::planesOf(sections);
   for (Entry& entry : m_entries)
     if (entry.cut->surface == surface && entry.cut->planes == planes) {
       entry.used = true;
