@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/picture_flags.h"
+#include "app/cli/section_options.h"
 
 namespace sline::cli {
 
@@ -77,6 +78,7 @@ inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
                           "Draws these structures and groups alone; may be given again"))
       ->type_name("NAME");
   addLookOptions(command, flags);
+  addSectionOptions(command, flags.sections);
 }
 
 }  // namespace sline::cli
