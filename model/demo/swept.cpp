@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/demo/swept.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "model/demo/implicit.h"
+
+namespace sline::model {
+
+namespace {
+constexpr std::size_t runLength = 8;
+/// Beyond this the distance to the box around everything, a lower bound, is as good.
+constexpr float farAway = 14.0f;
+
+glm::vec3 direction(const glm::vec3& from, const glm::vec3& to) {
+  const glm::vec3 d = to - from;
+  const float length = glm::length(d);
+  return length > 1e-6f ? d / length : glm::vec3(0, 0, 1);
+}
+}  // namespace
+
+float distanceToBox(const Box& box, const glm::vec3& p) {
+  return glm::length(glm::max(glm::max(box.low - p, p - box.high), glm::vec3(0.0f)));
+}
+
+Box grown(Box box, float margin) {
+  box.low -= margin;
+  box.high += margin;
+  return box;
+}
+
+Swept::Swept(std::span<const SweptPoint> through, const glm::vec3& front, float step) {
+  std::vector<TubePoint> widths;
+  std::vector<TubePoint> depths;
+  for (const SweptPoint& p : through) {
+    widths.push_back({p.position, p.radius});
+    depths.push_back({p.position, 10.0f * p.depth});
+  }
+  const Tube width(widths, step);
+  const Tube depth(depths, step);
+  float along = 0.0f;
+  float widthsPassed = 0.0f;
+  for (std::size_t i = 0; i < width.points().size(); ++i) {
+    const TubePoint& at = width.points()[i];
+    if (i > 0) {
+      const TubePoint& before = width.points()[i - 1];
+      const float piece = glm::distance(at.position, before.position);
+      along += piece;
+      widthsPassed += piece / (0.5f * (at.radius + before.radius));
+    }
+    const float share = 0.1f * depth.points()[i].radius;
+    m_samples.push_back({at.position, at.radius, share, along, widthsPassed, front});
+  }
+  carryFrames(front);
+  gatherRuns();
+}
+
+/// Each frame is the one before it, turned as little as keeps it square to the curve.
+void Swept::carryFrames(const glm::vec3& front) {
+  glm::vec3 carried = front;
+  for (std::size_t i = 0; i < m_samples.size(); ++i) {
+    const std::size_t a = i > 0 ? i - 1 : i;
+    const std::size_t b = std::min(i + 1, m_samples.size() - 1);
+    const glm::vec3 tangent = direction(m_samples[a].position, m_samples[b].position);
+    carried = glm::normalize(carried - glm::dot(carried, tangent) * tangent);
+    m_samples[i].front = carried;
+  }
+}
+
+void Swept::gatherRuns() {
+  for (std::size_t first = 0; first + 1 < m_samples.size(); first += runLength) {
+    Run run{first, std::min(first + runLength, m_samples.size() - 1), {}};
+    for (std::size_t i = run.first; i <= run.last; ++i) {
+      const Sample& s = m_samples[i];
+      const float reach = s.radius * std::max(1.0f, s.depth);
+      run.box.add(s.position - reach);
+      run.box.add(s.position + reach);
+    }
+    m_bounds.add(run.box);
+    m_runs.push_back(run);
+  }
+}
+
+Box Swept::bounds(float from, float to) const {
+  Box box;
+  for (const Run& run : m_runs)
+    if (m_samples[run.last].along >= from && m_samples[run.first].along <= to)
+      box.add(run.box);
+  return box;
+}
+
+float Swept::alongNearest(const glm::vec3& p) const {
+  const Nearest at = nearest(p);
+  return glm::mix(m_samples[at.segment].along, m_samples[at.segment + 1].along, at.t);
+}
+
+float Swept::beyond(float along, const glm::vec3& p, const SweptPlace& at) const {
+  // Farther along, the tube may bend back through the plane of the cut.
+  if (std::abs(at.along - along) > 2.0f * at.radius)
+    return at.along - along;
+  const auto after =
+      std::lower_bound(m_samples.begin() + 1, m_samples.end() - 1, along,
+                       [](const Sample& s, float value) { return s.along < value; });
+  const Sample& a = *(after - 1);
+  const glm::vec3 tangent = direction(a.position, after->position);
+  return glm::dot(p - a.position, tangent) - (along - a.along);
+}
+
+Swept::Nearest Swept::nearest(const glm::vec3& p) const {
+  Nearest best{.distance = std::numeric_limits<float>::infinity()};
+  for (const Run& run : m_runs) {
+    if (distanceToBox(run.box, p) > std::max(best.distance, 0.0f))
+      continue;
+    for (std::size_t i = run.first; i < run.last; ++i) {
+      const Sample& a = m_samples[i];
+      const Sample& b = m_samples[i + 1];
+      const glm::vec3 axis = b.position - a.position;
+      const float t =
+          std::clamp(glm::dot(p - a.position, axis) / glm::dot(axis, axis), 0.0f, 1.0f);
+      const float d =
+          glm::length(p - a.position - t * axis) - (a.radius + t * (b.radius - a.radius));
+      if (d < best.distance)
+        best = {i, t, d};
+    }
+  }
+  return best;
+}
+
+SweptPlace Swept::place(const glm::vec3& p) const {
+  const float toBox = distanceToBox(m_bounds, p);
+  if (toBox > farAway)
+    return {.distance = toBox};
+  const Nearest at = nearest(p);
+  const Sample& a = m_samples[at.segment];
+  const Sample& b = m_samples[at.segment + 1];
+  const glm::vec3 tangent = direction(a.position, b.position);
+  glm::vec3 front = glm::mix(a.front, b.front, at.t);
+  front = glm::normalize(front - glm::dot(front, tangent) * tangent);
+  const glm::vec3 side = glm::cross(tangent, front);
+  const glm::vec3 offset = p - glm::mix(a.position, b.position, at.t);
+  const glm::vec3 local(glm::dot(offset, side), glm::dot(offset, front),
+                        glm::dot(offset, tangent));
+  const float radius = glm::mix(a.radius, b.radius, at.t);
+  const float depth = glm::mix(a.depth, b.depth, at.t);
+  SweptPlace place;
+  place.along = glm::mix(a.along, b.along, at.t);
+  place.widths = glm::mix(a.widths, b.widths, at.t);
+  place.angle = std::atan2(local.x, local.y);
+  place.radius = radius;
+  place.distance = std::abs(depth - 1.0f) < 1e-3f
+                       ? at.distance
+                       : ellipsoid(local, {radius, radius * depth, radius});
+  return place;
+}
+
+}  // namespace sline::model
