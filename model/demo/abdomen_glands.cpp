@@ -21,9 +21,9 @@ constexpr Colour pancreasColour{216, 180, 94};
 constexpr Colour spleenColour{125, 74, 115};
 constexpr Colour adrenalColour{224, 176, 60};
 
-DemoStructure gland(std::string name, Colour colour, float gamma, Field field, Box box) {
+DemoStructure gland(std::string name, const char* group, Colour colour, float gamma, Field field, Box box) {
   return {.name = std::move(name),
-          .groups = {"Glands and spleen"},
+          .groups = {group},
           .colour = colour,
           .gamma = Gamma::clamped(gamma),
           .field = std::move(field),
@@ -31,7 +31,7 @@ DemoStructure gland(std::string name, Colour colour, float gamma, Field field, B
 }
 
 DemoStructure liver() {
-  DemoStructure s = gland("liver", liverColour, 4.0f, liverField(), {{-150, -104, -75}, {96, 88, 122}});
+  DemoStructure s = gland("liver", "Digestive system", liverColour, 4.0f, liverField(), {{-150, -104, -75}, {96, 88, 122}});
   s.edge = 2.0f;
   s.rounding = 4.0f;
   return s;
@@ -57,7 +57,7 @@ DemoStructure gallbladder() {
     const float neck = std::clamp((at.along - 58.0f) / 10.0f, 0.0f, 1.0f);
     return at.distance + neck * 0.5f * std::sin(at.along * 1.25f + at.angle);
   };
-  DemoStructure s = gland("gallbladder", bileColour, 5.0f, field, grown(tube->bounds(), 3.0f));
+  DemoStructure s = gland("gallbladder", "Biliary system", bileColour, 5.0f, field, grown(tube->bounds(), 3.0f));
   s.edge = 1.4f;
   return s;
 }
@@ -93,16 +93,15 @@ DemoStructure bileDucts() {
   Box box = common->bounds();
   for (const auto& branch : {right, left, cystic})
     box.add(branch->bounds());
-  DemoStructure s = gland("bile duct", bileColour, 5.0f, field, grown(box, 3.0f));
+  DemoStructure s = gland("bile duct", "Biliary system", bileColour, 5.0f, field, grown(box, 3.0f));
   s.edge = 1.0f;
-  s.givesWayTo = {"gallbladder"};
   s.gap = 0.3f;
   return s;
 }
 
 /// Lobules: hills and furrows some 7 mm wide.
 float lobules(const glm::vec3& p) {
-  const glm::vec3 q = 0.62f * p + 0.9f * glm::vec3(std::sin(0.21f * p.z + 1.0f),
+  const glm::vec3 q = 0.50f * p + 0.9f * glm::vec3(std::sin(0.21f * p.z + 1.0f),
                                                    std::sin(0.19f * p.x), std::sin(0.23f * p.y));
   return std::sin(q.x) * std::sin(q.y + 0.7f) + std::sin(q.y) * std::sin(q.z + 1.9f) +
          std::sin(q.z) * std::sin(q.x + 0.4f);
@@ -125,11 +124,11 @@ DemoStructure pancreas() {
       glm::vec3(0, -1, 0));
   const Field field = [=](const glm::vec3& p) {
     const float d = blendedUnion(body->distance(p), uncinate->distance(p), 8.0f);
-    return d > 6.0f ? d - 2.0f : d + 0.55f * lobules(p);
+    return d > 6.0f ? d - 2.0f : d + 0.40f * lobules(p);
   };
   Box box = body->bounds();
   box.add(uncinate->bounds());
-  DemoStructure s = gland("pancreas", pancreasColour, 5.0f, field, grown(box, 4.0f));
+  DemoStructure s = gland("pancreas", "Digestive system", pancreasColour, 5.0f, field, grown(box, 4.0f));
   s.edge = 1.5f;
   s.rounding = 2.0f;
   return s;
@@ -165,7 +164,7 @@ DemoStructure spleen() {
     }
     return d;
   };
-  DemoStructure s = gland("spleen", spleenColour, 4.0f, field, {{40, -20, -20}, {162, 104, 120}});
+  DemoStructure s = gland("spleen", "Glands and spleen", spleenColour, 4.0f, field, {{40, -20, -20}, {162, 104, 120}});
   s.edge = 1.9f;
   s.rounding = 4.0f;
   return s;
@@ -193,20 +192,20 @@ DemoStructure adrenal(const char* name, const glm::vec3& apex, float side, bool 
   Box box = medial->bounds();
   box.add(lateral->bounds());
   box.add(crest->bounds());
-  DemoStructure s = gland(name, adrenalColour, 4.0f, field, grown(box, 3.0f));
+  DemoStructure s = gland(name, "Glands and spleen", adrenalColour, 4.0f, field, grown(box, 3.0f));
   s.edge = 1.1f;
   return s;
 }
 }  // namespace
 
 std::vector<DemoStructure> abdomenGlands() {
-  return {liver(),
-          gallbladder(),
-          bileDucts(),
-          pancreas(),
-          spleen(),
-          adrenal("right adrenal gland", {-42, 28, 48}, -1.0f, false),
-          adrenal("left adrenal gland", {40, 24, 62}, 1.0f, true)};
+  return {gallbladder(), bileDucts(),
+          adrenal("right adrenal gland", {-42, 28, 46}, -1.0f, false),
+          adrenal("left adrenal gland", {40, 24, 60}, 1.0f, true), pancreas()};
+}
+
+std::vector<DemoStructure> abdomenSpleenAndLiver() {
+  return {spleen(), liver()};
 }
 
 }  // namespace sline::model

@@ -179,7 +179,7 @@ std::vector<DemoStructure> colons() {
 }  // namespace
 
 std::vector<DemoStructure> abdomenGut() {
-  std::vector<DemoStructure> gut{stomach(), duodenum()};
+  std::vector<DemoStructure> gut{duodenum(), stomach()};
   for (DemoStructure& s : colons())
     gut.push_back(std::move(s));
   return gut;

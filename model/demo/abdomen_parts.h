@@ -13,10 +13,13 @@ namespace sline::model {
 
 std::vector<DemoStructure> abdomenBones();
 std::vector<DemoStructure> abdomenMuscles();
-/// Liver, gallbladder with its ducts, pancreas, spleen, adrenal glands.
+/// Gallbladder and bile ducts, adrenal glands, pancreas.
 std::vector<DemoStructure> abdomenGlands();
-/// Stomach, duodenum, small bowel, colon.
+std::vector<DemoStructure> abdomenSpleenAndLiver();
+/// Duodenum, stomach, colon.
 std::vector<DemoStructure> abdomenGut();
+/// Jejunum and ileum in the room that the rest of the gut leaves.
+std::vector<DemoStructure> abdomenBowel(const std::vector<DemoStructure>& gut);
 std::vector<DemoStructure> abdomenUrinary();
 std::vector<DemoStructure> abdomenArteries();
 std::vector<DemoStructure> abdomenVeins();

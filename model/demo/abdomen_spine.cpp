@@ -142,7 +142,7 @@ DemoStructure disc(const Level& above, const Level& below) {
   const std::string from(above.name, std::string_view(above.name).find(' '));
   const std::string to(below.name, std::string_view(below.name).find(' '));
   DemoStructure s{.name = from + "-" + to + " intervertebral disc",
-                  .groups = {"Bones"},
+                  .groups = {"Discs and cartilage"},
                   .colour = discColour,
                   .gamma = Gamma::clamped(1.3f),
                   .fill = Fill::paper};
@@ -154,8 +154,8 @@ DemoStructure disc(const Level& above, const Level& below) {
   };
   s.box = {middle.middle - glm::vec3(30, 25, 17), middle.middle + glm::vec3(30, 25, 17)};
   s.edge = 1.9f;
-  s.givesWayTo = {above.name, below.name};
   s.gap = 0.4f;
+  s.rounding = 1.8f;
   return s;
 }
 
@@ -187,7 +187,6 @@ DemoStructure rib(const char* name, float side) {
                                              glm::vec3(0, 0, 1));
   DemoStructure s = swept(name, "Bones", boneColour, shape);
   s.edge = 1.5f;
-  s.givesWayTo = {"T12 vertebra"};
   return s;
 }
 
@@ -209,19 +208,14 @@ DemoStructure psoas(const char* name, float side) {
   };
   s.edge = 2.2f;
   s.rounding = 3.0f;
-  for (const Level& level : levels)
-    s.givesWayTo.emplace_back(level.name);
   return s;
 }
 }  // namespace
 
 std::vector<DemoStructure> abdomenBones() {
   std::vector<DemoStructure> bones;
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    bones.push_back(vertebra(levels[i]));
-    if (i > 0)
-      bones.back().givesWayTo = {levels[i - 1].name};
-  }
+  for (const Level& level : levels)
+    bones.push_back(vertebra(level));
   for (std::size_t i = 0; i + 1 < levels.size(); ++i)
     bones.push_back(disc(levels[i], levels[i + 1]));
   bones.push_back(rib("right twelfth rib", -1.0f));
@@ -230,14 +224,7 @@ std::vector<DemoStructure> abdomenBones() {
 }
 
 std::vector<DemoStructure> abdomenMuscles() {
-  std::vector<DemoStructure> muscles{psoas("right psoas major", -1.0f),
-                                     psoas("left psoas major", 1.0f)};
-  const std::vector<DemoStructure> bones = abdomenBones();
-  for (DemoStructure& muscle : muscles)
-    for (const DemoStructure& bone : bones)
-      if (bone.name.ends_with("disc"))
-        muscle.givesWayTo.push_back(bone.name);
-  return muscles;
+  return {psoas("right psoas major", -1.0f), psoas("left psoas major", 1.0f)};
 }
 
 }  // namespace sline::model

@@ -74,8 +74,8 @@ DemoStructure ureter(const char* name, float side, float drop) {
 }  // namespace
 
 std::vector<DemoStructure> abdomenUrinary() {
-  return {kidney("right kidney", -1.0f, {-65, 38, -14}), kidney("left kidney", 1.0f, {65, 36, 2}),
-          ureter("right ureter", -1.0f, -16.0f), ureter("left ureter", 1.0f, 0.0f)};
+  return {ureter("right ureter", -1.0f, -16.0f), ureter("left ureter", 1.0f, 0.0f),
+          kidney("right kidney", -1.0f, {-65, 38, -14}), kidney("left kidney", 1.0f, {65, 36, 2})};
 }
 
 }  // namespace sline::model

@@ -105,9 +105,9 @@ std::vector<DemoStructure> abdomenArteries() {
                                              {{5, -37, -12}, 3.8f},
                                              {{3, -42, -32}, 3.6f},
                                              {{2, -55, -54}, 3.4f},
-                                             {{-1, -60, -80}, 3.0f},
-                                             {{-8, -58, -104}, 2.4f},
-                                             {{-22, -52, -124}, 1.8f}},
+                                             {{-1, -56, -80}, 3.0f},
+                                             {{-8, -46, -104}, 2.4f},
+                                             {{-22, -38, -124}, 1.8f}},
                                             {{{2, -55, -54}, 2.0f},
                                              {{-14, -60, -62}, 2.0f},
                                              {{-36, -58, -72}, 1.7f},
@@ -152,11 +152,7 @@ std::vector<DemoStructure> abdomenArteries() {
                                         {at(38, 20, -190), 3.8f},
                                         {at(36, 28, -208), 3.2f}}}),
                                1.5f));
-    arteries.back().givesWayTo = {"abdominal aorta"};
   }
-  for (DemoStructure& s : arteries)
-    if (s.name != "abdominal aorta" && s.givesWayTo.empty())
-      s.givesWayTo = {"abdominal aorta"};
   return arteries;
 }
 
@@ -199,9 +195,9 @@ std::vector<DemoStructure> abdomenVeins() {
                                            {{-8, -40, -12}, 5.6f},
                                            {{-8, -43, -32}, 5.4f},
                                            {{-9, -56, -56}, 5.0f},
-                                           {{-12, -61, -82}, 4.2f},
-                                           {{-20, -58, -106}, 3.2f},
-                                           {{-34, -50, -126}, 2.4f}}}),
+                                           {{-13, -57, -82}, 4.2f},
+                                           {{-21, -46, -106}, 3.2f},
+                                           {{-34, -36, -126}, 2.4f}}}),
       portal("splenic vein", {{{{-9, -34, 3}, 4.6f},
                                {{6, -34, 8}, 4.5f},
                                {{22, -22, 12}, 4.4f},
@@ -225,9 +221,6 @@ std::vector<DemoStructure> abdomenVeins() {
                                    {at(36, 34, -206), 3.8f}}}),
                             1.5f));
   }
-  for (DemoStructure& s : veins)
-    if (s.name != "inferior vena cava" && s.groups.front() == "Veins")
-      s.givesWayTo = {"inferior vena cava"};
   return veins;
 }
 
