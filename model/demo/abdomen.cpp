@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <iterator>
 #include <string_view>
 #include <utility>
@@ -25,6 +27,36 @@ std::size_t placeOf(const DemoStructure& s) {
   return std::size_t(at - groupOrder.begin());
 }
 
+/// Vessels, ureters, gullet, rectum and muscles go on beyond the scene and end in a clean cut.
+void cutOff(DemoStructure& s) {
+  constexpr float top = 121.0f;
+  constexpr float bottom = -226.0f;
+  if (s.box.high.z < top && s.box.low.z > bottom)
+    return;
+  s.field = [field = std::move(s.field)](const glm::vec3& p) {
+    return -blendedUnion(-field(p), std::min(top - p.z, p.z - bottom), 2.0f);
+  };
+  s.box.high.z = std::min(s.box.high.z, top + 4.0f);
+  s.box.low.z = std::max(s.box.low.z, bottom - 4.0f);
+}
+
+/// Whether two structures come near each other, looked at every centimetre: most whose boxes meet
+/// do not, and need not be asked about each other again.
+bool touch(const DemoStructure& a, const DemoStructure& b) {
+  constexpr float step = 10.0f;
+  constexpr float near = 0.87f * step + 3.0f;
+  const glm::vec3 low = glm::max(a.box.low, b.box.low);
+  const glm::vec3 high = glm::min(a.box.high, b.box.high);
+  if (glm::any(glm::greaterThanEqual(low, high)))
+    return false;
+  for (float z = low.z; z < high.z + step; z += step)
+    for (float y = low.y; y < high.y + step; y += step)
+      for (float x = low.x; x < high.x + step; x += step)
+        if (const glm::vec3 p(x, y, z); a.field(p) < near && b.field(p) < near)
+          return true;
+  return false;
+}
+
 /// What comes first keeps its shape; what comes later is pressed in by it.
 std::vector<DemoStructure> inOrderOfFirmness() {
   std::vector<DemoStructure> all = abdomenBones();
@@ -42,9 +74,12 @@ std::vector<DemoStructure> inOrderOfFirmness() {
   append(std::move(bowel));
   append(abdomenSpleenAndLiver());
   append(abdomenMuscles());
+  for (DemoStructure& s : all)
+    cutOff(s);
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
-      all[i].givesWayTo.push_back(all[k].name);
+      if (touch(all[i], all[k]))
+        all[i].givesWayTo.push_back(all[k].name);
   return all;
 }
 

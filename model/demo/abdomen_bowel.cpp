@@ -16,7 +16,7 @@ namespace sline::model {
 
 namespace {
 constexpr Colour bowelColour{217, 160, 124};
-constexpr float bowelRadius = 12.3f;
+constexpr float bowelRadius = 12.8f;
 constexpr float pi = 3.14159265f;
 
 /// Back and front of the peritoneal cavity, low down its narrowing, and the mesentery's vessels.
@@ -54,8 +54,8 @@ DemoStructure stretch(const char* name, const std::shared_ptr<const Swept>& tube
     // Circular folds show through the wall, closer together in the jejunum; slow waves pass along.
     const float folds = first ? 0.30f * std::sin(at.along * 2.0f * pi / 7.5f + std::sin(at.angle))
                               : 0.12f * std::sin(at.along * 2.0f * pi / 11.0f);
-    const float waves = 0.55f * std::sin(at.along * 2.0f * pi / 53.0f) +
-                        0.45f * std::sin(at.along * 2.0f * pi / 34.0f + 1.0f);
+    const float waves = 0.7f + 0.4f * std::sin(at.along * 2.0f * pi / 61.0f) +
+                        0.3f * std::sin(at.along * 2.0f * pi / 37.0f + 1.0f);
     const float wall = at.distance + folds + waves;
     return first ? -blendedUnion(-wall, -tube->beyond(to, p, at), 3.0f)
                  : -blendedUnion(-wall, tube->beyond(from, p, at), 3.0f);
@@ -66,7 +66,7 @@ DemoStructure stretch(const char* name, const std::shared_ptr<const Swept>& tube
                   .gamma = Gamma::clamped(3.0f),
                   .field = field,
                   .box = grown(tube->bounds(from, to), 4.0f)};
-  s.edge = 1.9f;
+  s.edge = 2.3f;
   s.rounding = 2.0f;
   return s;
 }
@@ -81,7 +81,7 @@ std::vector<DemoStructure> abdomenBowel(const std::vector<DemoStructure>& gut) {
     return d;
   };
   const std::vector<glm::vec3> line =
-      settledCoil(laidPath(), {.radius = bowelRadius + 0.4f, .keepOut = keepOut});
+      settledCoil(laidPath(), {.radius = bowelRadius + 0.3f, .keepOut = keepOut});
   std::vector<SweptPoint> points;
   for (std::size_t i = 0; i < line.size(); i += 2)
     points.push_back({line[i], bowelRadius});

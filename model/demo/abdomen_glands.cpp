@@ -32,7 +32,7 @@ DemoStructure gland(std::string name, const char* group, Colour colour, float ga
 
 DemoStructure liver() {
   DemoStructure s = gland("liver", "Digestive system", liverColour, 4.0f, liverField(), {{-150, -104, -75}, {96, 88, 122}});
-  s.edge = 2.0f;
+  s.edge = 2.5f;
   s.rounding = 4.0f;
   return s;
 }
@@ -58,7 +58,7 @@ DemoStructure gallbladder() {
     return at.distance + neck * 0.5f * std::sin(at.along * 1.25f + at.angle);
   };
   DemoStructure s = gland("gallbladder", "Biliary system", bileColour, 5.0f, field, grown(tube->bounds(), 3.0f));
-  s.edge = 1.4f;
+  s.edge = 1.7f;
   return s;
 }
 
@@ -94,7 +94,7 @@ DemoStructure bileDucts() {
   for (const auto& branch : {right, left, cystic})
     box.add(branch->bounds());
   DemoStructure s = gland("bile duct", "Biliary system", bileColour, 5.0f, field, grown(box, 3.0f));
-  s.edge = 1.0f;
+  s.edge = 1.2f;
   s.gap = 0.3f;
   return s;
 }
@@ -129,7 +129,7 @@ DemoStructure pancreas() {
   Box box = body->bounds();
   box.add(uncinate->bounds());
   DemoStructure s = gland("pancreas", "Digestive system", pancreasColour, 5.0f, field, grown(box, 4.0f));
-  s.edge = 1.5f;
+  s.edge = 1.8f;
   s.rounding = 2.0f;
   return s;
 }
@@ -165,7 +165,7 @@ DemoStructure spleen() {
     return d;
   };
   DemoStructure s = gland("spleen", "Glands and spleen", spleenColour, 4.0f, field, {{40, -20, -20}, {162, 104, 120}});
-  s.edge = 1.9f;
+  s.edge = 2.4f;
   s.rounding = 4.0f;
   return s;
 }
@@ -193,7 +193,7 @@ DemoStructure adrenal(const char* name, const glm::vec3& apex, float side, bool 
   box.add(lateral->bounds());
   box.add(crest->bounds());
   DemoStructure s = gland(name, "Glands and spleen", adrenalColour, 4.0f, field, grown(box, 3.0f));
-  s.edge = 1.1f;
+  s.edge = 1.4f;
   return s;
 }
 }  // namespace

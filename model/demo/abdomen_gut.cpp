@@ -31,21 +31,21 @@ DemoStructure organ(std::string name, Colour colour, float gamma, Field field, B
 
 DemoStructure stomach() {
   const auto body = std::make_shared<Swept>(
-      std::array<SweptPoint, 9>{{{{58, 10, 88}, 31, 1.0f},
-                                 {{65, -2, 66}, 37, 0.95f},
-                                 {{65, -26, 38}, 36, 0.90f},
-                                 {{55, -50, 10}, 33, 0.86f},
-                                 {{36, -67, -12}, 29, 0.86f},
-                                 {{12, -74, -20}, 24, 0.90f},
-                                 {{-10, -70, -14}, 18, 0.95f},
-                                 {{-25, -62, -5}, 12.5f, 1.0f},
+      std::array<SweptPoint, 9>{{{{60, 8, 80}, 31, 1.0f},
+                                 {{66, -4, 60}, 37, 0.95f},
+                                 {{66, -26, 34}, 38, 0.88f},
+                                 {{58, -50, 6}, 37, 0.80f},
+                                 {{40, -66, -17}, 32, 0.82f},
+                                 {{14, -73, -24}, 25, 0.90f},
+                                 {{-9, -69, -16}, 18, 0.95f},
+                                 {{-25, -62, -6}, 12.5f, 1.0f},
                                  {{-32, -56, 0}, 10.5f, 1.0f}}},
       glm::vec3(0, -1, 0));
-  const auto gullet = std::make_shared<Swept>(std::array<SweptPoint, 5>{{{{8, 2, 124}, 8.5f},
-                                                                         {{9, -1, 104}, 8.5f},
-                                                                         {{17, -1, 90}, 9.0f},
-                                                                         {{33, 2, 78}, 14.0f},
-                                                                         {{48, 4, 68}, 18.0f}}},
+  const auto gullet = std::make_shared<Swept>(std::array<SweptPoint, 5>{{{{17, -19, 132}, 8.5f},
+                                                                         {{17, -20, 106}, 8.5f},
+                                                                         {{22, -16, 91}, 9.0f},
+                                                                         {{35, -8, 78}, 14.0f},
+                                                                         {{48, -2, 68}, 18.0f}}},
                                               glm::vec3(0, -1, 0));
   const Field field = [body, gullet](const glm::vec3& p) {
     const SweptPlace at = body->place(p);
@@ -54,15 +54,15 @@ DemoStructure stomach() {
     const float wave = 1.3f * std::sin(towardsPylorus * 2.0f * pi / 34.0f) *
                        std::exp(towardsPylorus / 45.0f);
     const float ring = 2.0f * std::exp(-0.5f * std::pow((towardsPylorus + 2.0f) / 5.0f, 2.0f));
-    const float fundus = ellipsoid(p - glm::vec3(58, 14, 92), {37.0f, 33.0f, 32.0f});
+    const float fundus = ellipsoid(p - glm::vec3(59, 13, 83), {38.0f, 33.0f, 33.0f});
     const float d = blendedUnion(at.distance + wave - ring, fundus, 30.0f);
     return blendedUnion(d, gullet->distance(p), 9.0f);
   };
   Box box = grown(body->bounds(), 5.0f);
   box.add(gullet->bounds());
-  box.add({{26, -10, 60}, {98, 60, 126}});
+  box.add({{20, -22, 50}, {100, 50, 120}});
   DemoStructure s = organ("stomach", stomachColour, 4.0f, field, grown(box, 3.0f));
-  s.edge = 2.1f;
+  s.edge = 2.6f;
   s.rounding = 3.0f;
   return s;
 }
@@ -93,7 +93,7 @@ DemoStructure duodenum() {
                                                   0.8f * std::sin(at.angle));
   };
   DemoStructure s = organ("duodenum", bowelColour, 4.0f, field, grown(tube->bounds(), 4.0f));
-  s.edge = 1.8f;
+  s.edge = 2.2f;
   s.rounding = 2.0f;
   return s;
 }
@@ -160,7 +160,7 @@ DemoStructure colonPart(const char* name, const std::shared_ptr<const Swept>& tu
   const Box box =
       tube->bounds(stretch.from.value_or(0.0f), stretch.to.value_or(tube->length()));
   DemoStructure s = organ(name, colonColour, 3.0f, field, grown(box, 4.0f));
-  s.edge = 2.1f;
+  s.edge = 2.6f;
   s.rounding = 2.0f;
   return s;
 }

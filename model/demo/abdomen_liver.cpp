@@ -46,7 +46,7 @@ float rounded(const glm::vec3& p, const glm::vec3& semiAxes) {
 /// hollow behind where the spine and the crura stand.
 float domeField(const glm::vec3& p) {
   // Fuller below than an ellipsoid: the flank falls steeply to the inferior margin.
-  glm::vec3 r = p - glm::vec3(-66, -6, 20);
+  glm::vec3 r = p - glm::vec3(-66, -10, 20);
   r.z *= 0.80f + 0.20f * std::tanh(r.z / 30.0f);
   const float right = rounded(r, {76.0f, 84.0f, 89.0f});
   glm::vec3 l = p - glm::vec3(4, -40, 62);
@@ -64,7 +64,8 @@ float domeField(const glm::vec3& p) {
 float visceralHeight(const glm::vec2& p) {
   // The inferior margin climbs from the right flank to the left; from it the surface rises to the
   // porta and stays high behind.
-  const float margin = -58.0f + 0.54f * (p.x + 120.0f);
+  const float flank = std::max(-104.0f - p.x, 0.0f);
+  const float margin = -58.0f + 0.54f * (p.x + 120.0f) + 0.016f * flank * flank;
   float z = margin + (24.0f + 26.0f * ramp(-120.0f, -30.0f, p.x)) * ramp(-95.0f, -18.0f, p.y);
   z += 34.0f * hill(p, {-48, 46}, {26, 28});            // right kidney
   z += 12.0f * hill(p, {-104, -34}, {24, 26}, 0.5f);    // colic flexure

@@ -128,7 +128,7 @@ DemoStructure vertebra(const Level& level) {
     for (const float y : {-22.0f, 84.0f})
       for (const float z : {-34.0f, 28.0f})
         s.box.add(outOfLevel(level, {x, y, z}));
-  s.edge = 1.9f;
+  s.edge = 2.3f;
   s.gap = 0.6f;
   return s;
 }
@@ -153,7 +153,7 @@ DemoStructure disc(const Level& above, const Level& below) {
     return middle.size * blendedIntersection(wall, std::abs(q.z) - 8.0f, 5.0f);
   };
   s.box = {middle.middle - glm::vec3(30, 25, 17), middle.middle + glm::vec3(30, 25, 17)};
-  s.edge = 1.9f;
+  s.edge = 2.3f;
   s.gap = 0.4f;
   s.rounding = 1.8f;
   return s;
@@ -170,33 +170,35 @@ DemoStructure swept(std::string name, const char* group, Colour colour,
           .box = grown(shape->bounds(), 3.0f)};
 }
 
-std::array<SweptPoint, 6> mirrored(std::array<SweptPoint, 6> points, float side) {
+template <std::size_t N>
+std::array<SweptPoint, N> mirrored(std::array<SweptPoint, N> points, float side) {
   for (SweptPoint& p : points)
     p.position.x *= side;
   return points;
 }
 
 DemoStructure rib(const char* name, float side) {
-  const auto shape = std::make_shared<Swept>(mirrored({{{{23, 42, 52}, 3.6f, 1.2f},
-                                                        {{36, 57, 49}, 3.4f, 1.4f},
-                                                        {{56, 70, 40}, 3.0f, 1.9f},
-                                                        {{78, 74, 26}, 2.8f, 2.2f},
-                                                        {{96, 68, 11}, 2.6f, 2.0f},
-                                                        {{107, 58, 0}, 2.2f, 1.6f}}},
+  const auto shape = std::make_shared<Swept>(mirrored<6>({{{{23, 42, 52}, 3.6f, 1.2f},
+                                                        {{36, 60, 49}, 3.4f, 1.4f},
+                                                        {{56, 77, 40}, 3.0f, 1.9f},
+                                                        {{79, 84, 26}, 2.8f, 2.2f},
+                                                        {{98, 80, 11}, 2.6f, 2.0f},
+                                                        {{111, 70, 0}, 2.2f, 1.6f}}},
                                                       side),
                                              glm::vec3(0, 0, 1));
   DemoStructure s = swept(name, "Bones", boneColour, shape);
-  s.edge = 1.5f;
+  s.edge = 1.8f;
   return s;
 }
 
 DemoStructure psoas(const char* name, float side) {
-  const auto shape = std::make_shared<Swept>(mirrored({{{{29, 22, 18}, 6.0f, 1.2f},
+  const auto shape = std::make_shared<Swept>(mirrored<7>({{{{29, 22, 18}, 6.0f, 1.2f},
                                                         {{35, 20, -20}, 12.0f, 1.2f},
                                                         {{43, 16, -66}, 18.0f, 1.15f},
                                                         {{54, 12, -112}, 22.0f, 1.0f},
                                                         {{66, 2, -160}, 21.0f, 0.95f},
-                                                        {{76, -18, -208}, 16.0f, 0.95f}}},
+                                                        {{79, -26, -222}, 16.5f, 0.95f},
+                                                        {{83, -36, -246}, 15.0f, 0.95f}}},
                                                       side),
                                              glm::vec3(0, -1, 0));
   DemoStructure s = swept(name, "Muscles", muscleColour, shape);
@@ -206,7 +208,7 @@ DemoStructure psoas(const char* name, float side) {
     const float bundles = std::sin(7.0f * at.angle + 0.9f * std::sin(at.along / 40.0f));
     return at.distance + 0.35f * bundles * std::min(at.radius / 12.0f, 1.0f);
   };
-  s.edge = 2.2f;
+  s.edge = 2.8f;
   s.rounding = 3.0f;
   return s;
 }

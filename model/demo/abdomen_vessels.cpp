@@ -39,7 +39,7 @@ DemoStructure vessel(std::string name, const char* group, Colour colour,
                   .gamma = Gamma::clamped(5.0f),
                   .field = field,
                   .box = grown(box, 3.0f)};
-  s.edge = 1.2f;
+  s.edge = 1.4f;
   s.gap = 0.4f;
   return s;
 }
@@ -64,7 +64,8 @@ DemoStructure coarser(DemoStructure s, float edge) {
 
 std::vector<DemoStructure> abdomenArteries() {
   std::vector<DemoStructure> arteries{
-      coarser(artery("abdominal aorta", {{{{11, 6, 112}, 11.5f},
+      coarser(artery("abdominal aorta", {{{{11, 8, 134}, 11.8f},
+                                          {{11, 5, 106}, 11.5f},
                                           {{11, -1, 76}, 11.2f},
                                           {{10, -7, 38}, 10.8f},
                                           {{9, -12, 0}, 10.2f},
@@ -77,7 +78,7 @@ std::vector<DemoStructure> abdomenArteries() {
                                          {{{6, -17, -80}, 7.0f},
                                           {{7, -16, -98}, 7.4f},
                                           {{14, -14, -112}, 6.4f}}}),
-              1.7f),
+              2.1f),
       artery("coeliac trunk", {{{{10, -14, 20}, 3.6f}, {{9, -24, 21}, 3.6f}, {{8, -30, 22}, 3.4f}},
                                // left gastric
                                {{{8, -29, 22}, 2.0f},
@@ -146,19 +147,22 @@ std::vector<DemoStructure> abdomenArteries() {
                                         {at(33, -8, -150), 5.8f},
                                         {at(43, -7, -172), 5.2f},
                                         {at(53, -14, -198), 5.0f},
-                                        {at(61, -28, -224), 4.8f}},
+                                        {at(62, -30, -230), 4.8f},
+                                        {at(67, -40, -248), 4.8f}},
                                        {{at(33, -8, -150), 4.4f},
                                         {at(38, 6, -170), 4.2f},
                                         {at(38, 20, -190), 3.8f},
-                                        {at(36, 28, -208), 3.2f}}}),
-                               1.5f));
+                                        {at(35, 30, -212), 3.2f},
+                                        {at(34, 34, -240), 3.0f}}}),
+                               1.7f));
   }
   return arteries;
 }
 
 std::vector<DemoStructure> abdomenVeins() {
   std::vector<DemoStructure> veins{
-      coarser(vein("inferior vena cava", {{{{-17, -8, 116}, 12.5f},
+      coarser(vein("inferior vena cava", {{{{-14, -10, 134}, 12.5f},
+                                           {{-17, -8, 114}, 12.5f},
                                            {{-20, -6, 92}, 12.5f},
                                            {{-22, -6, 60}, 12.0f},
                                            {{-22, -9, 24}, 11.5f},
@@ -166,7 +170,7 @@ std::vector<DemoStructure> abdomenVeins() {
                                            {{-21, -14, -60}, 10.8f},
                                            {{-20, -12, -100}, 10.5f},
                                            {{-20, -8, -122}, 10.0f}}}),
-              1.7f),
+              2.2f),
       vein("right renal vein", {{{{-26, -11, -18}, 5.0f},
                                  {{-36, -2, -22}, 4.8f},
                                  {{-46, 10, -19}, 4.0f},
@@ -215,11 +219,13 @@ std::vector<DemoStructure> abdomenVeins() {
                                    {at(30, 8, -158), 6.8f},
                                    {at(41, 10, -178), 6.2f},
                                    {at(50, 2, -202), 5.8f},
-                                   {at(57, -15, -227), 5.4f}},
+                                   {at(58, -17, -230), 5.4f},
+                                   {at(63, -27, -248), 5.2f}},
                                   {{at(36, 11, -168), 5.0f},
                                    {at(38, 24, -188), 4.6f},
-                                   {at(36, 34, -206), 3.8f}}}),
-                            1.5f));
+                                   {at(35, 37, -212), 3.8f},
+                                   {at(34, 42, -240), 3.4f}}}),
+                            1.7f));
   }
   return veins;
 }

@@ -49,7 +49,7 @@ void keepSpacing(Points& points, float spacing) {
 void straighten(Points& points) {
   const Points before = points;
   for (std::size_t i = 2; i + 2 < points.size(); ++i)
-    points[i] += 0.12f * (0.5f * (before[i - 2] + before[i + 2]) - before[i]);
+    points[i] += 0.06f * (0.5f * (before[i - 2] + before[i + 2]) - before[i]);
 }
 
 void pushApart(Points& points, float apart, std::size_t alongTube) {
@@ -85,15 +85,19 @@ void giveWay(Points& points, const Field& keepOut, float clearance) {
 }  // namespace
 
 std::vector<glm::vec3> settledCoil(std::span<const glm::vec3> path, const CoilRules& rules) {
-  Points points = evenlySpaced(path, rules.spacing);
+  Points points(path.begin(), path.end());
   // Nearer along the tube than half a turn of the tightest bend, points are neighbours.
   const auto neighbours = std::size_t(std::ceil(3.1f * rules.radius / rules.spacing));
-  for (int round = 0; round < rules.rounds; ++round) {
-    straighten(points);
-    pushApart(points, 2.0f * rules.radius, neighbours);
-    if (round % 2 == 0)
-      giveWay(points, rules.keepOut, rules.radius);
-    keepSpacing(points, rules.spacing);
+  for (int stage = 0; stage < rules.stages; ++stage) {
+    points = evenlySpaced(points, rules.spacing);
+    const float growth = stage + 2 < rules.stages ? rules.growth : 1.0f;
+    for (int round = 0; round < rules.rounds; ++round) {
+      straighten(points);
+      pushApart(points, 2.0f * rules.radius, neighbours);
+      if (round % 2 == 0)
+        giveWay(points, rules.keepOut, rules.radius);
+      keepSpacing(points, growth * rules.spacing);
+    }
   }
   return points;
 }

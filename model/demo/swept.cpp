@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "model/demo/implicit.h"
 
@@ -82,6 +83,12 @@ void Swept::gatherRuns() {
     m_bounds.add(run.box);
     m_runs.push_back(run);
   }
+  for (std::size_t first = 0; first < m_runs.size(); first += runLength) {
+    Run stretch{first, std::min(first + runLength, m_runs.size()), {}};
+    for (std::size_t r = stretch.first; r < stretch.last; ++r)
+      stretch.box.add(m_runs[r].box);
+    m_stretches.push_back(stretch);
+  }
 }
 
 Box Swept::bounds(float from, float to) const {
@@ -93,7 +100,7 @@ Box Swept::bounds(float from, float to) const {
 }
 
 float Swept::alongNearest(const glm::vec3& p) const {
-  const Nearest at = nearest(p);
+  const Nearest at = nearest(p, std::numeric_limits<float>::infinity());
   return glm::mix(m_samples[at.segment].along, m_samples[at.segment + 1].along, at.t);
 }
 
@@ -109,22 +116,27 @@ float Swept::beyond(float along, const glm::vec3& p, const SweptPlace& at) const
   return glm::dot(p - a.position, tangent) - (along - a.along);
 }
 
-Swept::Nearest Swept::nearest(const glm::vec3& p) const {
+void Swept::searchRun(const Run& run, const glm::vec3& p, Nearest& best) const {
+  for (std::size_t i = run.first; i < run.last; ++i) {
+    const Sample& a = m_samples[i];
+    const Sample& b = m_samples[i + 1];
+    const glm::vec3 axis = b.position - a.position;
+    const float t = std::clamp(glm::dot(p - a.position, axis) / glm::dot(axis, axis), 0.0f, 1.0f);
+    const float d =
+        glm::length(p - a.position - t * axis) - (a.radius + t * (b.radius - a.radius));
+    if (d < best.distance)
+      best = {i, t, d};
+  }
+}
+
+Swept::Nearest Swept::nearest(const glm::vec3& p, float reach) const {
   Nearest best{.distance = std::numeric_limits<float>::infinity()};
-  for (const Run& run : m_runs) {
-    if (distanceToBox(run.box, p) > std::max(best.distance, 0.0f))
+  for (const Run& stretch : m_stretches) {
+    if (distanceToBox(stretch.box, p) > std::min(std::max(best.distance, 0.0f), reach))
       continue;
-    for (std::size_t i = run.first; i < run.last; ++i) {
-      const Sample& a = m_samples[i];
-      const Sample& b = m_samples[i + 1];
-      const glm::vec3 axis = b.position - a.position;
-      const float t =
-          std::clamp(glm::dot(p - a.position, axis) / glm::dot(axis, axis), 0.0f, 1.0f);
-      const float d =
-          glm::length(p - a.position - t * axis) - (a.radius + t * (b.radius - a.radius));
-      if (d < best.distance)
-        best = {i, t, d};
-    }
+    for (std::size_t r = stretch.first; r < stretch.last; ++r)
+      if (distanceToBox(m_runs[r].box, p) <= std::min(std::max(best.distance, 0.0f), reach))
+        searchRun(m_runs[r], p, best);
   }
   return best;
 }
@@ -133,7 +145,9 @@ SweptPlace Swept::place(const glm::vec3& p) const {
   const float toBox = distanceToBox(m_bounds, p);
   if (toBox > farAway)
     return {.distance = toBox};
-  const Nearest at = nearest(p);
+  const Nearest at = nearest(p, farAway);
+  if (std::isinf(at.distance))
+    return {.distance = farAway};
   const Sample& a = m_samples[at.segment];
   const Sample& b = m_samples[at.segment + 1];
   const glm::vec3 tangent = direction(a.position, b.position);

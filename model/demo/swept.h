@@ -56,7 +56,7 @@ class Swept {
     float widths;
     glm::vec3 front;
   };
-  /// A run of segments and the box that holds its walls.
+  /// Some segments (or runs of them) in a row and the box that holds their walls.
   struct Run {
     std::size_t first, last;
     Box box;
@@ -68,10 +68,13 @@ class Swept {
   };
   void carryFrames(const glm::vec3& front);
   void gatherRuns();
-  Nearest nearest(const glm::vec3& p) const;
+  void searchRun(const Run& run, const glm::vec3& p, Nearest& best) const;
+  /// Infinitely far where nothing lies within `reach`.
+  Nearest nearest(const glm::vec3& p, float reach) const;
 
   std::vector<Sample> m_samples;
   std::vector<Run> m_runs;
+  std::vector<Run> m_stretches;  ///< runs of runs
   Box m_bounds;
 };
 
