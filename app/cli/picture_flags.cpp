@@ -123,6 +123,10 @@ Result<PictureOrder> understood(const PictureFlags& flags) {
   if (!background.ok())
     return background.error();
   order.background = *background;
+  const Result<render::HatchingMethod> hatching = parseHatching(flags.hatching);
+  if (!hatching.ok())
+    return hatching.error();
+  order.hatching = *hatching;
   if (!flags.fill.empty()) {
     const Result<model::Fill> fill = parseFill(flags.fill);
     if (!fill.ok())
@@ -194,9 +198,11 @@ Status drawToFile(const model::Scene& scene, const model::Camera& camera, const 
   progress.show(0.0, "preparing surfaces");
   (*picture)->prepare(scene);
   progress.show(0.5, "drawing");
-  const Result<render::Image> image = (*picture)->render(
-      scene, camera,
-      {.width = order.size.width, .height = order.size.height, .background = order.background});
+  const Result<render::Image> image = (*picture)->render(scene, camera,
+                                                         {.width = order.size.width,
+                                                          .height = order.size.height,
+                                                          .background = order.background,
+                                                          .hatching = order.hatching});
   if (!image.ok())
     return image.error();
   progress.show(0.9, "writing " + order.output);

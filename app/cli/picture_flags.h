@@ -22,6 +22,7 @@ struct PictureFlags {
   std::string cameraFile;
   std::string fill;
   std::string background = "white";
+  std::string hatching = "strokes";
   std::vector<std::string> gammas;
   std::vector<std::string> colours;
   std::vector<std::string> only;
@@ -39,6 +40,7 @@ struct PictureOrder {
   std::string output;
   Size size;
   render::Background background = render::Background::white;
+  render::HatchingMethod hatching = render::HatchingMethod::strokes;
   std::optional<model::Camera> camera;  ///< from a file; else `view`
   std::string view;
   std::optional<model::Fill> fill;

@@ -51,6 +51,12 @@ inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
   command.add_option("--background", flags.background, "What lies behind the drawing")
       ->type_name("white|paper|dark|transparent")
       ->capture_default_str();
+  command
+      .add_option("--hatching", flags.hatching,
+                  "strokes that follow the form, or the grey hatching that Sline's paper prints, "
+                  "to compare with")
+      ->type_name("strokes|as-printed")
+      ->capture_default_str();
 }
 
 }  // namespace sline::cli

@@ -27,6 +27,9 @@ constexpr float wideStep = 2.5f;
 // line, to strokes of at most that many.
 constexpr float simplification = 0.12f;
 constexpr float longestStroke = 16.0f;
+// Likewise for hatching, in λ and in points.
+constexpr float chordError = 0.12f;
+constexpr std::size_t longestChord = 8;
 
 struct Pen {
   float width;    ///< px
@@ -67,7 +70,7 @@ class StrokeMaker {
 
   void contour(const Segment& s, float width, float opacity) {
     passes::InkSegment stroke;
-    if (!place(s, stroke))
+    if (!place(s.a, s.b, stroke))
       return;
     stroke.outwardA = m_view.projectedDirection(s.a, s.normalA);
     stroke.outwardB = m_view.projectedDirection(s.b, s.normalB);
@@ -78,7 +81,7 @@ class StrokeMaker {
 
   void surfaceLine(const Segment& s, float width, float opacity) {
     passes::InkSegment stroke;
-    if (!place(s, stroke))
+    if (!place(s.a, s.b, stroke))
       return;
     stroke.tolerance = 0.1f * m_surface.meanEdge + 1e-4f * m_surface.featureSize +
                        1.5f * m_view.millimetresPerPixel(s.a) *
@@ -89,10 +92,63 @@ class StrokeMaker {
     finish(stroke, pen(s.opacityA), pen(s.opacityB));
   }
 
+  /// A stroke of hatching as few capsules as its curve allows.
+  void hatching(std::span<const HatchPoint> points, float width, float opacity) {
+    const float unit = m_view.outputUnit();
+    for (std::size_t from = 0; from + 1 < points.size();) {
+      const std::size_t to = farthestChord(points, from);
+      passes::InkSegment stroke;
+      const HatchPoint& a = points[from];
+      const HatchPoint& b = points[to];
+      if (place(a.position, b.position, stroke)) {
+        stroke.tolerance = surfaceTolerance(a, b);
+        finish(stroke, devicePen(2.0f * a.halfWidth * unit * width, opacity),
+               devicePen(2.0f * b.halfWidth * unit * width, opacity));
+      }
+      from = to;
+    }
+    if (points.size() == 1) {
+      passes::InkSegment dot;
+      const HatchPoint& at = points.front();
+      if (place(at.position, at.position, dot)) {
+        dot.tolerance = surfaceTolerance(at, at);
+        const Pen pen = devicePen(2.0f * at.halfWidth * unit * width, opacity);
+        finish(dot, pen, pen);
+      }
+    }
+  }
+
  private:
-  bool place(const Segment& s, passes::InkSegment& stroke) const {
-    const PictureView::Point a = m_view.project(s.a);
-    const PictureView::Point b = m_view.project(s.b);
+  float surfaceTolerance(const HatchPoint& a, const HatchPoint& b) const {
+    return 0.1f * m_surface.meanEdge + 1e-4f * m_surface.featureSize +
+           1.5f * m_view.millimetresPerPixel(a.position) *
+               std::max(slope(a.position, a.normal), slope(b.position, b.normal));
+  }
+
+  /// The last point to which one capsule from `from` stays true to the stroke's course and width.
+  std::size_t farthestChord(std::span<const HatchPoint> points, std::size_t from) const {
+    const float unit = m_view.outputUnit();
+    const glm::vec2 start = m_view.project(points[from].position).pixel / unit;
+    std::size_t to = from + 1;
+    for (std::size_t end = from + 2; end < points.size() && end - from <= longestChord; ++end) {
+      const glm::vec2 chord = m_view.project(points[end].position).pixel / unit - start;
+      const float length2 = std::max(glm::dot(chord, chord), 1e-12f);
+      for (std::size_t i = from + 1; i < end; ++i) {
+        const glm::vec2 d = m_view.project(points[i].position).pixel / unit - start;
+        const float t = std::clamp(glm::dot(d, chord) / length2, 0.0f, 1.0f);
+        const float width = glm::mix(points[from].halfWidth, points[end].halfWidth, t);
+        if (glm::length(d - t * chord) > chordError ||
+            std::abs(points[i].halfWidth - width) > chordError)
+          return to;
+      }
+      to = end;
+    }
+    return to;
+  }
+
+  bool place(const glm::vec3& from, const glm::vec3& to, passes::InkSegment& stroke) const {
+    const PictureView::Point a = m_view.project(from);
+    const PictureView::Point b = m_view.project(to);
     if (a.w <= 0.0f || b.w <= 0.0f || a.depth < 0.0f || b.depth < 0.0f)
       return false;
     stroke.a = a.pixel;
@@ -131,6 +187,10 @@ bool showsLines(const model::ResolvedStyle& style) {
   return transitions(style.gamma).lines > 0.0f && style.penWeight > 0.0f;
 }
 
+bool showsHatching(const model::ResolvedStyle& style) {
+  return showsLines(style) && transitions(style.gamma).hatching > 0.0f;
+}
+
 bool showsEdges(const model::ResolvedStyle& style) {
   return transitions(style.gamma).complete > 0.0f && style.opacity.value() > 0.0f;
 }
@@ -149,6 +209,14 @@ LineSet styledLines(const model::Surface& surface, const PictureView& view,
        .suggestive = showsLines(style) && transitions(style.gamma).suggestive > 0.0f,
        .thresholds = suggestiveThresholds(style.gamma),
        .twoSided = needsTwoSides(surface, view.camera())});
+}
+
+Hatching styledHatching(const model::Surface& surface, const model::FaceNeighbours& neighbours,
+                        const PictureView& view, const model::ResolvedStyle& style) {
+  return extractHatching(surface, neighbours, view.camera(),
+                         {.entered = transitions(style.gamma).hatching,
+                          .aspect = view.size().x / view.size().y,
+                          .twoSided = needsTwoSides(surface, view.camera())});
 }
 
 void joinLines(const model::Surface& surface, const PictureView& view, LineSet& lines) {
@@ -184,9 +252,10 @@ ContourProbes contourProbes(const model::Surface& surface, const PictureView& vi
 }
 
 std::vector<passes::InkSegment> strokes(const model::Surface& surface, const PictureView& view,
-                                        const model::ResolvedStyle& style, const LineSet& lines,
-                                        const gpu::Rect& area) {
+                                        const model::ResolvedStyle& style,
+                                        const StructureLines& drawn, const gpu::Rect& area) {
   StrokeMaker maker(surface, view, area);
+  const LineSet& lines = drawn.lines;
   const Transitions t = transitions(style.gamma);
   const float width = penWidth(surface, view, style.penWeight) * t.lines;
   for (const Segment& s : lines.contours)
@@ -194,6 +263,8 @@ std::vector<passes::InkSegment> strokes(const model::Surface& surface, const Pic
   const float entered = std::sqrt(t.suggestive);
   for (const Segment& s : lines.suggestive)
     maker.surfaceLine(s, width * entered, t.lines * entered);
+  for (const HatchStroke& s : drawn.hatching.strokes)
+    maker.hatching(std::span(drawn.hatching.points).subspan(s.first, s.count), t.lines, t.lines);
   return maker.take();
 }
 
