@@ -7,16 +7,13 @@
 
 namespace sline::cli {
 
-/// Declares the flags of `PictureFlags` on a sub-command.
-inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
+inline constexpr const char* pictureHelp = "The picture: png, tiff, exr or jpg by its extension";
+
+/// Declares the flags of `PictureFlags` on a sub-command but for where the picture goes.
+inline void addDrawingOptions(CLI::App& command, PictureFlags& flags) {
   const auto many = [](CLI::Option* option) {
     return option->take_all()->type_size(1)->expected(1, CLI::detail::expected_max_vector_size);
   };
-  command
-      .add_option("-o,--output", flags.output,
-                  "The picture: png, tiff, exr or jpg by its extension")
-      ->required()
-      ->type_name("FILE");
   command.add_option("--size", flags.size, "Width and height in pixels, 16 to 20000 each")
       ->type_name("WxH")
       ->capture_default_str();
@@ -57,6 +54,12 @@ inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
                   "to compare with")
       ->type_name("strokes|as-printed")
       ->capture_default_str();
+}
+
+/// The same with the file, which is needed.
+inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
+  command.add_option("-o,--output", flags.output, pictureHelp)->required()->type_name("FILE");
+  addDrawingOptions(command, flags);
 }
 
 }  // namespace sline::cli

@@ -18,9 +18,16 @@ namespace sline::model {
 namespace {
 constexpr float femaleSize = 0.93f;
 
-constexpr std::array<std::string_view, 10> groupOrder{
-    "Digestive system", "Biliary system", "Urinary system",      "Glands and spleen", "Arteries",
-    "Veins",            "Portal system",  "Discs and cartilage", "Bones",             "Muscles"};
+constexpr std::array<std::string_view, 10> groupOrder{"Digestive system",
+                                                      "Biliary system",
+                                                      "Urinary system",
+                                                      "Glands and spleen",
+                                                      "Arteries",
+                                                      "Veins",
+                                                      "Portal system",
+                                                      "Discs and cartilage",
+                                                      "Bones",
+                                                      "Muscles"};
 
 std::size_t placeOf(const DemoStructure& s) {
   const auto at = std::find(groupOrder.begin(), groupOrder.end(), s.groups.front());
@@ -117,14 +124,14 @@ std::vector<DemoStructure> abdomenStructures(Sex sex) {
 Scene abdomenDemo(Sex sex) {
   Scene scene = demoScene(abdomenStructures(sex));
   const float size = sex == Sex::female ? femaleSize : 1.0f;
-  scene.setViews({viewFrom("Overview", size * glm::vec3(0, -10, -58), {0.10f, -1.0f, 0.06f},
-                           size * 400.0f),
-                  viewFrom("Behind the stomach", size * glm::vec3(10, 0, 10),
-                           {0.18f, -1.0f, -0.10f}, size * 240.0f),
-                  viewFrom("Posterior abdominal wall", size * glm::vec3(0, 10, -60),
-                           {0.0f, 1.0f, 0.05f}, size * 400.0f),
-                  viewFrom("Visceral surface of the liver", size * glm::vec3(-38, -10, 25),
-                           {0.25f, 0.45f, -1.0f}, size * 230.0f)});
+  scene.setViews(
+      {viewFrom("Overview", size * glm::vec3(0, -10, -58), {0.10f, -1.0f, 0.06f}, size * 400.0f),
+       viewFrom("Behind the stomach", size * glm::vec3(10, 0, 10), {0.18f, -1.0f, -0.10f},
+                size * 240.0f),
+       viewFrom("Posterior abdominal wall", size * glm::vec3(0, 10, -60), {0.0f, 1.0f, 0.05f},
+                size * 400.0f),
+       viewFrom("Visceral surface of the liver", size * glm::vec3(-38, -10, 25),
+                {0.25f, 0.45f, -1.0f}, size * 230.0f)});
   return scene;
 }
 

@@ -21,7 +21,8 @@ constexpr Colour pancreasColour{216, 180, 94};
 constexpr Colour spleenColour{125, 74, 115};
 constexpr Colour adrenalColour{224, 176, 60};
 
-DemoStructure gland(std::string name, const char* group, Colour colour, float gamma, Field field, Box box) {
+DemoStructure gland(std::string name, const char* group, Colour colour, float gamma, Field field,
+                    Box box) {
   return {.name = std::move(name),
           .groups = {group},
           .colour = colour,
@@ -31,7 +32,8 @@ DemoStructure gland(std::string name, const char* group, Colour colour, float ga
 }
 
 DemoStructure liver() {
-  DemoStructure s = gland("liver", "Digestive system", liverColour, 4.0f, liverField(), {{-150, -104, -75}, {96, 88, 122}});
+  DemoStructure s = gland("liver", "Digestive system", liverColour, 4.0f, liverField(),
+                          {{-150, -104, -75}, {96, 88, 122}});
   s.edge = 2.5f;
   s.rounding = 4.0f;
   return s;
@@ -57,7 +59,8 @@ DemoStructure gallbladder() {
     const float neck = std::clamp((at.along - 58.0f) / 10.0f, 0.0f, 1.0f);
     return at.distance + neck * 0.5f * std::sin(at.along * 1.25f + at.angle);
   };
-  DemoStructure s = gland("gallbladder", "Biliary system", bileColour, 5.0f, field, grown(tube->bounds(), 3.0f));
+  DemoStructure s =
+      gland("gallbladder", "Biliary system", bileColour, 5.0f, field, grown(tube->bounds(), 3.0f));
   s.edge = 1.7f;
   return s;
 }
@@ -72,19 +75,18 @@ DemoStructure bileDucts() {
                                                                          {{-45, -12, -31}, 3.0f},
                                                                          {{-50, -11, -36}, 2.6f}}},
                                               glm::vec3(0, -1, 0));
-  const auto right = std::make_shared<Swept>(std::array<SweptPoint, 3>{{{{-35, -26, 34}, 2.4f},
-                                                                        {{-44, -26, 42}, 2.3f},
-                                                                        {{-56, -24, 47}, 1.9f}}},
-                                             glm::vec3(0, -1, 0));
-  const auto left = std::make_shared<Swept>(std::array<SweptPoint, 3>{{{{-34, -26, 34}, 2.4f},
-                                                                       {{-27, -28, 43}, 2.3f},
-                                                                       {{-14, -31, 50}, 1.9f}}},
-                                            glm::vec3(0, -1, 0));
-  const auto cystic = std::make_shared<Swept>(std::array<SweptPoint, 3>{
-                                                  {{{-38, -28, 21}, 2.2f},
-                                                   {{-36, -26.5f, 17}, 2.2f},
-                                                   {{-34.5f, -25.5f, 10}, 2.6f}}},
-                                              glm::vec3(0, -1, 0));
+  const auto right = std::make_shared<Swept>(
+      std::array<SweptPoint, 3>{
+          {{{-35, -26, 34}, 2.4f}, {{-44, -26, 42}, 2.3f}, {{-56, -24, 47}, 1.9f}}},
+      glm::vec3(0, -1, 0));
+  const auto left = std::make_shared<Swept>(
+      std::array<SweptPoint, 3>{
+          {{{-34, -26, 34}, 2.4f}, {{-27, -28, 43}, 2.3f}, {{-14, -31, 50}, 1.9f}}},
+      glm::vec3(0, -1, 0));
+  const auto cystic = std::make_shared<Swept>(
+      std::array<SweptPoint, 3>{
+          {{{-38, -28, 21}, 2.2f}, {{-36, -26.5f, 17}, 2.2f}, {{-34.5f, -25.5f, 10}, 2.6f}}},
+      glm::vec3(0, -1, 0));
   const Field field = [=](const glm::vec3& p) {
     float d = blendedUnion(common->distance(p), right->distance(p), 2.5f);
     d = blendedUnion(d, left->distance(p), 2.5f);
@@ -108,27 +110,30 @@ float lobules(const glm::vec3& p) {
 }
 
 DemoStructure pancreas() {
-  const auto body = std::make_shared<Swept>(std::array<SweptPoint, 9>{{{{-35, -27, -40}, 15, 0.80f},
-                                                                       {{-34, -29, -22}, 17, 0.75f},
-                                                                       {{-25, -37, -9}, 14, 0.75f},
-                                                                       {{-7, -47, -2}, 9.5f, 0.80f},
-                                                                       {{12, -45, 4}, 11, 0.75f},
-                                                                       {{34, -25, 10}, 12.5f, 0.70f},
-                                                                       {{58, -3, 17}, 12, 0.70f},
-                                                                       {{80, 12, 26}, 10.5f, 0.75f},
-                                                                       {{97, 20, 34}, 7.5f, 0.85f}}},
-                                            glm::vec3(0, -1, 0));
-  const auto uncinate = std::make_shared<Swept>(
-      std::array<SweptPoint, 3>{
-          {{{-33, -26, -44}, 12, 0.8f}, {{-20, -26, -49}, 9.5f, 0.8f}, {{-7, -28, -50}, 5.5f, 0.8f}}},
-      glm::vec3(0, -1, 0));
+  const auto body =
+      std::make_shared<Swept>(std::array<SweptPoint, 9>{{{{-35, -27, -40}, 15, 0.80f},
+                                                         {{-34, -29, -22}, 17, 0.75f},
+                                                         {{-25, -37, -9}, 14, 0.75f},
+                                                         {{-7, -47, -2}, 9.5f, 0.80f},
+                                                         {{12, -45, 4}, 11, 0.75f},
+                                                         {{34, -25, 10}, 12.5f, 0.70f},
+                                                         {{58, -3, 17}, 12, 0.70f},
+                                                         {{80, 12, 26}, 10.5f, 0.75f},
+                                                         {{97, 20, 34}, 7.5f, 0.85f}}},
+                              glm::vec3(0, -1, 0));
+  const auto uncinate =
+      std::make_shared<Swept>(std::array<SweptPoint, 3>{{{{-33, -26, -44}, 12, 0.8f},
+                                                         {{-20, -26, -49}, 9.5f, 0.8f},
+                                                         {{-7, -28, -50}, 5.5f, 0.8f}}},
+                              glm::vec3(0, -1, 0));
   const Field field = [=](const glm::vec3& p) {
     const float d = blendedUnion(body->distance(p), uncinate->distance(p), 8.0f);
     return d > 6.0f ? d - 2.0f : d + 0.40f * lobules(p);
   };
   Box box = body->bounds();
   box.add(uncinate->bounds());
-  DemoStructure s = gland("pancreas", "Digestive system", pancreasColour, 5.0f, field, grown(box, 4.0f));
+  DemoStructure s =
+      gland("pancreas", "Digestive system", pancreasColour, 5.0f, field, grown(box, 4.0f));
   s.edge = 1.8f;
   s.rounding = 2.0f;
   return s;
@@ -164,7 +169,8 @@ DemoStructure spleen() {
     }
     return d;
   };
-  DemoStructure s = gland("spleen", "Glands and spleen", spleenColour, 4.0f, field, {{40, -20, -20}, {162, 104, 120}});
+  DemoStructure s = gland("spleen", "Glands and spleen", spleenColour, 4.0f, field,
+                          {{40, -20, -20}, {162, 104, 120}});
   s.edge = 2.4f;
   s.rounding = 4.0f;
   return s;
@@ -199,8 +205,7 @@ DemoStructure adrenal(const char* name, const glm::vec3& apex, float side, bool 
 }  // namespace
 
 std::vector<DemoStructure> abdomenGlands() {
-  return {gallbladder(), bileDucts(),
-          adrenal("right adrenal gland", {-42, 28, 46}, -1.0f, false),
+  return {gallbladder(), bileDucts(), adrenal("right adrenal gland", {-42, 28, 46}, -1.0f, false),
           adrenal("left adrenal gland", {40, 24, 60}, 1.0f, true), pancreas()};
 }
 

@@ -30,17 +30,17 @@ DemoStructure organ(std::string name, Colour colour, float gamma, Field field, B
 }
 
 DemoStructure stomach() {
-  const auto body = std::make_shared<Swept>(
-      std::array<SweptPoint, 9>{{{{60, 8, 80}, 31, 1.0f},
-                                 {{66, -4, 60}, 37, 0.95f},
-                                 {{66, -26, 34}, 38, 0.88f},
-                                 {{58, -50, 6}, 37, 0.80f},
-                                 {{40, -66, -17}, 32, 0.82f},
-                                 {{14, -73, -24}, 25, 0.90f},
-                                 {{-9, -69, -16}, 18, 0.95f},
-                                 {{-25, -62, -6}, 12.5f, 1.0f},
-                                 {{-32, -56, 0}, 10.5f, 1.0f}}},
-      glm::vec3(0, -1, 0));
+  const auto body =
+      std::make_shared<Swept>(std::array<SweptPoint, 9>{{{{60, 8, 80}, 31, 1.0f},
+                                                         {{66, -4, 60}, 37, 0.95f},
+                                                         {{66, -26, 34}, 38, 0.88f},
+                                                         {{58, -50, 6}, 37, 0.80f},
+                                                         {{40, -66, -17}, 32, 0.82f},
+                                                         {{14, -73, -24}, 25, 0.90f},
+                                                         {{-9, -69, -16}, 18, 0.95f},
+                                                         {{-25, -62, -6}, 12.5f, 1.0f},
+                                                         {{-32, -56, 0}, 10.5f, 1.0f}}},
+                              glm::vec3(0, -1, 0));
   const auto gullet = std::make_shared<Swept>(std::array<SweptPoint, 5>{{{{17, -19, 132}, 8.5f},
                                                                          {{17, -20, 106}, 8.5f},
                                                                          {{22, -16, 91}, 9.0f},
@@ -51,8 +51,8 @@ DemoStructure stomach() {
     const SweptPlace at = body->place(p);
     // Peristalsis narrows the antrum; the pylorus is a ring of muscle.
     const float towardsPylorus = at.along - body->length();
-    const float wave = 1.3f * std::sin(towardsPylorus * 2.0f * pi / 34.0f) *
-                       std::exp(towardsPylorus / 45.0f);
+    const float wave =
+        1.3f * std::sin(towardsPylorus * 2.0f * pi / 34.0f) * std::exp(towardsPylorus / 45.0f);
     const float ring = 2.0f * std::exp(-0.5f * std::pow((towardsPylorus + 2.0f) / 5.0f, 2.0f));
     const float fundus = ellipsoid(p - glm::vec3(59, 13, 83), {38.0f, 33.0f, 33.0f});
     const float d = blendedUnion(at.distance + wave - ring, fundus, 30.0f);
@@ -68,29 +68,28 @@ DemoStructure stomach() {
 }
 
 DemoStructure duodenum() {
-  const auto tube = std::make_shared<Swept>(
-      std::array<SweptPoint, 15>{{{{-34, -54, 2}, 11},
-                                  {{-44, -45, 7}, 15},
-                                  {{-55, -28, 8}, 14},
-                                  {{-60, -16, -2}, 13.5f},
-                                  {{-61, -10, -20}, 13.5f},
-                                  {{-59, -9, -40}, 13.5f},
-                                  {{-53, -16, -58}, 14},
-                                  {{-40, -26, -69}, 13.5f},
-                                  {{-20, -36, -72}, 13},
-                                  {{0, -40, -71}, 12.5f},
-                                  {{19, -36, -64}, 12.5f},
-                                  {{29, -29, -48}, 12.5f},
-                                  {{32, -28, -32}, 12.5f},
-                                  {{38, -35, -22}, 12.5f},
-                                  {{46, -44, -28}, 11.0f}}},
-      glm::vec3(0, -1, 0));
+  const auto tube = std::make_shared<Swept>(std::array<SweptPoint, 15>{{{{-34, -54, 2}, 11},
+                                                                        {{-44, -45, 7}, 15},
+                                                                        {{-55, -28, 8}, 14},
+                                                                        {{-60, -16, -2}, 13.5f},
+                                                                        {{-61, -10, -20}, 13.5f},
+                                                                        {{-59, -9, -40}, 13.5f},
+                                                                        {{-53, -16, -58}, 14},
+                                                                        {{-40, -26, -69}, 13.5f},
+                                                                        {{-20, -36, -72}, 13},
+                                                                        {{0, -40, -71}, 12.5f},
+                                                                        {{19, -36, -64}, 12.5f},
+                                                                        {{29, -29, -48}, 12.5f},
+                                                                        {{32, -28, -32}, 12.5f},
+                                                                        {{38, -35, -22}, 12.5f},
+                                                                        {{46, -44, -28}, 11.0f}}},
+                                            glm::vec3(0, -1, 0));
   const Field field = [tube](const glm::vec3& p) {
     const SweptPlace at = tube->place(p);
     // The superior part is smooth; further on the circular folds show faintly through the wall.
     const float folds = std::min(std::max((at.along - 30.0f) / 30.0f, 0.0f), 1.0f);
-    return at.distance + folds * 0.55f * std::sin(at.along * 2.0f * pi / 9.0f +
-                                                  0.8f * std::sin(at.angle));
+    return at.distance +
+           folds * 0.55f * std::sin(at.along * 2.0f * pi / 9.0f + 0.8f * std::sin(at.angle));
   };
   DemoStructure s = organ("duodenum", bowelColour, 4.0f, field, grown(tube->bounds(), 4.0f));
   s.edge = 2.2f;
@@ -106,8 +105,8 @@ float haustrated(const SweptPlace& at) {
   const float band = across * across;
   const float sac = std::sqrt(band + 0.01f);
   // Folds are a little longer here, shorter there, and staggered between the bands.
-  const float phase = 2.75f * at.widths + 0.5f * std::sin(0.83f * at.widths) +
-                      0.9f * std::sin(at.angle + 0.6f);
+  const float phase =
+      2.75f * at.widths + 0.5f * std::sin(0.83f * at.widths) + 0.9f * std::sin(at.angle + 0.6f);
   const float wave = std::sin(phase);
   const float swell = std::sqrt(std::sqrt(wave * wave + 0.004f));
   const float end = std::clamp(1.3f * at.widths, 0.0f, 1.0f);
@@ -157,8 +156,7 @@ DemoStructure colonPart(const char* name, const std::shared_ptr<const Swept>& tu
     const SweptPlace at = tube->place(p);
     return within(*tube, stretch, p, at, haustrated(at));
   };
-  const Box box =
-      tube->bounds(stretch.from.value_or(0.0f), stretch.to.value_or(tube->length()));
+  const Box box = tube->bounds(stretch.from.value_or(0.0f), stretch.to.value_or(tube->length()));
   DemoStructure s = organ(name, colonColour, 3.0f, field, grown(box, 4.0f));
   s.edge = 2.6f;
   s.rounding = 2.0f;

@@ -71,21 +71,23 @@ struct Arch {
                                            {{13.5f, 19, 4.5f}, 4.8f, 1.5f},
                                            {{15, 27, 3}, 5.4f, 1.4f}}},
                 {0, 0, 1}),
-        lamina(std::array<SweptPoint, 3>{{{{15, 27, 2}, 4.6f, 1.7f},
-                                          {{9, 36, -2}, 4.0f, 2.3f},
-                                          {{0, 42, -4}, 3.8f, 2.1f}}},
-               {0, 0, 1}),
-        transverse(std::array<SweptPoint, 3>{
-                       {{{14, 26, 4}, 5.0f, 1.2f},
-                        {{18.0f + 0.5f * transverseLength, 29, 4}, 3.6f, 1.5f},
-                        {{16.0f + transverseLength, 33, 5}, 3.2f, 1.7f}}},
-                   {0, 0, 1}),
-        superior(std::array<SweptPoint, 3>{
-                     {{{15, 27, 2}, 5.4f}, {{17.5f, 28, 11}, 5.6f}, {{18, 30, 18}, 5.0f}}},
-                 {0, 1, 0}),
-        inferior(std::array<SweptPoint, 3>{
-                     {{{11, 34, -2}, 5.0f}, {{12, 36, -13}, 5.4f}, {{12.5f, 36, -21}, 5.0f}}},
-                 {0, 1, 0}),
+        lamina(
+            std::array<SweptPoint, 3>{
+                {{{15, 27, 2}, 4.6f, 1.7f}, {{9, 36, -2}, 4.0f, 2.3f}, {{0, 42, -4}, 3.8f, 2.1f}}},
+            {0, 0, 1}),
+        transverse(
+            std::array<SweptPoint, 3>{{{{14, 26, 4}, 5.0f, 1.2f},
+                                       {{18.0f + 0.5f * transverseLength, 29, 4}, 3.6f, 1.5f},
+                                       {{16.0f + transverseLength, 33, 5}, 3.2f, 1.7f}}},
+            {0, 0, 1}),
+        superior(
+            std::array<SweptPoint, 3>{
+                {{{15, 27, 2}, 5.4f}, {{17.5f, 28, 11}, 5.6f}, {{18, 30, 18}, 5.0f}}},
+            {0, 1, 0}),
+        inferior(
+            std::array<SweptPoint, 3>{
+                {{{11, 34, -2}, 5.0f}, {{12, 36, -13}, 5.4f}, {{12.5f, 36, -21}, 5.0f}}},
+            {0, 1, 0}),
         spinous(std::array<SweptPoint, 4>{{{{0, 40, -4}, 3.6f, 2.2f},
                                            {{0, 52, -7}, 3.0f, 3.1f},
                                            {{0, 64, -9}, 3.2f, 3.2f},
@@ -179,12 +181,12 @@ std::array<SweptPoint, N> mirrored(std::array<SweptPoint, N> points, float side)
 
 DemoStructure rib(const char* name, float side) {
   const auto shape = std::make_shared<Swept>(mirrored<6>({{{{23, 42, 52}, 3.6f, 1.2f},
-                                                        {{36, 60, 49}, 3.4f, 1.4f},
-                                                        {{56, 77, 40}, 3.0f, 1.9f},
-                                                        {{79, 84, 26}, 2.8f, 2.2f},
-                                                        {{98, 80, 11}, 2.6f, 2.0f},
-                                                        {{111, 70, 0}, 2.2f, 1.6f}}},
-                                                      side),
+                                                           {{36, 60, 49}, 3.4f, 1.4f},
+                                                           {{56, 77, 40}, 3.0f, 1.9f},
+                                                           {{79, 84, 26}, 2.8f, 2.2f},
+                                                           {{98, 80, 11}, 2.6f, 2.0f},
+                                                           {{111, 70, 0}, 2.2f, 1.6f}}},
+                                                         side),
                                              glm::vec3(0, 0, 1));
   DemoStructure s = swept(name, "Bones", boneColour, shape);
   s.edge = 1.8f;
@@ -193,13 +195,13 @@ DemoStructure rib(const char* name, float side) {
 
 DemoStructure psoas(const char* name, float side) {
   const auto shape = std::make_shared<Swept>(mirrored<7>({{{{29, 22, 18}, 6.0f, 1.2f},
-                                                        {{35, 20, -20}, 12.0f, 1.2f},
-                                                        {{43, 16, -66}, 18.0f, 1.15f},
-                                                        {{54, 12, -112}, 22.0f, 1.0f},
-                                                        {{66, 2, -160}, 21.0f, 0.95f},
-                                                        {{79, -26, -222}, 16.5f, 0.95f},
-                                                        {{83, -36, -246}, 15.0f, 0.95f}}},
-                                                      side),
+                                                           {{35, 20, -20}, 12.0f, 1.2f},
+                                                           {{43, 16, -66}, 18.0f, 1.15f},
+                                                           {{54, 12, -112}, 22.0f, 1.0f},
+                                                           {{66, 2, -160}, 21.0f, 0.95f},
+                                                           {{79, -26, -222}, 16.5f, 0.95f},
+                                                           {{83, -36, -246}, 15.0f, 0.95f}}},
+                                                         side),
                                              glm::vec3(0, -1, 0));
   DemoStructure s = swept(name, "Muscles", muscleColour, shape);
   s.field = [shape](const glm::vec3& p) {

@@ -40,24 +40,23 @@ DemoStructure kidney(const char* name, float side, const glm::vec3& middle) {
 }
 
 DemoStructure ureter(const char* name, float side, float drop) {
-  const auto place = [=](float x, float y, float z) {
-    return glm::vec3(side * x, y, z + drop);
-  };
-  const auto tube = std::make_shared<Swept>(std::array<SweptPoint, 10>{{{place(57, 33, 12), 2.6f},
-                                                                       {place(46, 31, 3), 5.0f},
-                                                                       {place(38, 26, -10), 4.2f},
-                                                                       {place(36, 11, -30), 2.5f},
-                                                                       {place(38, -9, -58), 2.3f},
-                                                                       {place(41, -14, -100), 2.4f},
-                                                                       {{side * 40, -20, -148}, 2.3f},
-                                                                       {{side * 33, -4, -184}, 2.4f},
-                                                                       {{side * 31, 10, -214}, 2.4f},
-                                                                       {{side * 32, 20, -244}, 2.4f}}},
-                                            glm::vec3(0, -1, 0));
-  const auto calyx = std::make_shared<Swept>(std::array<SweptPoint, 3>{{{place(57, 33, -14), 2.4f},
-                                                                        {place(48, 30, -9), 4.0f},
-                                                                        {place(40, 27, -8), 4.2f}}},
-                                             glm::vec3(0, -1, 0));
+  const auto place = [=](float x, float y, float z) { return glm::vec3(side * x, y, z + drop); };
+  const auto tube =
+      std::make_shared<Swept>(std::array<SweptPoint, 10>{{{place(57, 33, 12), 2.6f},
+                                                          {place(46, 31, 3), 5.0f},
+                                                          {place(38, 26, -10), 4.2f},
+                                                          {place(36, 11, -30), 2.5f},
+                                                          {place(38, -9, -58), 2.3f},
+                                                          {place(41, -14, -100), 2.4f},
+                                                          {{side * 40, -20, -148}, 2.3f},
+                                                          {{side * 33, -4, -184}, 2.4f},
+                                                          {{side * 31, 10, -214}, 2.4f},
+                                                          {{side * 32, 20, -244}, 2.4f}}},
+                              glm::vec3(0, -1, 0));
+  const auto calyx = std::make_shared<Swept>(
+      std::array<SweptPoint, 3>{
+          {{place(57, 33, -14), 2.4f}, {place(48, 30, -9), 4.0f}, {place(40, 27, -8), 4.2f}}},
+      glm::vec3(0, -1, 0));
   Box box = tube->bounds();
   box.add(calyx->bounds());
   DemoStructure s{.name = name,

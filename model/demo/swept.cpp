@@ -108,9 +108,8 @@ float Swept::beyond(float along, const glm::vec3& p, const SweptPlace& at) const
   // Farther along, the tube may bend back through the plane of the cut.
   if (std::abs(at.along - along) > 2.0f * at.radius)
     return at.along - along;
-  const auto after =
-      std::lower_bound(m_samples.begin() + 1, m_samples.end() - 1, along,
-                       [](const Sample& s, float value) { return s.along < value; });
+  const auto after = std::lower_bound(m_samples.begin() + 1, m_samples.end() - 1, along,
+                                      [](const Sample& s, float value) { return s.along < value; });
   const Sample& a = *(after - 1);
   const glm::vec3 tangent = direction(a.position, after->position);
   return glm::dot(p - a.position, tangent) - (along - a.along);
@@ -122,8 +121,7 @@ void Swept::searchRun(const Run& run, const glm::vec3& p, Nearest& best) const {
     const Sample& b = m_samples[i + 1];
     const glm::vec3 axis = b.position - a.position;
     const float t = std::clamp(glm::dot(p - a.position, axis) / glm::dot(axis, axis), 0.0f, 1.0f);
-    const float d =
-        glm::length(p - a.position - t * axis) - (a.radius + t * (b.radius - a.radius));
+    const float d = glm::length(p - a.position - t * axis) - (a.radius + t * (b.radius - a.radius));
     if (d < best.distance)
       best = {i, t, d};
   }
@@ -155,8 +153,7 @@ SweptPlace Swept::place(const glm::vec3& p) const {
   front = glm::normalize(front - glm::dot(front, tangent) * tangent);
   const glm::vec3 side = glm::cross(tangent, front);
   const glm::vec3 offset = p - glm::mix(a.position, b.position, at.t);
-  const glm::vec3 local(glm::dot(offset, side), glm::dot(offset, front),
-                        glm::dot(offset, tangent));
+  const glm::vec3 local(glm::dot(offset, side), glm::dot(offset, front), glm::dot(offset, tangent));
   const float radius = glm::mix(a.radius, b.radius, at.t);
   const float depth = glm::mix(a.depth, b.depth, at.t);
   SweptPlace place;
