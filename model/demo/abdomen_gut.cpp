@@ -52,10 +52,10 @@ DemoStructure stomach() {
     // Peristalsis narrows the antrum; the pylorus is a ring of muscle.
     const float towardsPylorus = at.along - body->length();
     const float wave =
-        1.3f * std::sin(towardsPylorus * 2.0f * pi / 34.0f) * std::exp(towardsPylorus / 45.0f);
+        0.7f * std::sin(towardsPylorus * 2.0f * pi / 34.0f) * std::exp(towardsPylorus / 45.0f);
     const float ring = 2.0f * std::exp(-0.5f * std::pow((towardsPylorus + 2.0f) / 5.0f, 2.0f));
     const float fundus = ellipsoid(p - glm::vec3(59, 13, 83), {38.0f, 33.0f, 33.0f});
-    const float d = blendedUnion(at.distance + wave - ring, fundus, 30.0f);
+    const float d = blendedUnion(at.distance + wave - ring, fundus, 46.0f);
     return blendedUnion(d, gullet->distance(p), 9.0f);
   };
   Box box = grown(body->bounds(), 5.0f);

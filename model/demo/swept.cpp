@@ -55,8 +55,28 @@ Swept::Swept(std::span<const SweptPoint> through, const glm::vec3& front, float 
     const float share = 0.1f * depth.points()[i].radius;
     m_samples.push_back({at.position, at.radius, share, along, widthsPassed, front});
   }
+  smooth();
   carryFrames(front);
   gatherRuns();
+}
+
+/// The curve's curvature jumps at the points given, and so would that of the wall, where drawn
+/// lines would show it. Binomial filters spread the jump over about a centimetre.
+void Swept::smooth() {
+  constexpr int passes = 14;
+  for (int pass = 0; pass < passes; ++pass) {
+    const std::vector<Sample> before = m_samples;
+    for (std::size_t i = 1; i + 1 < m_samples.size(); ++i) {
+      const auto filtered = [&](auto Sample::*field) {
+        return 0.25f * (before[i - 1].*field + 2.0f * before[i].*field + before[i + 1].*field);
+      };
+      m_samples[i].position = filtered(&Sample::position);
+      m_samples[i].radius = filtered(&Sample::radius);
+      m_samples[i].depth = filtered(&Sample::depth);
+      m_samples[i].along = filtered(&Sample::along);
+      m_samples[i].widths = filtered(&Sample::widths);
+    }
+  }
 }
 
 /// Each frame is the one before it, turned as little as keeps it square to the curve.
@@ -139,6 +159,36 @@ Swept::Nearest Swept::nearest(const glm::vec3& p, float reach) const {
   return best;
 }
 
+/// The quadratic B-spline over the samples, whose pieces join with one tangent: nearest to it,
+/// unlike nearest to the polyline, no crease runs around the wall where two segments meet.
+Swept::Sample Swept::onCurve(float s, glm::vec3& tangent, glm::vec3& bend) const {
+  const auto last = std::ptrdiff_t(m_samples.size()) - 1;
+  const auto k = std::clamp(std::ptrdiff_t(std::lround(s)), std::ptrdiff_t(0), last);
+  const float u = s - float(k) + 0.5f;
+  const Sample& middle = m_samples[std::size_t(k)];
+  const Sample& before = m_samples[std::size_t(std::max(k - 1, std::ptrdiff_t(0)))];
+  const Sample& after = m_samples[std::size_t(std::min(k + 1, last))];
+  // At the ends the curve goes straight on.
+  const glm::vec3 a = k > 0 ? before.position : 2.0f * middle.position - after.position;
+  const glm::vec3 c = k < last ? after.position : 2.0f * middle.position - before.position;
+  const float wa = 0.5f * (1.0f - u) * (1.0f - u);
+  const float wc = 0.5f * u * u;
+  const float wb = 1.0f - wa - wc;
+  tangent = (1.0f - u) * (middle.position - a) + u * (c - middle.position);
+  bend = a - 2.0f * middle.position + c;
+  const auto blend = [&](float Sample::*field) {
+    const float va = k > 0 ? before.*field : 2.0f * middle.*field - after.*field;
+    const float vc = k < last ? after.*field : 2.0f * middle.*field - before.*field;
+    return wa * va + wb * middle.*field + wc * vc;
+  };
+  return {wa * a + wb * middle.position + wc * c,
+          blend(&Sample::radius),
+          blend(&Sample::depth),
+          blend(&Sample::along),
+          blend(&Sample::widths),
+          wa * before.front + wb * middle.front + wc * after.front};
+}
+
 SweptPlace Swept::place(const glm::vec3& p) const {
   const float toBox = distanceToBox(m_bounds, p);
   if (toBox > farAway)
@@ -146,24 +196,32 @@ SweptPlace Swept::place(const glm::vec3& p) const {
   const Nearest at = nearest(p, farAway);
   if (std::isinf(at.distance))
     return {.distance = farAway};
-  const Sample& a = m_samples[at.segment];
-  const Sample& b = m_samples[at.segment + 1];
-  const glm::vec3 tangent = direction(a.position, b.position);
-  glm::vec3 front = glm::mix(a.front, b.front, at.t);
-  front = glm::normalize(front - glm::dot(front, tangent) * tangent);
+  // Newton's method for the foot of the perpendicular, from the polyline's.
+  const float end = float(m_samples.size() - 1);
+  float s = float(at.segment) + at.t;
+  glm::vec3 tangent(0.0f);
+  glm::vec3 bend(0.0f);
+  Sample foot = onCurve(s, tangent, bend);
+  for (int step = 0; step < 3; ++step) {
+    const glm::vec3 d = foot.position - p;
+    const float squared = glm::dot(tangent, tangent);
+    const float slope = std::max(squared + glm::dot(d, bend), 0.3f * squared);
+    s = std::clamp(s - std::clamp(glm::dot(d, tangent) / slope, -1.0f, 1.0f), 0.0f, end);
+    foot = onCurve(s, tangent, bend);
+  }
+  tangent = glm::normalize(tangent);
+  const glm::vec3 front = glm::normalize(foot.front - glm::dot(foot.front, tangent) * tangent);
   const glm::vec3 side = glm::cross(tangent, front);
-  const glm::vec3 offset = p - glm::mix(a.position, b.position, at.t);
+  const glm::vec3 offset = p - foot.position;
   const glm::vec3 local(glm::dot(offset, side), glm::dot(offset, front), glm::dot(offset, tangent));
-  const float radius = glm::mix(a.radius, b.radius, at.t);
-  const float depth = glm::mix(a.depth, b.depth, at.t);
   SweptPlace place;
-  place.along = glm::mix(a.along, b.along, at.t);
-  place.widths = glm::mix(a.widths, b.widths, at.t);
+  place.along = foot.along;
+  place.widths = foot.widths;
   place.angle = std::atan2(local.x, local.y);
-  place.radius = radius;
-  place.distance = std::abs(depth - 1.0f) < 1e-3f
-                       ? at.distance
-                       : ellipsoid(local, {radius, radius * depth, radius});
+  place.radius = foot.radius;
+  place.distance = std::abs(foot.depth - 1.0f) < 1e-3f
+                       ? glm::length(offset) - foot.radius
+                       : ellipsoid(local, {foot.radius, foot.radius * foot.depth, foot.radius});
   return place;
 }
 

@@ -66,6 +66,9 @@ class Swept {
     float t = 0.0f;
     float distance = 0.0f;  ///< to a round wall
   };
+  /// At `s` samples from the start, with first and second derivative of its place.
+  Sample onCurve(float s, glm::vec3& tangent, glm::vec3& bend) const;
+  void smooth();
   void carryFrames(const glm::vec3& front);
   void gatherRuns();
   void searchRun(const Run& run, const glm::vec3& p, Nearest& best) const;
