@@ -60,7 +60,8 @@ void SampledField::sampleBlock(const Field& field, const glm::ivec3& first, int 
   const bool exact = std::abs(middle) < reach + splineReach * m_spacing;
   if (exact && side > 1) {
     for (int part = 0; part < 8; ++part)
-      sampleBlock(field, first + side / 2 * glm::ivec3(part & 1, part >> 1 & 1, part >> 2), side / 2);
+      sampleBlock(field, first + side / 2 * glm::ivec3(part & 1, part >> 1 & 1, part >> 2),
+                  side / 2);
     return;
   }
   const float value = middle > 0.0f ? middle - reach : middle + reach;
@@ -88,8 +89,8 @@ float SampledField::distance(const glm::vec3& p) const {
                                     std::size_t(cell.y + j - 1)) *
                                        std::size_t(m_size.x) +
                                    std::size_t(cell.x - 1)];
-      plane += wy[std::size_t(j)] *
-               (wx[0] * row[0] + wx[1] * row[1] + wx[2] * row[2] + wx[3] * row[3]);
+      plane +=
+          wy[std::size_t(j)] * (wx[0] * row[0] + wx[1] * row[1] + wx[2] * row[2] + wx[3] * row[3]);
     }
     sum += wz[std::size_t(k)] * plane;
   }

@@ -10,9 +10,9 @@
 
 namespace sline::model {
 
-/// A field kept as samples on a grid and read as a cubic B-spline of them. Reading costs about 50 ns
-/// whatever the field was made of, and the spline, which does not pass through its samples, rounds
-/// creases and facets finer than about `spacing`, so the surface has continuous curvature.
+/// A field kept as samples on a grid and read as a cubic B-spline of them. Reading costs about 50
+/// ns whatever the field was made of, and the spline, which does not pass through its samples,
+/// rounds creases and facets finer than about `spacing`, so the surface has continuous curvature.
 class SampledField {
  public:
   /// A field that need be right only within `reach` mm of a place.

@@ -6,13 +6,19 @@
 #include <utility>
 
 #include "model/demo/sampled_field.h"
-#include "model/demo/sheet.h"
 
 namespace sline::model {
 
 namespace {
 /// The distance to a shape that is not there yet, in mm.
 constexpr float nothing = 1000.0f;
+
+template <class Shape>
+Field fieldOf(const Shape& shape) {
+  return [shared = std::make_shared<const Shape>(shape)](const glm::vec3& p) {
+    return shared->distance(p);
+  };
+}
 }  // namespace
 
 void Sculpture::add(Field shape, const Box& box, float blend) {
@@ -24,24 +30,36 @@ void Sculpture::carve(Field shape, float blend) {
   m_steps.push_back({std::move(shape), blend, true});
 }
 
-void Sculpture::addTube(std::span<const TubePoint> through, float blend) {
-  const auto tube = std::make_shared<const Tube>(through, 3.0f);
-  add([tube](const glm::vec3& p) { return tube->distance(p); }, tube->bounds(), blend);
-}
-
-void Sculpture::carveTube(std::span<const TubePoint> through, float blend) {
-  const auto tube = std::make_shared<const Tube>(through, 3.0f);
-  carve([tube](const glm::vec3& p) { return tube->distance(p); }, blend);
-}
-
-void Sculpture::addSheet(std::span<const TubePoint> net, std::size_t columns, float blend) {
-  const auto sheet = std::make_shared<const Sheet>(net, columns);
-  add([sheet](const glm::vec3& p) { return sheet->distance(p); }, sheet->bounds(), blend);
-}
-
 void Sculpture::cut(const glm::vec3& point, const glm::vec3& normal, float blend) {
   const glm::vec3 n = glm::normalize(normal);
   carve([point, n](const glm::vec3& p) { return glm::dot(point - p, n); }, blend);
+}
+
+void Sculpture::addTube(const Tube& tube, float blend) {
+  add(fieldOf(tube), tube.bounds(), blend);
+}
+
+void Sculpture::addPlate(const Lamina& plate, float blend) {
+  add(fieldOf(plate), plate.bounds(), blend);
+}
+
+void Sculpture::carveTube(const Tube& tube, float blend) {
+  carve(fieldOf(tube), blend);
+}
+
+void Sculpture::addTubePair(const Tube& tube, float blend) {
+  addTube(tube, blend);
+  add(mirrored(fieldOf(tube), m_middle), mirrored(tube.bounds(), m_middle), blend);
+}
+
+void Sculpture::addPlatePair(const Lamina& plate, float blend) {
+  addPlate(plate, blend);
+  add(mirrored(fieldOf(plate), m_middle), mirrored(plate.bounds(), m_middle), blend);
+}
+
+void Sculpture::carveTubePair(const Tube& tube, float blend) {
+  carveTube(tube, blend);
+  carve(mirrored(fieldOf(tube), m_middle), blend);
 }
 
 float Sculpture::Step::onto(float d, float value) const {
@@ -84,13 +102,6 @@ Field Sculpture::sampled(float spacing) const {
   };
   const auto samples = std::make_shared<const SampledField>(local, box, spacing);
   return [samples](const glm::vec3& p) { return samples->distance(p); };
-}
-
-std::vector<TubePoint> mirrored(std::span<const TubePoint> points, float middle) {
-  std::vector<TubePoint> result(points.begin(), points.end());
-  for (TubePoint& point : result)
-    point.position.x = 2.0f * middle - point.position.x;
-  return result;
 }
 
 }  // namespace sline::model

@@ -4,26 +4,32 @@
 #pragma once
 
 #include <glm/vec3.hpp>
-#include <span>
+#include <initializer_list>
 #include <vector>
 
 #include "model/demo/implicit.h"
+#include "model/demo/lamina.h"
 
 namespace sline::model {
 
 class Sculpture {
  public:
-  /// Adds or carves a shape; the seam is rounded over about `blend` mm, at most 12. `box` holds the
-  /// shape.
+  /// Pairs are reflected in the plane x = `middle`.
+  explicit Sculpture(float middle = 0.0f) : m_middle(middle) {}
+
+  /// Adds a shape that lies within the box, or carves one; the seam is rounded over about `blend`
+  /// mm, at most 12.
   void add(Field shape, const Box& box, float blend);
   void carve(Field shape, float blend);
-
-  void addTube(std::span<const TubePoint> through, float blend);
-  void carveTube(std::span<const TubePoint> through, float blend);
-  /// A plate through a net of points, `columns` to a row (see Sheet).
-  void addSheet(std::span<const TubePoint> net, std::size_t columns, float blend);
   /// Removes what lies beyond the plane through `point`, on the side its normal points to.
   void cut(const glm::vec3& point, const glm::vec3& normal, float blend);
+
+  void addTube(const Tube& tube, float blend);
+  void addPlate(const Lamina& plate, float blend);
+  void carveTube(const Tube& tube, float blend);
+  void addTubePair(const Tube& tube, float blend);
+  void addPlatePair(const Lamina& plate, float blend);
+  void carveTubePair(const Tube& tube, float blend);
 
   float distance(const glm::vec3& p) const;
   /// The same shape, read in constant time (see SampledField).
@@ -39,11 +45,10 @@ class Sculpture {
     float onto(float d, float value) const;
   };
   std::vector<const Step*> near(const glm::vec3& place, float reach) const;
+
   std::vector<Step> m_steps;
   Box m_bounds;
+  float m_middle;
 };
-
-/// Points reflected in the plane x = middle.
-std::vector<TubePoint> mirrored(std::span<const TubePoint> points, float middle);
 
 }  // namespace sline::model

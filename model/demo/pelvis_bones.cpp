@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/demo/pelvis_bones.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <utility>
+
+#include "model/demo/femur.h"
+#include "model/demo/hip_bone.h"
+#include "model/demo/lumbar_vertebra.h"
+#include "model/demo/sacrum.h"
+
+namespace sline::model {
+
+namespace {
+constexpr Colour boneColour{226, 211, 178};
+constexpr Colour cartilageColour{172, 200, 206};
+
+struct Shape {
+  Field field;
+  Box box;
+};
+
+Shape shapeOf(const Sculpture& sculpture, float spacing) {
+  return {sculpture.sampled(spacing), grown(sculpture.bounds(), 4.0f)};
+}
+
+Shape reflected(const Shape& shape) {
+  return {mirrored(shape.field, pelvisMiddle), mirrored(shape.box, pelvisMiddle)};
+}
+
+/// The fibrous plate between the pubic bones.
+Sculpture pubicSymphysis() {
+  constexpr float x = pelvisMiddle;
+  Sculpture disc;
+  disc.addPlate({{{{x, -145, 863}, 3.4f},
+                  {{x, -138, 871}, 3.4f},
+                  {{x, -135, 852}, 3.4f},
+                  {{x, -126, 862}, 3.4f},
+                  {{x, -121, 843}, 3.4f},
+                  {{x, -116, 850}, 3.4f}},
+                 2},
+                1.0f);
+  return disc;
+}
+
+DemoStructure structure(const char* name, Shape shape, Colour colour, float edge) {
+  return {.name = name,
+          .groups = {"Bones"},
+          .colour = colour,
+          .gamma = Gamma::clamped(1.2f),
+          .fill = Fill::paper,
+          .field = std::move(shape.field),
+          .box = shape.box,
+          .edge = edge};
+}
+
+DemoStructure female(DemoStructure s) {
+  s.field = [male = std::move(s.field)](const glm::vec3& p) { return male(fromFemalePelvis(p)); };
+  s.box = grown(s.box, 16.0f);
+  return s;
+}
+}  // namespace
+
+glm::vec3 fromFemalePelvis(const glm::vec3& p) {
+  return p;
+}
+
+std::vector<DemoStructure> pelvisBones(Sex sex) {
+  const Shape hipBone = shapeOf(leftHipBone(), 1.5f);
+  const Shape femur = shapeOf(leftFemur(), 1.8f);
+  std::vector<DemoStructure> bones;
+  bones.push_back(structure("left hip bone", hipBone, boneColour, 2.0f));
+  bones.push_back(structure("right hip bone", reflected(hipBone), boneColour, 2.0f));
+  bones.push_back(structure("sacrum", shapeOf(sacrum(), 1.2f), boneColour, 1.7f));
+  bones.push_back(
+      structure("fifth lumbar vertebra", shapeOf(fifthLumbarVertebra(), 1.1f), boneColour, 1.6f));
+  bones.push_back(structure("left femur", femur, boneColour, 2.2f));
+  bones.push_back(structure("right femur", reflected(femur), boneColour, 2.2f));
+  DemoStructure disc = structure("fifth lumbar intervertebral disc",
+                                 shapeOf(lumbosacralDisc(), 1.4f), cartilageColour, 1.8f);
+  disc.givesWayTo = {"sacrum", "fifth lumbar vertebra"};
+  disc.gap = 0.2f;
+  bones.push_back(std::move(disc));
+  DemoStructure symphysis =
+      structure("pubic symphysis", shapeOf(pubicSymphysis(), 1.2f), cartilageColour, 1.5f);
+  symphysis.givesWayTo = {"left hip bone", "right hip bone"};
+  symphysis.gap = 0.2f;
+  bones.push_back(std::move(symphysis));
+  if (sex == Sex::female)
+    std::transform(bones.begin(), bones.end(), bones.begin(), female);
+  return bones;
+}
+
+}  // namespace sline::model
