@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/demo/pelvis_parts.h"
+
+namespace sline::model {
+
+namespace {
+/// The lumbosacral trunk over the sacral ala and the roots out of the anterior sacral foramina
+/// gather in front of the piriformis; below it the sciatic nerve leaves, a flat cord.
+Shape sacralPlexus() {
+  Shape roots = branching({Tube{{{31, -70, 992}, 2.2f},
+                                {{34, -62, 976}, 2.2f},
+                                {{38, -46, 955}, 2.2f},
+                                {{44, -33, 934}, 2.3f},
+                                {{51, -25, 916}, 2.6f},
+                                {{56, -23, 904}, 3}},
+                           Tube{{{22, -46, 961}, 2.6f},
+                                {{28, -40, 949}, 2.6f},
+                                {{38, -30, 931}, 2.7f},
+                                {{48, -24, 915}, 2.8f},
+                                {{55, -22, 904}, 3}},
+                           Tube{{{20, -32, 942}, 2.3f},
+                                {{27, -29, 933}, 2.3f},
+                                {{38, -25, 919}, 2.4f},
+                                {{48, -22, 908}, 2.6f},
+                                {{56, -22, 900}, 3}},
+                           Tube{{{17, -24, 926}, 1.8f},
+                                {{26, -25, 918}, 1.8f},
+                                {{38, -22, 908}, 2},
+                                {{50, -21, 901}, 2.4f}}},
+                          3.5f);
+  Shape sciatic = shapeOf(Band{{{50, -23, 909}, 4.5f, 2.6f, {0.6f, 0, 0.8f}},
+                               {{58, -22, 900}, 5.2f, 3, {0.8f, 0, 0.6f}},
+                               {{67, -23, 888}, 5.4f, 3, {1, 0.1f, 0.4f}},
+                               {{76, -28, 870}, 5.4f, 3, {1, 0.2f, 0.2f}},
+                               {{82, -34, 848}, 5.2f, 3, {1, 0.3f, 0.1f}},
+                               {{85, -39, 826}, 5, 3, {1, 0.3f, 0}},
+                               {{86, -42, 808}, 5, 3, {1, 0.3f, 0}}});
+  return cutOff(merged(std::move(roots), std::move(sciatic), 4.0f), {86, -42, 814}, {0, 0, -1});
+}
+}  // namespace
+
+std::vector<DemoStructure> pelvisNerves() {
+  std::vector<DemoStructure> list;
+  addPair(list, nervePalette, "sciatic nerve", sacralPlexus());
+  addPair(list, nervePalette, "obturator nerve",
+          shapeOf(Tube{{{36, -84, 1012}, 1.3f},
+                       {{38, -82, 990}, 1.4f},
+                       {{42, -77, 968}, 1.4f},
+                       {{47, -75, 945}, 1.4f},
+                       {{51, -80, 922}, 1.4f},
+                       {{52, -92, 903}, 1.4f},
+                       {{49.5f, -106, 890}, 1.3f},
+                       {{46, -116, 879}, 1.3f},
+                       {{43, -123, 869}, 1.2f}}));
+  addPair(list, nervePalette, "femoral nerve",
+          shapeOf(Tube{{{62, -92, 1012}, 1.6f},
+                       {{72, -106, 985}, 1.8f},
+                       {{80, -119, 955}, 2},
+                       {{84, -131, 925}, 2.1f},
+                       {{82, -143, 903}, 2.2f},
+                       {{77, -149, 884}, 2.2f},
+                       {{74, -151, 868}, 2.1f}}));
+  addPair(list, nervePalette, "pudendal nerve",
+          shapeOf(Tube{{{24, -24, 918}, 1.2f},
+                       {{36, -22, 905}, 1.3f},
+                       {{48, -25, 895}, 1.3f},
+                       {{53.5f, -31, 884}, 1.3f},
+                       {{51, -42, 871}, 1.3f},
+                       {{44.5f, -57, 856}, 1.2f},
+                       {{36, -76, 842}, 1.1f},
+                       {{28, -94, 834}, 1.0f}}));
+  return list;
+}
+
+}  // namespace sline::model
