@@ -14,6 +14,8 @@
 namespace sline::model {
 
 namespace {
+constexpr float femaleShift = 16.0f;  // mm; no point of the pelvis moves farther
+
 /// Who keeps his shape where two meet: the lower number. Within one class, list order.
 int precedence(const DemoStructure& s) {
   static constexpr std::array<std::string_view, 4> thinMuscles{"puborectalis", "pubococcygeus",
@@ -60,6 +62,12 @@ void append(std::vector<DemoStructure>& list, std::vector<DemoStructure> more) {
               std::make_move_iterator(more.end()));
 }
 
+/// Into a woman's pelvis.
+void widen(DemoStructure& s) {
+  s.field = [inMan = std::move(s.field)](const glm::vec3& p) { return inMan(fromFemalePelvis(p)); };
+  s.box = grown(s.box, femaleShift);
+}
+
 std::vector<View> savedViews() {
   const auto view = [](const char* name, const glm::vec3& eye, const glm::vec3& target) {
     return View{name, {.eye = eye, .target = target, .fovyDegrees = 28.0f}};
@@ -71,13 +79,17 @@ std::vector<View> savedViews() {
 }  // namespace
 
 std::vector<DemoStructure> pelvisStructures(Sex sex) {
+  std::vector<DemoStructure> soft = pelvisMuscles();
+  append(soft, pelvisOrgans(sex));
+  append(soft, sex == Sex::male ? maleOrgans() : femaleOrgans());
+  append(soft, pelvisArteries());
+  append(soft, pelvisVeins());
+  append(soft, pelvisNerves());
+  if (sex == Sex::female)
+    for (DemoStructure& s : soft)
+      widen(s);
   std::vector<DemoStructure> list = pelvisBones(sex);
-  append(list, pelvisMuscles());
-  append(list, pelvisOrgans(sex));
-  append(list, sex == Sex::male ? maleOrgans() : femaleOrgans());
-  append(list, pelvisArteries());
-  append(list, pelvisVeins());
-  append(list, pelvisNerves());
+  append(list, std::move(soft));
   settle(list);
   return list;
 }

@@ -29,36 +29,44 @@ struct Fold {
 };
 
 /// From the sigmoid colon along the sacrum (sacral flexure), over the pelvic floor (anorectal
-/// flexure) to the anus; wide above, with three transverse folds on alternate sides.
+/// flexure) to the anus; wider than deep, with three transverse folds on alternate sides.
 Shape rectum(Sex sex) {
   const float back = sex == Sex::female ? 7.0f : 0.0f;  // room for the uterus
   const float slim = sex == Sex::female ? 0.86f : 1.0f;
-  Shape tube = shapeOf(Band{{{-1, -46.5f, 815}, 6.5f, 7, {1, 0, 0}},
-                            {{-1, -45, 824}, 9, 9.5f, {1, 0, 0}},
-                            {{-1.3f, -43.5f, 835}, 14, 15, {1, 0, 0}},
-                            {{-2, -43, 850}, 19, 19.5f, {1, 0, 0}},
-                            {{-5, -39.5f, 866}, 22, 20, {1, 0, 0}},
-                            {{0, -36, 882}, 25, 19.5f, {1, 0, 0}},
-                            {{5, -35, 897}, 26, 19.5f, {1, 0, 0}},
-                            {{4, -39.5f + 0.5f * back, 911}, 30 * slim, 21 * slim, {1, 0, 0}},
-                            {{4, -50 + back, 921}, 32 * slim, 22.5f * slim, {1, 0, 0}},
-                            {{4, -61 + back, 924}, 30 * slim, 21.5f * slim, {1, 0, 0}}});
-  return {[field = std::move(tube.field)](const glm::vec3& p) {
-            static constexpr Fold folds[]{{{-14, -40, 857}, {1, 0.1f, 0.25f}},
-                                          {{10, -37, 874}, {-1, 0.1f, 0.15f}},
-                                          {{-8, -37, 904}, {1, -0.2f, 0.4f}}};
-            float d = field(p);
-            if (std::abs(d) > 8.0f)
-              return d;
-            for (const auto& [position, towards] : folds) {
-              const glm::vec3 q = p - position;
-              const float across = 0.25f * (q.z - 0.2f * std::abs(q.x) + 0.1f * q.y);
-              const float side = 1.0f / (1.0f + std::exp(0.25f * glm::dot(q, towards)));
-              d += 3.0f * side * std::exp(-across * across);
-            }
-            return d - 0.5f * wave(p, 34.0f, 0.4f);
-          },
-          tube.box};
+  // In a space pressed together from side to side by a factor, so that round tubes come out wide.
+  constexpr float wide = 1.25f;
+  constexpr float x = 1.0f / wide;
+  const std::vector<Tube> tubes{Tube{{{-1 * x, -46.5f, 815}, 7},
+                                     {{-1 * x, -45, 824}, 9},
+                                     {{-1.3f * x, -43.5f, 835}, 13.5f},
+                                     {{-2 * x, -43, 850}, 18},
+                                     {{-5 * x, -39.5f, 866}, 19},
+                                     {{0, -36, 882}, 20},
+                                     {{4 * x, -36, 898}, 20},
+                                     {{5 * x, -38, 910}, 20}},
+                                Tube{{{4 * x, -41, 900}, 20 * slim},
+                                     {{4 * x, -45 + 0.5f * back, 913}, 23 * slim},
+                                     {{4 * x, -53 + back, 922}, 25 * slim},
+                                     {{4 * x, -59 + back, 924}, 23.5f * slim}}};
+  Box box = boundsOf(std::span<const Tube>(tubes));
+  box.low.x *= wide;
+  box.high.x *= wide;
+  const Field field = [tubes](const glm::vec3& p) {
+    static constexpr Fold folds[]{{{-14, -40, 857}, {1, 0.1f, 0.25f}},
+                                  {{10, -37, 876}, {-1, 0.1f, 0.15f}},
+                                  {{-8, -37, 901}, {1, -0.2f, 0.4f}}};
+    float d = blended(std::span<const Tube>(tubes), {p.x / wide, p.y, p.z}, 14.0f);
+    if (std::abs(d) > 8.0f)
+      return d;
+    for (const auto& [position, towards] : folds) {
+      const glm::vec3 q = p - position;
+      const float across = 0.22f * (q.z - 0.2f * std::abs(q.x) + 0.1f * q.y);
+      const float side = 1.0f / (1.0f + std::exp(0.25f * glm::dot(q, towards)));
+      d += 2.4f * side * std::exp(-across * across);
+    }
+    return d - 0.5f * wave(p, 34.0f, 0.4f);
+  };
+  return {field, box};
 }
 
 /// Haustra between creases that three bands of muscle interrupt.
