@@ -64,7 +64,14 @@ DemoStructure female(DemoStructure s) {
 }  // namespace
 
 glm::vec3 fromFemalePelvis(const glm::vec3& p) {
-  return p;
+  // Everything is lower, measured from the hip joints, and moved aside by up to `wider`, the more
+  // the lower it lies, so that the pubic arch opens.
+  constexpr float lower = 1.06f;
+  constexpr float arch = 40.0f;  // mm from the midline where most of the way aside is reached
+  const float aside = p.x - pelvisMiddle;
+  const float wider = 5.0f + 6.5f * glm::smoothstep(0.0f, 1.0f, (885.0f - p.z) / 60.0f);
+  const float hipLevel = leftHipJoint.z;
+  return {p.x - wider * std::tanh(aside / arch), p.y, hipLevel + lower * (p.z - hipLevel)};
 }
 
 std::vector<DemoStructure> pelvisBones(Sex sex) {
