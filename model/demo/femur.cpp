@@ -58,7 +58,7 @@ void addTrochanters(Sculpture& bone) {
                 {{112, -90, 818}, 2.5f}},
                8.0f);
   // The fossa behind the neck, under the tip of the greater trochanter.
-  bone.carveTube({{{128, -64, 874}, 5.5f}, {{135, -74, 864}, 5.0f}}, 5.0f);
+  bone.carveTube({{{127, -63, 875}, 5.0f}, {{133, -72, 865}, 4.0f}}, 7.0f);
 }
 }  // namespace
 
