@@ -34,12 +34,12 @@ Shape reflected(const Shape& shape) {
 Sculpture pubicSymphysis() {
   constexpr float x = pelvisMiddle;
   Sculpture disc;
-  disc.addPlate({{{{x, -142, 863.5f}, 5.0f},
-                  {{x, -137, 870}, 5.0f},
-                  {{x, -132, 853}, 4.6f},
-                  {{x, -127, 860}, 4.6f},
-                  {{x, -122, 846}, 4.6f},
-                  {{x, -118, 851}, 4.6f}},
+  disc.addPlate({{{{x, -140, 863.5f}, 4.4f},
+                  {{x, -135.5f, 868.5f}, 4.4f},
+                  {{x, -131, 854}, 4.4f},
+                  {{x, -126, 859}, 4.4f},
+                  {{x, -121, 847}, 4.4f},
+                  {{x, -118, 850}, 4.4f}},
                  2},
                 1.0f);
   return disc;
@@ -75,7 +75,7 @@ glm::vec3 fromFemalePelvis(const glm::vec3& p) {
 }
 
 std::vector<DemoStructure> pelvisBones(Sex sex) {
-  const Shape hipBone = shapeOf(leftHipBone(), {1.6f, 2.0f});
+  const Shape hipBone = shapeOf(leftHipBone(), {1.6f, 2.3f});
   const Shape femur = shapeOf(leftFemur(), {1.8f, 2.2f});
   std::vector<DemoStructure> bones;
   bones.push_back(structure("left hip bone", hipBone, boneColour, 2.0f));
