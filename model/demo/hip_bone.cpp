@@ -217,10 +217,10 @@ void addCup(Sculpture& bone) {
   bone.carveTube({{centre + 4.0f * axis, 26.5f}, {centre + 30.0f * axis, 31.0f}}, 4.0f);
   // The fossa in the floor of the cup, from which the notch leads out.
 
-  bone.carveTube({{centre - 18.5f * axis - 2.0f * down, 11.5f},
-                  {centre - 15.0f * axis + 10.0f * down, 10.0f},
-                  {centre - 8.0f * axis + 24.0f * down, 8.0f}},
-                 2.5f);
+  bone.carveTube({{centre - 19.0f * axis - 3.0f * down, 12.5f},
+                  {centre - 17.0f * axis + 8.0f * down, 12.0f},
+                  {centre - 8.0f * axis + 24.0f * down, 8.5f}},
+                 1.5f);
 }
 
 /// The face that looks at the other pubic bone is flat; the obturator foramen has a sharp border.
