@@ -13,19 +13,19 @@ namespace {
 void addWing(Sculpture& bone) {
   bone.addPlate({{
                      // the crest, from the anterior superior to the posterior superior spine
-                     {{140, -148, 971}, 5.0f},
-                     {{148, -119, 1001}, 6.5f},
-                     {{137, -88, 1029}, 4.5f},
-                     {{112, -68, 1034}, 4.0f},
-                     {{80, -49, 1028}, 4.5f},
-                     {{53, -17, 1000}, 7.5f},
+                     {{140, -147, 972}, 4.5f},
+                     {{147, -119, 1001}, 5.0f},
+                     {{136, -88, 1027}, 4.3f},
+                     {{111, -68, 1033}, 3.8f},
+                     {{80, -49, 1027}, 4.2f},
+                     {{58, -24, 1006}, 6.0f},
                      // the upper fossa
                      {{137, -142, 958}, 4.5f},
                      {{137, -117, 984}, 4.8f},
                      {{127, -88, 1003}, 5.0f},
                      {{105, -71, 1006}, 3.0f},
                      {{78, -54, 1004}, 5.0f},
-                     {{51, -16, 984}, 8.5f},
+                     {{50, -14, 986}, 8.5f},
                      // the lower fossa and the auricular surface
                      {{128, -130, 945}, 4.5f},
                      {{126, -110, 962}, 5.0f},
@@ -41,13 +41,13 @@ void addWing(Sculpture& bone) {
                      {{53, -34, 945}, 5.0f},
                      // the body above the cup, back to the greater sciatic notch
                      {{113, -115, 914}, 5.5f},
-                     {{109, -104, 920}, 10.0f},
+                     {{107, -106, 920}, 10.5f},
                      {{101, -93, 922}, 13.0f},
                      {{91, -82, 924}, 13.0f},
                      {{80, -71, 928}, 10.5f},
                      {{70, -61, 931}, 4.5f},
                      {{110, -110, 904}, 5.0f},
-                     {{106, -105, 905}, 10.0f},
+                     {{103, -108, 905}, 10.5f},
                      {{100, -95, 906}, 14.0f},
                      {{92, -83, 907}, 16.0f},
                      {{83, -70, 909}, 13.0f},
@@ -55,14 +55,23 @@ void addWing(Sculpture& bone) {
                  },
                  6},
                 1.0f);
+  // The crest, thickest at its tubercle.
+  bone.addTube({{{141, -147, 972}, 4.5f},
+                {{146, -135, 985}, 4.8f},
+                {{148, -121, 999}, 5.8f},
+                {{146, -106, 1011.5f}, 7.0f},
+                {{137, -88, 1027.5f}, 5.6f},
+                {{112, -68, 1033.5f}, 4.6f},
+                {{80, -49, 1028}, 5.2f},
+                {{60, -28, 1010}, 6.5f},
+                {{52, -17, 994}, 7.5f},
+                {{50, -14, 982}, 7.0f}},
+               8.0f);
   // Anterior superior and anterior inferior iliac spines.
-  bone.addTube({{{145, -135, 985}, 4.5f}, {{142, -144, 976}, 5.5f}, {{139, -147, 968}, 5.0f}},
-               4.0f);
-  bone.addTube({{{120, -121, 931}, 4.5f},
-                {{117, -119, 923}, 6.5f},
-                {{113, -116, 914}, 6.0f},
-                {{110, -108, 906}, 5.0f}},
-               5.0f);
+  bone.addTube({{{143, -142, 979}, 4.5f}, {{141, -146, 972}, 5.6f}, {{138, -145, 964}, 5.0f}},
+               8.0f);
+  bone.addTube({{{121, -120, 932}, 4.5f}, {{117, -118, 923}, 6.5f}, {{112, -113, 914}, 6.0f}},
+               8.0f);
 }
 
 /// The medial wall between the pelvic inlet and the foramen, and the sciatic border.
@@ -89,18 +98,19 @@ void addBody(Sculpture& bone) {
                 6.0f);
   bone.addTube({{{68, -61, 931}, 4.0f},
                 {{65, -55, 914}, 4.0f},
-                {{61, -50, 900}, 4.0f},
-                {{59, -48, 884}, 4.5f},
-                {{63, -49, 872}, 6.0f}},
+                {{61, -51, 899}, 4.0f},
+                {{61, -52, 884}, 4.5f},
+                {{64, -50, 873}, 5.5f},
+                {{68, -50, 860}, 5.5f}},
                4.0f);
   // The ischial spine, between the greater and the lesser sciatic notch.
-  bone.addTube({{{62, -55, 894}, 5.5f}, {{56, -47, 889}, 3.6f}, {{50, -42, 887}, 2.0f}}, 5.0f);
+  bone.addTube({{{63, -57, 897}, 7.0f}, {{57, -48, 890}, 4.6f}, {{50, -40.5f, 887}, 2.4f}}, 5.0f);
   // The posterior inferior spine, above the greater sciatic notch.
-  bone.addTube({{{54, -26, 955}, 6.0f}, {{53, -35, 944}, 5.0f}, {{58, -43, 942}, 4.5f}}, 5.0f);
+  bone.addTube({{{55, -27, 955}, 4.5f}, {{53, -35, 944}, 4.8f}, {{58, -43, 942}, 4.5f}}, 5.0f);
   // The arcuate line.
-  bone.addTube({{{76, -54, 1012}, 2.5f},
-                {{70, -59, 990}, 4.0f},
-                {{71, -68, 966}, 5.0f},
+  bone.addTube({{{76, -55, 1008}, 1.5f},
+                {{71.5f, -58, 990}, 3.4f},
+                {{71, -67, 968}, 5.2f},
                 {{72, -78, 947}, 5.5f},
                 {{76, -87, 930}, 6.0f},
                 {{74, -98, 914}, 6.0f},
@@ -109,9 +119,10 @@ void addBody(Sculpture& bone) {
 }
 
 void addPubis(Sculpture& bone) {
-  bone.addTube({{{90, -112, 896}, 11.0f},
-                {{70, -115, 889}, 9.5f},
-                {{52, -122, 880}, 8.0f},
+  bone.addTube({{{100, -103, 903}, 9.0f},
+                {{88, -111, 896}, 11.0f},
+                {{70, -115, 887}, 10.5f},
+                {{52, -122, 879}, 8.5f},
                 {{34, -131, 872}, 7.0f},
                 {{20, -137, 866}, 8.0f}},
                6.0f);
@@ -123,13 +134,13 @@ void addPubis(Sculpture& bone) {
                 {{21, -145, 870}, 5.0f}},
                5.0f);
   bone.addPlate({{
-                     {{8, -141, 866}, 8.0f},
+                     {{9, -141, 866}, 7.5f},
                      {{18, -138, 866}, 9.0f},
                      {{28, -132, 868}, 7.5f},
-                     {{9, -130, 857}, 8.0f},
+                     {{10, -130, 857}, 7.5f},
                      {{17, -128, 857}, 7.5f},
                      {{26, -122, 858}, 5.5f},
-                     {{11, -118, 846}, 6.0f},
+                     {{12, -119, 849}, 5.5f},
                      {{17, -117, 846}, 6.0f},
                      {{24, -112, 847}, 5.0f},
                  },
@@ -139,63 +150,77 @@ void addPubis(Sculpture& bone) {
   bone.addPlate({{
                      {{13, -119, 846}, 5.5f},
                      {{20, -108, 836}, 5.0f},
-                     {{29, -97, 829}, 4.5f},
-                     {{40, -84, 825}, 4.5f},
-                     {{51, -71, 823}, 6.0f},
-                     {{60, -59, 826}, 8.0f},
+                     {{27, -96, 829}, 5.0f},
+                     {{37, -82, 825}, 5.5f},
+                     {{48, -69, 823.5f}, 6.5f},
+                     {{58, -58, 826}, 8.0f},
                      {{21, -118, 852}, 4.5f},
                      {{27, -108, 845}, 4.0f},
-                     {{34, -97, 838}, 3.5f},
-                     {{44, -84, 834}, 4.0f},
-                     {{56, -70, 835}, 6.0f},
+                     {{33, -97, 838}, 4.2f},
+                     {{43, -83, 834}, 5.0f},
+                     {{55, -69, 835}, 7.0f},
                      {{63, -60, 840}, 8.0f},
                  },
                  6},
-                6.0f);
+                10.0f);
 }
 
 void addIschium(Sculpture& bone) {
-  bone.addTube({{{72, -69, 890}, 11.0f},
+  bone.addTube({{{74, -74, 896}, 11.0f},
                 {{71, -61, 875}, 13.0f},
                 {{70, -57, 860}, 14.0f},
                 {{67, -54, 845}, 14.0f},
                 {{62, -56, 834}, 13.0f}},
                6.0f);
   // Behind the cup.
-  bone.addTube({{{78, -63, 910}, 9.0f},
-                {{84, -63, 895}, 7.5f},
-                {{82, -61, 882}, 9.0f},
-                {{76, -58, 868}, 11.0f}},
-               8.0f);
+  bone.addPlate({{{{63, -53, 903}, 5.0f},
+                  {{80, -62, 903}, 7.0f},
+                  {{97, -70, 903}, 7.0f},
+                  {{63, -51, 891}, 5.0f},
+                  {{79, -57, 891}, 7.0f},
+                  {{94, -65, 890}, 5.5f},
+                  {{67, -53, 873}, 7.0f},
+                  {{76, -56, 873}, 9.0f},
+                  {{86, -62, 873}, 6.0f}},
+                 3},
+                10.0f);
+  // Below the cup, the groove over which the obturator externus turns.
+  bone.addTube({{{85, -68, 873}, 5.0f}, {{79, -67, 863}, 7.5f}, {{72, -62, 852}, 10.0f}}, 8.0f);
   // The tuberosity: what one sits on.
   bone.addTube({{{73, -53, 872}, 8.0f},
                 {{73, -47, 858}, 9.5f},
                 {{70, -46, 843}, 10.5f},
                 {{60, -53, 829}, 10.0f},
-                {{47, -64, 824}, 7.0f}},
-               6.0f);
+                {{49, -63, 825}, 6.5f}},
+               10.0f);
 }
 
 /// Radius of the cup's articular surface: the femoral head and two layers of cartilage.
-constexpr float cupRadius = 26.5f;
+constexpr float cupRadius = 27.5f;
 
-/// The cup opens outwards, downwards and a little forwards; its rim is open below, at the notch.
+/// The cup opens outwards, downwards and a little forwards; below it opens through the notch into
+/// the obturator foramen.
 void addCup(Sculpture& bone) {
   const glm::vec3 axis = glm::normalize(glm::vec3(0.79f, -0.22f, -0.57f));
-  const glm::vec3 centre = leftHipJoint;
-  const glm::vec3 down =
-      glm::normalize(glm::vec3(0, -0.6f, -1) - glm::dot(glm::vec3(0, -0.6f, -1), axis) * axis);
+  const glm::vec3 below(0.0f, -0.55f, -0.85f);
+  const glm::vec3 down = glm::normalize(below - glm::dot(below, axis) * axis);
+  const glm::vec3 notch = glm::normalize(down - 0.25f * axis);
+  const glm::vec3 centre = leftHipJoint + glm::vec3(1.5f, -0.5f, 2.0f);
   const auto mass = [=](const glm::vec3& p) {
     const glm::vec3 q = p - centre;
-    return blendedDifference(glm::length(q) - 31.0f, 1.5f - glm::dot(q, axis), 2.0f);
+    const float half = blendedDifference(glm::length(q) - 32.5f, 1.0f - glm::dot(q, axis), 3.0f);
+    return blendedDifference(half, 26.0f - glm::dot(q, notch), 3.0f);
   };
-  bone.add(mass, {centre - 32.0f, centre + 32.0f}, 8.0f);
+  bone.add(mass, {centre - 33.0f, centre + 33.0f}, 8.0f);
   bone.carve([=](const glm::vec3& p) { return glm::length(p - centre) - cupRadius; }, 2.0f);
-  // The fossa in the floor of the cup and the notch through which it opens below.
-  bone.carveTube({{centre - 17.0f * axis - 3.0f * down, 11.5f},
-                  {centre - 14.0f * axis + 9.0f * down, 10.0f},
-                  {centre - 4.0f * axis + 27.0f * down, 7.0f}},
-                 3.0f);
+  // The roof does not overhang the opening.
+  bone.carveTube({{centre + 4.0f * axis, 26.5f}, {centre + 30.0f * axis, 31.0f}}, 4.0f);
+  // The fossa in the floor of the cup, from which the notch leads out.
+
+  bone.carveTube({{centre - 19.0f * axis - 3.0f * down, 12.5f},
+                  {centre - 17.0f * axis + 8.0f * down, 12.0f},
+                  {centre - 8.0f * axis + 24.0f * down, 8.5f}},
+                 1.5f);
 }
 
 /// The face that looks at the other pubic bone is flat; the obturator foramen has a sharp border.

@@ -21,10 +21,10 @@ float VertebralBody::distance(const glm::vec3& p) const {
   const float narrower = waist * std::max(0.0f, 1.0f - w * w / (halfHeight * halfHeight));
   const float outline = ellipsoid({u, v, 0.0f}, {halfWidth - narrower, halfDepth - narrower, 1e3f});
   // Behind it is a little hollow, for the vertebral canal.
-  const float behind = v - 0.85f * halfDepth - 0.004f * u * u;
+  const float behind = v - 0.95f * halfDepth - 0.004f * u * u;
   const float side = blendedDifference(outline, -behind, 10.0f);
   const float height = halfHeight - 0.5f * wedge * v / (2.0f * halfDepth) +
-                       0.0012f * (u * u + v * v) - 0.0006f * halfWidth * halfWidth;
+                       hollow * ((u * u + v * v) / (halfWidth * halfWidth) - 0.5f);
   return blendedDifference(side, height - std::abs(w), 3.0f);
 }
 
@@ -71,10 +71,10 @@ void addProcesses(Sculpture& bone) {
   // Transverse processes: stout, as they carry the iliolumbar ligaments.
   bone.addPlatePair({{{{x + 24, -68, 1018}, 5.0f},
                       {{x + 37, -66, 1020}, 4.0f},
-                      {{x + 48, -64, 1023.5f}, 3.6f},
+                      {{x + 49, -64, 1025}, 3.6f},
                       {{x + 24, -70, 1010}, 5.5f},
                       {{x + 36, -67, 1013}, 4.5f},
-                      {{x + 47, -65, 1020}, 3.6f}},
+                      {{x + 49, -65, 1021}, 3.6f}},
                      3},
                     6.0f);
   // Superior articular processes look back and inwards, inferior ones forwards and out.
@@ -101,7 +101,8 @@ void addProcesses(Sculpture& bone) {
 }  // namespace
 
 Sculpture fifthLumbarVertebra() {
-  const VertebralBody body{{pelvisMiddle, -87.5f, 1004.0f}, 23.0f, 27.0f, 20.3f, 14.6f, 3.0f, 3.0f};
+  const VertebralBody body{
+      {pelvisMiddle, -86.3f, 1004.2f}, 23.0f, 27.0f, 20.0f, 14.6f, 3.0f, 3.0f, 0.9f};
   Sculpture bone(pelvisMiddle);
   bone.add([body](const glm::vec3& p) { return body.distance(p); }, body.bounds(), 1.0f);
   addArch(bone);
@@ -110,7 +111,8 @@ Sculpture fifthLumbarVertebra() {
 }
 
 Sculpture lumbosacralDisc() {
-  const VertebralBody disc{{pelvisMiddle, -81.0f, 986.5f}, 26.5f, 25.5f, 20.5f, 8.0f, 5.0f, -1.0f};
+  const VertebralBody disc{
+      {pelvisMiddle, -77.9f, 985.6f}, 25.8f, 25.0f, 20.0f, 7.1f, 0.3f, -1.2f, -0.9f};
   Sculpture shape(pelvisMiddle);
   shape.add([disc](const glm::vec3& p) { return disc.distance(p); }, disc.bounds(), 1.0f);
   return shape;

@@ -14,6 +14,7 @@ struct VertebralBody {
   float halfHeight;  ///< mm, in the middle
   float wedge;       ///< mm higher at the front than at the back, half of it above, half below
   float waist;       ///< mm by which it is narrower half way up; negative where it bulges
+  float hollow;      ///< mm by which the end plates are hollow; negative where they bulge
 
   float distance(const glm::vec3& p) const;
   Box bounds() const;

@@ -16,6 +16,9 @@ namespace {
 constexpr int blockSide = 8;
 /// A place reads samples up to two cells away along each axis.
 constexpr float splineReach = 3.5f;
+/// Variances, in squared spacings, of reading through the spline and of the weights 1 2 1.
+constexpr float splineVariance = 1.0f / 3.0f;
+constexpr float passVariance = 0.5f;
 
 /// From the middle of a cube of samples to its corner samples, mm.
 float reachOf(int side, float spacing) {
@@ -30,8 +33,11 @@ std::array<float, 4> splineWeights(float t) {
 }
 }  // namespace
 
-SampledField::SampledField(const LocalField& near, const Box& box, float spacing)
-    : m_box(box), m_spacing(spacing) {
+SampledField::SampledField(const LocalField& near, const Box& box, Fineness fineness)
+    : m_box(box),
+      m_spacing(fineness.spacing),
+      m_band(splineReach * fineness.spacing + 1.5f * fineness.smoothing) {
+  const float spacing = fineness.spacing;
   m_size = glm::max(glm::ivec3(glm::ceil(box.size() / spacing)) + 1, glm::ivec3(4));
   m_values.resize(std::size_t(m_size.x) * std::size_t(m_size.y) * std::size_t(m_size.z));
   const glm::ivec3 blocks = (m_size + blockSide - 1) / blockSide;
@@ -44,6 +50,23 @@ SampledField::SampledField(const LocalField& near, const Box& box, float spacing
                 sampleBlock(near(middleOf(first, blockSide), reachOf(blockSide, spacing)), first,
                             blockSide);
               });
+  const float wanted = fineness.smoothing * fineness.smoothing / (spacing * spacing);
+  const int passes = int(std::lround((wanted - splineVariance) / passVariance));
+  for (int pass = 0; pass < passes; ++pass)
+    for (const int stride : {1, m_size.x, m_size.x * m_size.y})
+      smoothOnce(stride);
+}
+
+void SampledField::smoothOnce(std::ptrdiff_t stride) {
+  // Over the ends of lines it reads their neighbours, but there the surface is far away.
+  const std::vector<float> old = m_values;
+  const auto count = std::ptrdiff_t(old.size());
+  parallelChunks(std::size_t(count - 2 * stride), 1 << 16, [&](std::size_t begin, std::size_t end) {
+    for (auto i = std::ptrdiff_t(begin) + stride; i < std::ptrdiff_t(end) + stride; ++i)
+      m_values[std::size_t(i)] =
+          0.25f * (old[std::size_t(i - stride)] + old[std::size_t(i + stride)]) +
+          0.5f * old[std::size_t(i)];
+  });
 }
 
 glm::vec3 SampledField::middleOf(const glm::ivec3& first, int side) const {
@@ -57,7 +80,7 @@ void SampledField::sampleBlock(const Field& field, const glm::ivec3& first, int 
   const float middle = field(middleOf(first, side));
   const float reach = reachOf(side, m_spacing);
   // A sample that no spline of a place on the surface reads need only be a lower bound.
-  const bool exact = std::abs(middle) < reach + splineReach * m_spacing;
+  const bool exact = std::abs(middle) < reach + m_band;
   if (exact && side > 1) {
     for (int part = 0; part < 8; ++part)
       sampleBlock(field, first + side / 2 * glm::ivec3(part & 1, part >> 1 & 1, part >> 2),

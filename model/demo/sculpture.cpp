@@ -5,8 +5,6 @@
 #include <memory>
 #include <utility>
 
-#include "model/demo/sampled_field.h"
-
 namespace sline::model {
 
 namespace {
@@ -89,7 +87,7 @@ std::vector<const Sculpture::Step*> Sculpture::near(const glm::vec3& place, floa
   return steps;
 }
 
-Field Sculpture::sampled(float spacing) const {
+Field Sculpture::sampled(SampledField::Fineness fineness) const {
   constexpr float margin = 8.0f;
   const Box box{m_bounds.low - margin, m_bounds.high + margin};
   const auto local = [this](const glm::vec3& place, float reach) -> Field {
@@ -100,7 +98,7 @@ Field Sculpture::sampled(float spacing) const {
       return d;
     };
   };
-  const auto samples = std::make_shared<const SampledField>(local, box, spacing);
+  const auto samples = std::make_shared<const SampledField>(local, box, fineness);
   return [samples](const glm::vec3& p) { return samples->distance(p); };
 }
 

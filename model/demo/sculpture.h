@@ -9,6 +9,7 @@
 
 #include "model/demo/implicit.h"
 #include "model/demo/lamina.h"
+#include "model/demo/sampled_field.h"
 
 namespace sline::model {
 
@@ -32,8 +33,8 @@ class Sculpture {
   void carveTubePair(const Tube& tube, float blend);
 
   float distance(const glm::vec3& p) const;
-  /// The same shape, read in constant time (see SampledField).
-  Field sampled(float spacing) const;
+  /// The same shape smoothed, read in constant time.
+  Field sampled(SampledField::Fineness fineness) const;
   /// Holds everything added.
   const Box& bounds() const { return m_bounds; }
 
