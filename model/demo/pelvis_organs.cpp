@@ -34,7 +34,7 @@ Shape rectum(Sex sex) {
   const float back = sex == Sex::female ? 7.0f : 0.0f;  // room for the uterus
   const float slim = sex == Sex::female ? 0.86f : 1.0f;
   // In a space pressed together from side to side by a factor, so that round tubes come out wide.
-  constexpr float wide = 1.25f;
+  constexpr float wide = 1.2f;
   constexpr float x = 1.0f / wide;
   const std::vector<Tube> tubes{Tube{{{-1 * x, -46.5f, 815}, 7},
                                      {{-1 * x, -45, 824}, 9},
@@ -45,9 +45,9 @@ Shape rectum(Sex sex) {
                                      {{4 * x, -36, 898}, 20},
                                      {{5 * x, -38, 910}, 20}},
                                 Tube{{{4 * x, -41, 900}, 20 * slim},
-                                     {{4 * x, -45 + 0.5f * back, 913}, 23 * slim},
-                                     {{4 * x, -53 + back, 922}, 25 * slim},
-                                     {{4 * x, -59 + back, 924}, 23.5f * slim}}};
+                                     {{4 * x, -46 + 0.5f * back, 913}, 22.5f * slim},
+                                     {{4 * x, -54 + back, 921}, 24.5f * slim},
+                                     {{4 * x, -60 + back, 923}, 23 * slim}}};
   Box box = boundsOf(std::span<const Tube>(tubes));
   box.low.x *= wide;
   box.high.x *= wide;
@@ -66,7 +66,12 @@ Shape rectum(Sex sex) {
     }
     return d - 0.5f * wave(p, 34.0f, 0.4f);
   };
-  return {field, box};
+  // The anus, a pit between the folds that the sphincter draws together.
+  const Tube anus{{{-1, -46.5f, 806}, 4}, {{-1, -46, 815}, 2.6f}, {{-1, -45.5f, 821}, 0.8f}};
+  const Field opened = [field, anus](const glm::vec3& p) {
+    return p.z > 835.0f ? field(p) : blendedDifference(field(p), anus.distance(p), 3.0f);
+  };
+  return cutOff({opened, box}, {-1, -46.5f, 811}, {0, 0.1f, -1});
 }
 
 /// Haustra between creases that three bands of muscle interrupt.

@@ -8,11 +8,11 @@
 
 namespace sline::model {
 
-const Palette musclePalette{"Muscles", {158, 70, 58}, 1.6f, Fill::paper, 2.2f};
-const Palette organPalette{"Organs", {214, 160, 128}, 4.0f, std::nullopt, 1.8f};
-const Palette arteryPalette{"Arteries", {207, 40, 28}, 4.0f, std::nullopt, 1.4f};
-const Palette veinPalette{"Veins", {52, 92, 176}, 4.0f, std::nullopt, 1.6f};
-const Palette nervePalette{"Nerves", {240, 208, 60}, 4.0f, std::nullopt, 1.2f};
+const Palette musclePalette{"Muscles", {158, 70, 58}, 1.6f, Fill::paper, 2.2f, 0.8f};
+const Palette organPalette{"Organs", {214, 160, 128}, 4.0f, std::nullopt, 1.9f, 0.4f};
+const Palette arteryPalette{"Arteries", {207, 40, 28}, 4.0f, std::nullopt, 1.4f, 0.25f};
+const Palette veinPalette{"Veins", {52, 92, 176}, 4.0f, std::nullopt, 1.6f, 0.3f};
+const Palette nervePalette{"Nerves", {240, 208, 60}, 4.0f, std::nullopt, 1.2f, 0.25f};
 
 namespace {
 template <class Part>
@@ -83,8 +83,8 @@ DemoStructure structure(const Palette& palette, std::string name, Shape shape) {
           .field = std::move(shape.field),
           .box = grown(shape.box, 2.5f * palette.edge),
           .edge = palette.edge,
-          .gap = 0.3f,
-          .rounding = 0.8f};
+          .gap = palette.gap,
+          .rounding = palette.gap + 0.5f};
 }
 
 void addPair(std::vector<DemoStructure>& list, const Palette& palette, const std::string& name,

@@ -38,6 +38,7 @@ struct Palette {
   float gamma;
   std::optional<Fill> fill;
   float edge;  ///< mm
+  float gap;   ///< mm kept clear of what it gives way to
 };
 extern const Palette musclePalette;
 extern const Palette organPalette;
