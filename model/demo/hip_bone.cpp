@@ -55,6 +55,10 @@ void addWing(Sculpture& bone) {
                  },
                  6},
                 1.0f);
+}
+
+/// The crest and its spines; the sciatic notches' borders come with the body.
+void addCrest(Sculpture& bone) {
   // The crest, thickest at its tubercle.
   bone.addTube({{{141, -147, 972}, 4.5f},
                 {{145.5f, -135, 985}, 5.2f},
@@ -232,6 +236,7 @@ void finish(Sculpture& bone) {
 Sculpture leftHipBone() {
   Sculpture bone;
   addWing(bone);
+  addCrest(bone);
   addBody(bone);
   addPubis(bone);
   addIschium(bone);
