@@ -4,6 +4,7 @@
 #include "app/cli/draw_scene.h"
 #include "app/cli/picture_options.h"
 #include "model/demo/kidney.h"
+#include "model/demo/pelvis.h"
 
 namespace sline::cli {
 
@@ -19,7 +20,7 @@ Exit runDemo(const DemoFlags& flags) {
   if (!order.ok())
     return complain(order.error(), Exit::wrongUse);
   Progress progress;
-  return drawScene(model::kidneyDemo(), *order, progress);
+  return drawScene(flags.scene == "kidney" ? model::kidneyDemo() : model::pelvisDemo(flags.scene == "pelvis" ? model::Sex::male : model::Sex::female), *order, progress);
 }
 
 void declareDemo(CLI::App& command, DemoFlags& flags) {
@@ -27,7 +28,7 @@ void declareDemo(CLI::App& command, DemoFlags& flags) {
       .add_option(
           "SCENE", flags.scene,
           "kidney: a left kidney with its artery, vein and ureter, no patient's but modelled")
-      ->check(CLI::IsMember({"kidney"}))
+      ->check(CLI::IsMember({"kidney", "pelvis", "pelvis-female"}))
       ->capture_default_str();
   addPictureOptions(command, flags.picture);
 }

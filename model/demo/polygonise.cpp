@@ -143,7 +143,8 @@ MeshPtr meshOf(std::vector<glm::vec3> positions, std::vector<Triangle> triangles
 }  // namespace
 
 MeshPtr polygonise(const Field& field, const Box& box, float edge) {
-  Raw raw = flyingEdges(field, box, edge);
+  // A lattice cell holds about three triangles per square of surface: their edges are shorter.
+  Raw raw = flyingEdges(field, box, 1.15f * edge);
   if (signedVolume(raw) < 0.0f)
     for (Triangle& t : raw.triangles)
       std::swap(t[1], t[2]);
