@@ -55,12 +55,16 @@ void addWing(Sculpture& bone) {
                  },
                  6},
                 1.0f);
+}
+
+/// The crest and its spines; the sciatic notches' borders come with the body.
+void addCrest(Sculpture& bone) {
   // The crest, thickest at its tubercle.
   bone.addTube({{{141, -147, 972}, 4.5f},
-                {{146, -135, 985}, 4.8f},
-                {{148, -121, 999}, 5.8f},
-                {{146, -106, 1011.5f}, 7.0f},
-                {{137, -88, 1027.5f}, 5.6f},
+                {{145.5f, -135, 985}, 5.2f},
+                {{148, -121, 999}, 6.1f},
+                {{146, -105, 1012.5f}, 6.8f},
+                {{137, -88, 1027.5f}, 5.8f},
                 {{112, -68, 1033.5f}, 4.6f},
                 {{80, -49, 1028}, 5.2f},
                 {{60, -28, 1010}, 6.5f},
@@ -68,8 +72,8 @@ void addWing(Sculpture& bone) {
                 {{50, -14, 982}, 7.0f}},
                8.0f);
   // Anterior superior and anterior inferior iliac spines.
-  bone.addTube({{{143, -142, 979}, 4.5f}, {{141, -146, 972}, 5.6f}, {{138, -145, 964}, 5.0f}},
-               8.0f);
+  bone.addTube({{{142.5f, -142, 978}, 4.8f}, {{140.5f, -146, 971}, 5.4f}, {{137, -143, 962}, 4.6f}},
+               10.0f);
   bone.addTube({{{121, -120, 932}, 4.5f}, {{117, -118, 923}, 6.5f}, {{112, -113, 914}, 6.0f}},
                8.0f);
 }
@@ -140,22 +144,22 @@ void addPubis(Sculpture& bone) {
                      {{10, -130, 857}, 7.5f},
                      {{17, -128, 857}, 7.5f},
                      {{26, -122, 858}, 5.5f},
-                     {{12, -119, 849}, 5.5f},
-                     {{17, -117, 846}, 6.0f},
-                     {{24, -112, 847}, 5.0f},
+                     {{12, -120, 849}, 6.0f},
+                     {{17, -118, 848}, 6.0f},
+                     {{23, -114, 850}, 5.0f},
                  },
                  3},
                 6.0f);
   // The inferior rami, a band: its lower border first, the border of the foramen second.
   bone.addPlate({{
-                     {{13, -119, 846}, 5.5f},
-                     {{20, -108, 836}, 5.0f},
+                     {{13, -123, 850}, 6.0f},
+                     {{19, -109, 838}, 5.2f},
                      {{27, -96, 829}, 5.0f},
                      {{37, -82, 825}, 5.5f},
                      {{48, -69, 823.5f}, 6.5f},
                      {{58, -58, 826}, 8.0f},
-                     {{21, -118, 852}, 4.5f},
-                     {{27, -108, 845}, 4.0f},
+                     {{21, -123, 857}, 5.0f},
+                     {{26.5f, -109, 846}, 4.2f},
                      {{33, -97, 838}, 4.2f},
                      {{43, -83, 834}, 5.0f},
                      {{55, -69, 835}, 7.0f},
@@ -232,6 +236,7 @@ void finish(Sculpture& bone) {
 Sculpture leftHipBone() {
   Sculpture bone;
   addWing(bone);
+  addCrest(bone);
   addBody(bone);
   addPubis(bone);
   addIschium(bone);
