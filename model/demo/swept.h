@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "model/demo/implicit.h"
 #include "model/geometry/mesh.h"
 
 namespace sline::model {
@@ -80,9 +81,5 @@ class Swept {
   std::vector<Run> m_stretches;  ///< runs of runs
   Box m_bounds;
 };
-
-/// Distance from a point to a box, 0 inside.
-float distanceToBox(const Box& box, const glm::vec3& p);
-Box grown(Box box, float margin);
 
 }  // namespace sline::model
