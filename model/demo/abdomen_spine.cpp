@@ -117,11 +117,8 @@ float bodyField(const glm::vec3& q) {
 
 DemoStructure vertebra(const Level& level) {
   const auto arch = std::make_shared<Arch>(level.transverse);
-  DemoStructure s{.name = level.name,
-                  .groups = {"Bones"},
-                  .colour = boneColour,
-                  .gamma = Gamma::clamped(1.3f),
-                  .fill = Fill::paper};
+  DemoStructure s{
+      .name = level.name, .groups = {"Bones"}, .colour = boneColour, .gamma = Gamma::clamped(1.3f)};
   s.field = [level, arch](const glm::vec3& p) {
     const glm::vec3 q = intoLevel(level, p);
     return level.size * blendedUnion(bodyField(q), arch->distance(q), 5.0f);
@@ -146,8 +143,7 @@ DemoStructure disc(const Level& above, const Level& below) {
   DemoStructure s{.name = from + "-" + to + " intervertebral disc",
                   .groups = {"Discs and cartilage"},
                   .colour = discColour,
-                  .gamma = Gamma::clamped(1.3f),
-                  .fill = Fill::paper};
+                  .gamma = Gamma::clamped(1.3f)};
   s.field = [middle](const glm::vec3& p) {
     const glm::vec3 q = intoLevel(middle, p);
     const float bulge = 0.9f * (1.0f - std::min(q.z * q.z / 36.0f, 1.0f));
@@ -167,7 +163,6 @@ DemoStructure swept(std::string name, const char* group, Colour colour,
           .groups = {group},
           .colour = colour,
           .gamma = Gamma::clamped(1.3f),
-          .fill = Fill::paper,
           .field = [shape](const glm::vec3& p) { return shape->distance(p); },
           .box = grown(shape->bounds(), 3.0f)};
 }
@@ -204,6 +199,7 @@ DemoStructure psoas(const char* name, float side) {
                                                          side),
                                              glm::vec3(0, -1, 0));
   DemoStructure s = swept(name, "Muscles", muscleColour, shape);
+  s.gamma = Gamma::clamped(1.7f);
   s.field = [shape](const glm::vec3& p) {
     // Bundles of fibres that run its length.
     const SweptPlace at = shape->place(p);
