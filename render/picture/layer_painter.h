@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 
+#include "render/passes/cap/pass.h"
 #include "render/passes/ink/pass.h"
 #include "render/passes/resolve/pass.h"
 #include "render/passes/surface/pass.h"
@@ -21,6 +22,7 @@ struct PictureInput {
   const PictureView& view;
   std::span<const Shown> shown;  ///< sorted by id
   Background background = Background::white;
+  bool keyLight = false;
   PictureParts parts;
   /// Where lines are kept between the regions of one picture, by structure; null to keep none.
   std::map<model::NodeId, StructureLines>* lines = nullptr;
@@ -47,6 +49,7 @@ class LayerPainter {
     model::Box bounds;
     glm::vec2 size{0.0f};
     Background background = Background::white;
+    bool keyLight = false;
     PictureParts parts;
     gpu::Rect region;
     bool operator==(const Key&) const = default;
@@ -60,6 +63,7 @@ class LayerPainter {
              std::span<const std::size_t> changed) const;
   void drawSurface(gpu::Device& device, const PictureInput& input, const Layer& layer,
                    DrawQueue& queue) const;
+  void drawCaps(gpu::Device& device, const PictureInput& input, const Layer& layer) const;
   void drawSurfaces(gpu::Device& device, const PictureInput& input, std::span<const Layer> layers,
                     std::span<const std::size_t> changed) const;
   static passes::InkDraw inkDraw(const PictureInput& input, const Layer& layer, const Shown& shown);
@@ -70,6 +74,7 @@ class LayerPainter {
 
   Atlas m_atlas;
   std::unique_ptr<passes::SurfacePass> m_surfacePass;
+  std::unique_ptr<passes::CapPass> m_capPass;
   std::unique_ptr<passes::InkPass> m_inkPass;
   std::unique_ptr<passes::ResolvePass> m_resolvePass;
   PrintedHatching m_printedHatching;
