@@ -18,7 +18,7 @@ namespace {
 constexpr const char* firstView = "Overview";
 
 struct DemoFlags {
-  std::string scene = "abdomen";
+  std::string scene = "pelvis";
   std::string sex = "female";
   bool json = false;
   PictureFlags picture{.view = firstView};
@@ -82,9 +82,10 @@ Exit runDemo(const DemoFlags& flags) {
 void declareDemo(CLI::App& command, DemoFlags& flags) {
   command
       .add_option("SCENE", flags.scene,
-                  "kidney: a left kidney with its artery, vein and ureter; abdomen: the organs "
-                  "before the lumbar column with their vessels. No patient's: modelled")
-      ->check(CLI::IsMember({"kidney", "abdomen"}))
+                  "kidney: a left kidney with its artery, vein and ureter; pelvis: bones, muscles, "
+                  "organs, vessels, nerves and a tumour of the rectum; abdomen: the organs before "
+                  "the lumbar column and their vessels. No patient's: modelled")
+      ->check(CLI::IsMember({"kidney", "pelvis", "abdomen"}))
       ->capture_default_str();
   command.add_option("--sex", flags.sex, "Whose anatomy, where the scene tells them apart")
       ->check(CLI::IsMember({"female", "male"}))

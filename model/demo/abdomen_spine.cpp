@@ -168,14 +168,14 @@ DemoStructure swept(std::string name, const char* group, Colour colour,
 }
 
 template <std::size_t N>
-std::array<SweptPoint, N> mirrored(std::array<SweptPoint, N> points, float side) {
+std::array<SweptPoint, N> onSide(std::array<SweptPoint, N> points, float side) {
   for (SweptPoint& p : points)
     p.position.x *= side;
   return points;
 }
 
 DemoStructure rib(const char* name, float side) {
-  const auto shape = std::make_shared<Swept>(mirrored<6>({{{{23, 42, 52}, 3.6f, 1.2f},
+  const auto shape = std::make_shared<Swept>(onSide<6>({{{{23, 42, 52}, 3.6f, 1.2f},
                                                            {{36, 60, 49}, 3.4f, 1.4f},
                                                            {{56, 77, 40}, 3.0f, 1.9f},
                                                            {{79, 84, 26}, 2.8f, 2.2f},
@@ -189,7 +189,7 @@ DemoStructure rib(const char* name, float side) {
 }
 
 DemoStructure psoas(const char* name, float side) {
-  const auto shape = std::make_shared<Swept>(mirrored<7>({{{{29, 22, 18}, 6.0f, 1.2f},
+  const auto shape = std::make_shared<Swept>(onSide<7>({{{{29, 22, 18}, 6.0f, 1.2f},
                                                            {{35, 20, -20}, 12.0f, 1.2f},
                                                            {{43, 16, -66}, 18.0f, 1.15f},
                                                            {{54, 12, -112}, 22.0f, 1.0f},

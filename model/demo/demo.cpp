@@ -5,6 +5,7 @@
 
 #include "model/demo/abdomen.h"
 #include "model/demo/kidney.h"
+#include "model/demo/pelvis.h"
 #include "model/files/scene_store.h"
 
 namespace sline::model {
@@ -15,6 +16,8 @@ constexpr int modellingVersion = 1;
 
 Scene modelled(DemoName name, Sex sex) {
   switch (name) {
+    case DemoName::pelvis:
+      return pelvisDemo(sex);
     case DemoName::abdomen:
       return abdomenDemo(sex);
     case DemoName::kidney:

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -16,18 +15,8 @@
 namespace sline::model {
 
 namespace {
-Box grown(Box box, float by) {
-  box.low -= by;
-  box.high += by;
-  return box;
-}
-
 bool meet(const Box& a, const Box& b) {
   return glm::all(glm::lessThan(a.low, b.high)) && glm::all(glm::lessThan(b.low, a.high));
-}
-
-float outsideBox(const Box& box, const glm::vec3& p) {
-  return glm::length(glm::max(glm::max(box.low - p, p - box.high), glm::vec3(0.0f)));
 }
 
 struct Cutter {
@@ -44,7 +33,7 @@ Field cutField(const DemoStructure& own, std::vector<Cutter> cutters) {
   return [&own, cutters = std::move(cutters), margin](const glm::vec3& p) {
     float d = own.field(p);
     for (const Cutter& cutter : cutters) {
-      const float outside = outsideBox(cutter.reach, p);
+      const float outside = distanceToBox(cutter.reach, p);
       d = outside > 0.0f ? std::max(d, -(outside + margin - own.gap))
                          : blendedDifference(d, (*cutter.field)(p)-own.gap, own.rounding);
     }

@@ -78,8 +78,10 @@ glm::vec3 projected(const Field& field, glm::vec3 p, float edge) {
   const float squared = glm::dot(g, g);
   if (squared < 1e-6f)
     return p;
+  // Where blending makes the field steep or flat, a step must not leave the neighbourhood.
+  const float farthest = edge * std::sqrt(squared);
   for (int step = 0; step < 3; ++step)
-    p -= field(p) / squared * g;
+    p -= std::clamp(field(p), -farthest, farthest) / squared * g;
   return p;
 }
 
@@ -143,7 +145,8 @@ MeshPtr meshOf(std::vector<glm::vec3> positions, std::vector<Triangle> triangles
 }  // namespace
 
 MeshPtr polygonise(const Field& field, const Box& box, float edge) {
-  Raw raw = flyingEdges(field, box, edge);
+  // A lattice cell holds about three triangles per square of surface: their edges are shorter.
+  Raw raw = flyingEdges(field, box, 1.15f * edge);
   if (signedVolume(raw) < 0.0f)
     for (Triangle& t : raw.triangles)
       std::swap(t[1], t[2]);

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Set by hand from the measures of one body (BodyParts3D); names of ridges after textbooks.
+#include "model/demo/femur.h"
+
+#include <glm/geometric.hpp>
+
+#include "model/demo/hip_bone.h"
+
+namespace sline::model {
+
+namespace {
+constexpr float headRadius = 24.4f;
+
+void addShaft(Sculpture& bone) {
+  bone.addTube({{{133, -81, 856}, 19.0f},
+                {{130, -80, 838}, 19.0f},
+                {{126, -81, 818}, 19.0f},
+                {{124.5f, -84, 800}, 17.8f},
+                {{122.5f, -89, 784}, 16.2f},
+                {{121, -93, 767}, 15.2f},
+                {{119, -97, 750}, 14.8f}},
+               6.0f);
+  // The neck, taller than it is thick: two strands, the lower one the calcar.
+  bone.addTube({{{98, -87, 879}, 14.5f}, {{112, -86, 865.5f}, 12.2f}, {{130, -85, 855}, 13.0f}},
+               8.0f);
+  bone.addTube({{{95, -88, 872}, 13.0f}, {{107, -86, 857}, 12.5f}, {{118, -84, 838}, 14.0f}}, 8.0f);
+}
+
+void addTrochanters(Sculpture& bone) {
+  bone.addPlate({{{{143, -92, 865}, 6.5f},
+                  {{147, -79, 870}, 7.0f},
+                  {{139, -66, 870}, 6.0f},
+                  {{147, -90, 852}, 9.0f},
+                  {{150, -78, 853}, 10.5f},
+                  {{139, -66, 852}, 8.0f},
+                  {{142, -86, 838}, 11.0f},
+                  {{145, -78, 838}, 12.0f},
+                  {{136, -68, 838}, 9.0f}},
+                 3},
+                6.0f);
+  bone.addTube({{{144, -79, 846}, 14.0f}, {{140, -79, 830}, 15.0f}, {{133, -81, 808}, 14.0f}},
+               8.0f);
+  // Intertrochanteric crest behind, down to the lesser trochanter.
+  bone.addTube({{{136, -63, 862}, 5.0f},
+                {{132, -63, 845}, 5.5f},
+                {{123, -67, 827}, 6.0f},
+                {{112, -73, 812}, 8.0f}},
+               6.0f);
+  bone.addTube({{{116, -80, 818}, 10.0f},
+                {{108, -75, 809}, 7.5f},
+                {{107, -76, 804}, 7.0f},
+                {{113, -82, 790}, 7.0f}},
+               8.0f);
+  // Intertrochanteric line in front.
+  bone.addTube({{{142, -93, 862}, 5.0f},
+                {{134, -96, 851}, 3.0f},
+                {{122, -95, 834}, 2.5f},
+                {{112, -90, 818}, 2.5f}},
+               8.0f);
+  // The fossa behind the neck, under the tip of the greater trochanter.
+  bone.carveTube({{{127, -63, 875}, 5.0f}, {{133, -72, 865}, 4.0f}}, 7.0f);
+}
+}  // namespace
+
+Sculpture leftFemur() {
+  Sculpture bone;
+  addShaft(bone);
+  addTrochanters(bone);
+  const auto head = [](const glm::vec3& p) { return glm::distance(p, leftHipJoint) - headRadius; };
+  bone.add(head, {leftHipJoint - headRadius, leftHipJoint + headRadius}, 5.0f);
+  // The fovea, for the ligament of the head.
+  const glm::vec3 fovea =
+      leftHipJoint + headRadius * glm::normalize(glm::vec3(-0.93f, 0.3f, -0.1f));
+  bone.carve([fovea](const glm::vec3& p) { return glm::distance(p, fovea) - 3.5f; }, 4.0f);
+  bone.cut({0, 0, 770}, {0, 0, -1}, 3.0f);
+  return bone;
+}
+
+}  // namespace sline::model
