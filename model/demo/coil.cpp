@@ -7,8 +7,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "model/demo/swept.h"
-
 namespace sline::model {
 
 namespace {
@@ -17,18 +15,17 @@ using Points = std::vector<glm::vec3>;
 Points evenlySpaced(std::span<const glm::vec3> path, float spacing) {
   std::vector<Curve::Knot> through;
   for (const glm::vec3& p : path)
-    through.push_back({.main = {p, 1.0f}});
+    through.push_back({glm::vec4(p, 1.0f)});
   const Curve curve(through, 0.25f * spacing);
-  const std::vector<Curve::Knot>& knots = curve.knots();
   Points points{path.front()};
   float due = spacing;
   float along = 0.0f;
-  for (std::size_t i = 1; i < knots.size(); ++i) {
-    const glm::vec3 here(knots[i].main);
-    along += glm::distance(here, glm::vec3(knots[i - 1].main));
+  for (std::size_t i = 1; i < curve.knots().size(); ++i) {
+    const glm::vec3 at(curve.knots()[i].main);
+    along += glm::distance(at, glm::vec3(curve.knots()[i - 1].main));
     if (along < due)
       continue;
-    points.push_back(here);
+    points.push_back(at);
     due += spacing;
   }
   points.push_back(path.back());

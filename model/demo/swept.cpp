@@ -26,19 +26,20 @@ glm::vec3 direction(const glm::vec3& from, const glm::vec3& to) {
 Swept::Swept(std::span<const SweptPoint> through, const glm::vec3& front, float step) {
   std::vector<Curve::Knot> knots;
   for (const SweptPoint& p : through)
-    knots.push_back({.main = {p.position, p.radius}, .more = {0.0f, 0.0f, 0.0f, p.depth}});
+    knots.push_back({glm::vec4(p.position, p.radius), glm::vec4(p.depth, 0, 0, 0)});
   const Curve curve(knots, step);
-  float along = 0.0f;
-  float widthsPassed = 0.0f;
   for (const Curve::Knot& knot : curve.knots()) {
-    const glm::vec3 position(knot.main);
+    Sample sample{.position = glm::vec3(knot.main),
+                  .radius = std::max(knot.main.w, 0.1f),
+                  .depth = knot.more.x,
+                  .front = front};
     if (!m_samples.empty()) {
       const Sample& before = m_samples.back();
-      const float piece = glm::distance(position, before.position);
-      along += piece;
-      widthsPassed += piece / (0.5f * (knot.main.w + before.radius));
+      const float piece = glm::distance(sample.position, before.position);
+      sample.along = before.along + piece;
+      sample.widths = before.widths + piece / (0.5f * (sample.radius + before.radius));
     }
-    m_samples.push_back({position, knot.main.w, knot.more.w, along, widthsPassed, front});
+    m_samples.push_back(sample);
   }
   smooth();
   carryFrames(front);
