@@ -2,6 +2,7 @@
 #include "render/picture/picture.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "render/passes/plain_phong/pass.h"
 #include "render/picture/layer_painter.h"
@@ -49,6 +50,12 @@ void copyRegion(const std::vector<std::byte>& pixels, const gpu::Rect& region, I
   }
 }
 
+/// Where a picture goes: pixels to read back, a target, or neither.
+struct Output {
+  Image* image = nullptr;
+  const gpu::Target* target = nullptr;
+};
+
 Status checkRequest(const model::Camera& camera, const PictureSettings& settings) {
   if (settings.width < 1 || settings.height < 1 || settings.width > 65535 ||
       settings.height > 65535)
@@ -76,9 +83,9 @@ struct Picture::Data {
   std::vector<Shown> shown(const model::Scene& scene);
   int regionSide() const;
   Status paint(const PictureInput& input, const gpu::Rect& region, Stopwatch& stopwatch,
-               Image* image);
+               const Output& output);
   Status picture(const model::Scene& scene, const model::Camera& camera,
-                 const PictureSettings& settings, Image* image);
+                 const PictureSettings& settings, const Output& output);
 };
 
 std::vector<Shown> Picture::Data::shown(const model::Scene& scene) {
@@ -104,7 +111,7 @@ int Picture::Data::regionSide() const {
 }
 
 Status Picture::Data::paint(const PictureInput& input, const gpu::Rect& region,
-                            Stopwatch& stopwatch, Image* image) {
+                            Stopwatch& stopwatch, const Output& output) {
   auto outcome = Result<LayerPainter::Outcome>(LayerPainter::Outcome::tooLarge);
   if (std::max(region.width, region.height) <= regionSide()) {
     if (Status s = canvas.resize({region.width, region.height}, false); !s)
@@ -129,22 +136,24 @@ Status Picture::Data::paint(const PictureInput& input, const gpu::Rect& region,
       second = {region.x, first.top(), region.width, region.height - first.height};
     }
     for (const gpu::Rect& half : {first, second})
-      if (Status s = paint(input, half, stopwatch, image); !s)
+      if (Status s = paint(input, half, stopwatch, output); !s)
         return s;
     return Unit{};
   }
   layersDrawn += painter->layersDrawn();
-  if (image) {
+  if (output.target)
+    device->copyColour(*canvas.target, {0, 0, region.width, region.height}, *output.target, region);
+  if (output.image) {
     std::vector<std::byte> pixels(std::size_t(region.width) * region.height * 4);
     device->read(*canvas.target, {0, 0, region.width, region.height}, pixels);
-    copyRegion(pixels, region, *image);
+    copyRegion(pixels, region, *output.image);
     stopwatch.pass(*device, "read");
   }
   return Unit{};
 }
 
 Status Picture::Data::picture(const model::Scene& scene, const model::Camera& camera,
-                              const PictureSettings& settings, Image* image) {
+                              const PictureSettings& settings, const Output& output) {
   if (Status s = checkRequest(camera, settings); !s)
     return s;
   const std::vector<Shown> visible = shown(scene);
@@ -160,7 +169,7 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
                        .shown = visible,
                        .background = settings.background,
                        .lines = whole ? nullptr : &lines},
-                      view.whole(), stopwatch, image);
+                      view.whole(), stopwatch, output);
   timings = stopwatch.done();
   timings.layersDrawn = layersDrawn;
   return done;
@@ -199,14 +208,22 @@ Result<Image> Picture::render(const model::Scene& scene, const model::Camera& ca
   if (Status s = checkRequest(camera, settings); !s)
     return s.error();
   image.rgba.resize(std::size_t(settings.width) * settings.height * 4);
-  if (Status s = m_data->picture(scene, camera, settings, &image); !s)
+  if (Status s = m_data->picture(scene, camera, settings, {.image = &image}); !s)
     return s.error();
   return image;
 }
 
 Status Picture::draw(const model::Scene& scene, const model::Camera& camera,
                      const PictureSettings& settings) {
-  return m_data->picture(scene, camera, settings, nullptr);
+  return m_data->picture(scene, camera, settings, {});
+}
+
+Status Picture::drawInto(const gpu::Target& target, const model::Scene& scene,
+                         const model::Camera& camera, const PictureSettings& settings) {
+  assert(target.size() == (gpu::TextureSize{settings.width, settings.height}));
+  const Status drawn = m_data->picture(scene, camera, settings, {.target = &target});
+  m_data->device->finish();
+  return drawn;
 }
 
 Status Picture::drawPlainPhong(const model::Scene& scene, const model::Camera& camera,

@@ -15,6 +15,10 @@
 
 namespace sline::render {
 
+namespace gpu {
+class Target;
+}
+
 enum class Background { white, paper, dark, transparent };
 
 /// How hatching is made: strokes along curves (ours), or S §3.4 as printed, which is grey and of one
@@ -74,6 +78,9 @@ class Picture {
   /// Draws without reading back, and waits for the GPU (the benchmark's frame).
   Status draw(const model::Scene& scene, const model::Camera& camera,
               const PictureSettings& settings);
+  /// Draws into a target instead, whose size must be the picture's; waits for the GPU.
+  Status drawInto(const gpu::Target& target, const model::Scene& scene, const model::Camera& camera,
+                  const PictureSettings& settings);
   /// One opaque Phong pass of the visible structures straight to the picture, without layers or
   /// lines: the benchmark's yardstick.
   Status drawPlainPhong(const model::Scene& scene, const model::Camera& camera,
