@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a structure is told: edits Scene → Scene (see model/edit/style.h for `Edited`). What is said of
-// a group holds for all in it, so what structures in it said themselves is forgotten.
+// How a structure is told: edits Scene → Scene (see model/edit/style.h for `Edited`). What is said
+// of a group holds for all in it, so what structures in it said themselves is forgotten.
 #pragma once
 
 #include "model/edit/style.h"

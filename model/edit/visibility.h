@@ -12,9 +12,9 @@ Shown shownOf(const Scene& scene, NodeId id);
 
 /// Hides the nodes; what stands below them remembers its own state.
 Edited withHidden(const Scene& scene, std::span<const NodeId> ids);
-/// Shows the nodes. A hidden group comes back as it was before it was hidden; one that shows a part,
-/// or would show nothing, shows all. Where a group above is hidden, it is shown with nothing else in
-/// it.
+/// Shows the nodes. A hidden group comes back as it was before it was hidden; one that shows a
+/// part, or would show nothing, shows all. Where a group above is hidden, it is shown with nothing
+/// else in it.
 Edited withShown(const Scene& scene, std::span<const NodeId> ids);
 
 }  // namespace sline::model

@@ -21,8 +21,8 @@ class Target;
 
 enum class Background { white, paper, dark, transparent };
 
-/// How hatching is made: strokes along curves (ours), or S §3.4 as printed, which is grey and of one
-/// scale: a yardstick for measures.
+/// How hatching is made: strokes along curves (ours), or S §3.4 as printed, which is grey and of
+/// one scale: a yardstick for measures.
 enum class HatchingMethod { strokes, asPrinted };
 
 /// What of a picture is drawn; measures look at one part alone.

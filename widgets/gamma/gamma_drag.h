@@ -5,7 +5,8 @@
 
 namespace sline::widgets {
 
-/// A change of Γ by hand: shown at once, one undo step when it is let go, none where it is given up.
+/// A change of Γ by hand: shown at once, one undo step when it is let go, none where it is given
+/// up.
 class GammaDrag {
  public:
   explicit GammaDrag(Session& session) : m_session(session) {}

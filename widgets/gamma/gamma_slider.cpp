@@ -101,8 +101,8 @@ void GammaSlider::paintStages(QPainter& painter) const {
     QFont bold = font();
     bold.setBold(one && int(stage.gamma) == nearest);
     painter.setFont(bold);
-    painter.setPen(palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled,
-                                   QPalette::WindowText));
+    painter.setPen(
+        palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::WindowText));
     const QRectF box(labelX, at.y() - 14.0, width() - labelX, 28.0);
     painter.drawText(box, Qt::AlignVCenter | Qt::AlignLeft, stage.name);
   }

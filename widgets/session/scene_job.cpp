@@ -29,7 +29,8 @@ SceneJob::SceneJob(SceneMaker maker, QObject* parent) : QObject(parent) {
       return report(done, what);
     };
     auto result = std::make_shared<Result<Loaded>>(sline::widgets::made(maker, progress));
-    QMetaObject::invokeMethod(this, [this, result] { finish(result); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this, result] { finish(result); }, Qt::QueuedConnection);
   });
 }
 

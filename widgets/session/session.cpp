@@ -53,8 +53,8 @@ QString titleOf(const std::vector<std::filesystem::path>& paths) {
 QStringList remarksOf(const model::ImportReport& report) {
   QStringList remarks;
   for (const model::ImportWarning& warning : report.warnings)
-    remarks << QString::fromStdString(
-        warning.file.empty() ? warning.reason : warning.file + ": " + warning.reason);
+    remarks << QString::fromStdString(warning.file.empty() ? warning.reason
+                                                           : warning.file + ": " + warning.reason);
   return remarks;
 }
 
@@ -186,10 +186,11 @@ void Session::openMade(const QString& title, SceneMaker maker) {
 void Session::startJob(const QString& title, SceneMaker maker) {
   cancelJob();
   m_job = new SceneJob(std::move(maker), this);
-  connect(m_job, &SceneJob::progressed, this, [this, job = m_job](double done, const QString& what) {
-    if (job == m_job)
-      emit jobProgressed(done, what);
-  });
+  connect(m_job, &SceneJob::progressed, this,
+          [this, job = m_job](double done, const QString& what) {
+            if (job == m_job)
+              emit jobProgressed(done, what);
+          });
   connect(m_job, &SceneJob::made, this, [this, job = m_job](const Loaded& loaded) {
     if (job != m_job)
       return;

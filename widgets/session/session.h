@@ -58,8 +58,7 @@ class Session : public QObject {
 
  signals:
   /// Also at each step of a drag; compare the two to see what differs.
-  void documentChanged(const sline::widgets::Document& before,
-                       const sline::widgets::Document& now);
+  void documentChanged(const sline::widgets::Document& before, const sline::widgets::Document& now);
   void selectionChanged();
   void jobStarted(const QString& title);
   void jobProgressed(double done, const QString& what);

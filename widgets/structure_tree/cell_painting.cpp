@@ -87,8 +87,7 @@ void paintSwatch(QPainter& painter, const QRectF& cell, std::span<const QColor> 
 
 void paintGamma(QPainter& painter, const GammaCell& cell, const GammaLook& look,
                 const QPalette& palette) {
-  const QColor text =
-      palette.color(look.selected ? QPalette::HighlightedText : QPalette::Text);
+  const QColor text = palette.color(look.selected ? QPalette::HighlightedText : QPalette::Text);
   const QColor accent =
       look.selected ? palette.color(QPalette::HighlightedText) : palette.color(QPalette::Highlight);
   const bool one = look.range.low == look.range.high;
@@ -108,9 +107,8 @@ void paintGamma(QPainter& painter, const GammaCell& cell, const GammaLook& look,
   if (one) {
     const QPointF at(to, groove.center().y());
     painter.setPen(QPen(look.own ? accent : faded(text, 0.5), 1.4));
-    painter.setBrush(look.own ? accent
-                              : palette.color(look.selected ? QPalette::Highlight
-                                                            : QPalette::Base));
+    painter.setBrush(
+        look.own ? accent : palette.color(look.selected ? QPalette::Highlight : QPalette::Base));
     painter.drawEllipse(at, handleRadius - 0.7, handleRadius - 0.7);
   }
   painter.setPen(faded(text, look.own ? 1.0 : 0.55));

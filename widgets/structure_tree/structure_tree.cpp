@@ -64,8 +64,7 @@ void StructureTree::chooseColour(const NodeIds& ids) {
     m_session.preview(model::withColour(m_session.sceneBeforePreview(), ids, colour).scene);
   };
   connect(dialog, &QColorDialog::currentColorChanged, this, show);
-  connect(dialog, &QColorDialog::accepted, this,
-          [this] { m_session.commitPreview(tr("Colour")); });
+  connect(dialog, &QColorDialog::accepted, this, [this] { m_session.commitPreview(tr("Colour")); });
   connect(dialog, &QColorDialog::rejected, this, [this] { m_session.cancelPreview(); });
   dialog->open();
 }

@@ -186,10 +186,10 @@ QVariant StructureTreeModel::describe(const QModelIndex& index) const {
       return node.isGroup() ? text : tr("%1, from the group above").arg(text);
     }
     default:
-      return node.isGroup() ? tr("%1, %n structures", nullptr,
-                                 int(scene.structuresBelow(node.id).size()))
-                                  .arg(QString::fromStdString(node.name))
-                            : QString::fromStdString(node.name);
+      return node.isGroup()
+                 ? tr("%1, %n structures", nullptr, int(scene.structuresBelow(node.id).size()))
+                       .arg(QString::fromStdString(node.name))
+                 : QString::fromStdString(node.name);
   }
 }
 

@@ -73,12 +73,12 @@ model::NodeId StructureTreeView::idAt(const QModelIndex& shown) const {
   return m_model->idOf(m_filtered->mapToSource(shown));
 }
 
-QModelIndex StructureTreeView::shownIndex(model::NodeId id) const {
+QModelIndex StructureTreeView::indexOf(model::NodeId id) const {
   return m_filtered->mapFromSource(m_model->indexOf(id));
 }
 
 QRect StructureTreeView::cellOf(model::NodeId id, int column) const {
-  const QModelIndex index = shownIndex(id);
+  const QModelIndex index = indexOf(id);
   return index.isValid() ? visualRect(index.siblingAtColumn(column)) : QRect();
 }
 
@@ -186,13 +186,13 @@ void StructureTreeView::fromSession() {
   const QScopedValueRollback following(m_following, true);
   QItemSelection selection;
   for (const model::NodeId id : m_session.selection()) {
-    const QModelIndex index = shownIndex(id);
+    const QModelIndex index = indexOf(id);
     if (index.isValid())
       selection.select(index.siblingAtColumn(0), index.siblingAtColumn(Model::gamma));
   }
   selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
   if (!selection.isEmpty())
-    scrollTo(shownIndex(m_session.selection().front()));
+    scrollTo(indexOf(m_session.selection().front()));
 }
 
 }  // namespace sline::widgets

@@ -19,6 +19,8 @@ class StructureTreeView : public QTreeView {
 
   /// Shows the structures whose names, or whose groups' names, contain the text.
   void setFilter(const QString& text);
+  /// The row, by its name's cell; invalid where the filter hides it.
+  QModelIndex indexOf(model::NodeId id) const;
   /// The row's cell in the viewport; empty where the row is out of sight.
   QRect cellOf(model::NodeId id, int column) const;
   /// Hides what is selected where all of it is shown, else shows it.
@@ -36,7 +38,6 @@ class StructureTreeView : public QTreeView {
 
  private:
   model::NodeId idAt(const QModelIndex& shown) const;
-  QModelIndex shownIndex(model::NodeId id) const;
   /// The selection where the row is part of it, else the row alone.
   NodeIds meant(const QModelIndex& shown) const;
   void toggle(const NodeIds& ids);

@@ -88,8 +88,7 @@ model::Ray sightThrough(const model::Camera& camera, const glm::vec2& pixel,
   }
   const float slope = edgeSlope(camera);
   return {.origin = camera.eye,
-          .direction =
-              glm::normalize(slope * (c.x * frame.right + c.y * frame.up) - frame.back)};
+          .direction = glm::normalize(slope * (c.x * frame.right + c.y * frame.up) - frame.back)};
 }
 
 glm::vec3 pointAtDepthOf(const model::Camera& camera, const glm::vec3& at, const glm::vec2& pixel,

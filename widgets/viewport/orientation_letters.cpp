@@ -17,9 +17,8 @@ constexpr char negative[] = "RAI";
 std::string sidesTowards(const glm::vec3& direction) {
   constexpr float least = 0.42f;
   std::array<int, 3> axes{0, 1, 2};
-  std::sort(axes.begin(), axes.end(), [&](int a, int b) {
-    return std::abs(direction[a]) > std::abs(direction[b]);
-  });
+  std::sort(axes.begin(), axes.end(),
+            [&](int a, int b) { return std::abs(direction[a]) > std::abs(direction[b]); });
   std::string sides;
   for (const int axis : axes)
     if (std::abs(direction[axis]) > least)

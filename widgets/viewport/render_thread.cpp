@@ -27,8 +27,7 @@ Result<std::unique_ptr<PicturePainter>> makePicturePainter() {
   auto picture = render::Picture::create();
   if (!picture)
     return picture.error();
-  return std::unique_ptr<PicturePainter>(
-      std::make_unique<RendererPainter>(std::move(*picture)));
+  return std::unique_ptr<PicturePainter>(std::make_unique<RendererPainter>(std::move(*picture)));
 }
 
 RenderThread::RenderThread(QOpenGLContext& shareWith, render::gpu::Handoff& handoff,

@@ -176,7 +176,8 @@ std::vector<glm::vec3> Viewport::visibleCorners() const {
   // Of each structure's box: a whole body has too many vertices to look at within a frame.
   std::vector<glm::vec3> corners;
   for (const model::Node& node : m_session.scene().nodes()) {
-    if (node.isGroup() || node.mesh->bounds().empty() || !m_session.scene().resolve(node.id).visible)
+    if (node.isGroup() || node.mesh->bounds().empty() ||
+        !m_session.scene().resolve(node.id).visible)
       continue;
     const model::Box& box = node.mesh->bounds();
     for (int i = 0; i < 8; ++i)
@@ -223,8 +224,8 @@ void Viewport::documentChange(const Document& before, const Document& now) {
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
   const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
-  const bool pan = event->button() == Qt::MiddleButton ||
-                   (event->button() == Qt::LeftButton && shift);
+  const bool pan =
+      event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && shift);
   if (m_drag || (!pan && event->button() != Qt::LeftButton))
     return;
   m_pressed = event->position();
@@ -249,8 +250,8 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     return;
   m_drag.reset();
   if (!m_dragged && event->button() == Qt::LeftButton)
-    pick(event->position(), event->modifiers().testFlag(Qt::ControlModifier) ? PickFor::addition
-                                                                             : PickFor::selection);
+    pick(event->position(),
+         event->modifiers().testFlag(Qt::ControlModifier) ? PickFor::addition : PickFor::selection);
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {

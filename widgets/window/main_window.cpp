@@ -7,7 +7,9 @@
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QGridLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -16,7 +18,6 @@
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 
@@ -101,11 +102,12 @@ void MainWindow::makeCentre() {
   m_message = new MessageBar;
   m_viewport = new Viewport(m_session);
   auto* centre = new QWidget;
-  auto* layout = new QVBoxLayout(centre);
+  auto* layout = new QGridLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(m_message);
-  layout->addWidget(m_viewport, 1);
+  // A message lies over the picture's upper edge: pushing it down would draw it anew.
+  layout->addWidget(m_viewport, 0, 0);
+  layout->addWidget(m_message, 0, 0, Qt::AlignTop);
+  m_message->raise();
   setCentralWidget(centre);
 }
 
@@ -174,8 +176,8 @@ void MainWindow::makeFileMenu() {
 
 void MainWindow::makeStructureMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Structure"));
-  for (const char* id : {"focus", "context", "inherit", "", "toggle", "isolate", "showAll", "",
-                         "remove"}) {
+  for (const char* id :
+       {"focus", "context", "inherit", "", "toggle", "isolate", "showAll", "", "remove"}) {
     if (*id == '\0') {
       menu->addSeparator();
       continue;
@@ -225,9 +227,9 @@ void MainWindow::makeTools() {
   tools->setObjectName(QStringLiteral("tools"));
   tools->setMovable(false);
   tools->setToolButtonStyle(Qt::ToolButtonTextOnly);
-  for (const char* id : {"openFolder", "", "undo", "redo", "", "focus", "context", "isolate",
-                         "showAll", "", "anterior", "posterior", "left", "right", "superior",
-                         "inferior", "fit"}) {
+  for (const char* id :
+       {"openFolder", "", "undo", "redo", "", "focus", "context", "isolate", "showAll", "",
+        "anterior", "posterior", "left", "right", "superior", "inferior", "fit"}) {
     if (*id == '\0')
       tools->addSeparator();
     else
@@ -360,9 +362,10 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::chooseFiles() {
-  auto* dialog = new QFileDialog(this, tr("Open Files"), m_settings.value(QLatin1String(folderKey)).toString(),
-                                 tr("Meshes and scenes (*.mrml *.obj *.stl *.ply *.off *.vtk *.vtp "
-                                    "*.glb *.gltf);;All files (*)"));
+  auto* dialog =
+      new QFileDialog(this, tr("Open Files"), m_settings.value(QLatin1String(folderKey)).toString(),
+                      tr("Meshes and scenes (*.mrml *.obj *.stl *.ply *.off *.vtk *.vtp "
+                         "*.glb *.gltf);;All files (*)"));
   dialog->setObjectName(QStringLiteral("openFilesDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFiles);

@@ -66,8 +66,9 @@ void MessageBar::showRemarks(const QString& heading, const QStringList& remarks)
 }
 
 void MessageBar::display(Kind kind, const QString& heading, const QString& body) {
-  const QString title =
-      heading.isEmpty() ? QString() : QStringLiteral("<b>%1</b>&ensp;").arg(heading.toHtmlEscaped());
+  const QString title = heading.isEmpty()
+                            ? QString()
+                            : QStringLiteral("<b>%1</b>&ensp;").arg(heading.toHtmlEscaped());
   m_text->setText(title + body.trimmed().toHtmlEscaped());
   m_details->setVisible(m_remarks.size() > 1);
   m_details->setText(tr("Show all %n", nullptr, int(m_remarks.size())));

@@ -18,15 +18,16 @@ QList<QKeySequence> key(const QKeySequence& keys) {
 }
 
 std::vector<ActionRow> fileRows() {
-  return {{QStringLiteral("openFiles"), tr("&Open Files…"), key(QKeySequence::Open),
-           tr("Open mesh files or a 3D Slicer scene")},
-          {QStringLiteral("openFolder"), tr("Open &Folder…"), key(tr("Ctrl+Shift+O")),
-           tr("Open all meshes in a folder")},
-          {QStringLiteral("quit"), tr("&Quit"), key(QKeySequence::Quit), tr("Close the program")},
-          {QStringLiteral("undo"), tr("&Undo"), key(QKeySequence::Undo), tr("Take the last step back")},
-          {QStringLiteral("redo"), tr("&Redo"), key(QKeySequence::Redo), tr("Do it again")},
-          {QStringLiteral("find"), tr("&Find Structure"), key(QKeySequence::Find),
-           tr("Type a few letters of a name")}};
+  return {
+      {QStringLiteral("openFiles"), tr("&Open Files…"), key(QKeySequence::Open),
+       tr("Open mesh files or a 3D Slicer scene")},
+      {QStringLiteral("openFolder"), tr("Open &Folder…"), key(tr("Ctrl+Shift+O")),
+       tr("Open all meshes in a folder")},
+      {QStringLiteral("quit"), tr("&Quit"), key(QKeySequence::Quit), tr("Close the program")},
+      {QStringLiteral("undo"), tr("&Undo"), key(QKeySequence::Undo), tr("Take the last step back")},
+      {QStringLiteral("redo"), tr("&Redo"), key(QKeySequence::Redo), tr("Do it again")},
+      {QStringLiteral("find"), tr("&Find Structure"), key(QKeySequence::Find),
+       tr("Type a few letters of a name")}};
 }
 
 std::vector<ActionRow> structureRows() {
@@ -36,7 +37,9 @@ std::vector<ActionRow> structureRows() {
       {QStringLiteral("context"), tr("&Context"), key(tr("Ctrl+D")),
        tr("The selected structures as contours")},
       {QStringLiteral("inherit"), tr("&Inherit Γ"), {}, tr("Take Γ from the group above again")},
-      {QStringLiteral("toggle"), tr("Show or &Hide"), {},
+      {QStringLiteral("toggle"),
+       tr("Show or &Hide"),
+       {},
        tr("Hide the selected structures, or show them again (Space in the list)")},
       {QStringLiteral("isolate"), tr("I&solate"), key(tr("/")), tr("Hide everything else")},
       {QStringLiteral("showAll"), tr("Show &All"), key(tr("Ctrl+Shift+H")), tr("Hide nothing")},
@@ -45,17 +48,20 @@ std::vector<ActionRow> structureRows() {
 }
 
 std::vector<ActionRow> viewRows() {
-  return {{QStringLiteral("anterior"), tr("&Anterior"), key(tr("A")), tr("Seen from the front")},
-          {QStringLiteral("posterior"), tr("&Posterior"), key(tr("P")), tr("Seen from the back")},
-          {QStringLiteral("left"), tr("&Left"), key(tr("L")), tr("Seen from the patient's left")},
-          {QStringLiteral("right"), tr("&Right"), key(tr("R")), tr("Seen from the patient's right")},
-          {QStringLiteral("superior"), tr("&Superior"), key(tr("S")), tr("Seen from above")},
-          {QStringLiteral("inferior"), tr("&Inferior"), key(tr("I")), tr("Seen from below")},
-          {QStringLiteral("fit"), tr("&Fit All"), {QKeySequence(tr("F")), QKeySequence(tr("Home"))},
-           tr("Bring all that is shown into the picture")},
-          {QStringLiteral("controls"), tr("&Mouse and Keys"), key(QKeySequence::HelpContents),
-           tr("What the mouse and the keys do")},
-          {QStringLiteral("about"), tr("&About Sline"), {}, tr("What this program is")}};
+  return {
+      {QStringLiteral("anterior"), tr("&Anterior"), key(tr("A")), tr("Seen from the front")},
+      {QStringLiteral("posterior"), tr("&Posterior"), key(tr("P")), tr("Seen from the back")},
+      {QStringLiteral("left"), tr("&Left"), key(tr("L")), tr("Seen from the patient's left")},
+      {QStringLiteral("right"), tr("&Right"), key(tr("R")), tr("Seen from the patient's right")},
+      {QStringLiteral("superior"), tr("&Superior"), key(tr("S")), tr("Seen from above")},
+      {QStringLiteral("inferior"), tr("&Inferior"), key(tr("I")), tr("Seen from below")},
+      {QStringLiteral("fit"),
+       tr("&Fit All"),
+       {QKeySequence(tr("F")), QKeySequence(tr("Home"))},
+       tr("Bring all that is shown into the picture")},
+      {QStringLiteral("controls"), tr("&Mouse and Keys"), key(QKeySequence::HelpContents),
+       tr("What the mouse and the keys do")},
+      {QStringLiteral("about"), tr("&About Sline"), {}, tr("What this program is")}};
 }
 
 QString tableRow(const QString& what, const QString& meaning) {
