@@ -156,18 +156,22 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
                               const PictureSettings& settings, const Output& output) {
   if (Status s = checkRequest(camera, settings); !s)
     return s;
-  const std::vector<Shown> visible = shown(scene);
+  std::vector<Shown> visible = shown(scene);
   model::Box bounds;
-  for (const Shown& s : visible)
+  for (Shown& s : visible) {
+    s.printedHatching = showsPrintedHatching(s.style, settings);
     bounds.add(s.mesh->bounds());
+  }
   Stopwatch stopwatch;
   const PictureView view(camera, bounds, settings.width, settings.height);
-  std::map<model::NodeId, LineSet> lines;
+  std::map<model::NodeId, StructureLines> lines;
   const bool whole = std::max(settings.width, settings.height) <= regionSide();
   layersDrawn = 0;
   Status done = paint({.view = view,
                        .shown = visible,
                        .background = settings.background,
+                       .keyLight = settings.keyLight,
+                       .parts = settings.parts,
                        .lines = whole ? nullptr : &lines},
                       view.whole(), stopwatch, output);
   timings = stopwatch.done();

@@ -38,6 +38,7 @@ struct PictureSettings {
   int height = 720;
   Background background = Background::white;
   HatchingMethod hatching = HatchingMethod::strokes;
+  bool keyLight = false;  ///< shading has a light from the upper left besides the headlight
   PictureParts parts;
 };
 
