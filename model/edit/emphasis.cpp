@@ -89,7 +89,7 @@ Edited withFocus(const Scene& scene, std::span<const NodeId> ids) {
     node.style.fill.reset();
     if (speaks) {
       node.style.gamma = Gamma::clamped(focus ? focusGamma : contextGamma);
-      node.style.fill = Fill::paper;
+      node.style.fill = focus ? Fill::paper : Fill::veil;
     }
   }
   Edited edited{scene, nodes != scene.nodes()};
@@ -104,7 +104,7 @@ Edited withContext(const Scene& scene, std::span<const NodeId> ids) {
     style.fill.reset();
     if (named) {
       style.gamma = Gamma::clamped(contextGamma);
-      style.fill = Fill::paper;
+      style.fill = Fill::veil;
     }
   });
 }

@@ -21,9 +21,10 @@ struct GammaRange {
 };
 GammaRange gammaRangeOf(const Scene& scene, NodeId id);
 
-/// The nodes in detail (shaded, hatched), everything else as contours that hide what is behind.
+/// The nodes in detail (hatched and shaded); everything else as contours under a veil, through
+/// which the nodes can be seen where they lie behind.
 Edited withFocus(const Scene& scene, std::span<const NodeId> ids);
-/// The nodes as contours; everything else stays.
+/// The nodes as contours under a veil; everything else stays.
 Edited withContext(const Scene& scene, std::span<const NodeId> ids);
 
 }  // namespace sline::model

@@ -54,6 +54,7 @@ void copyRegion(const std::vector<std::byte>& pixels, const gpu::Rect& region, I
 struct Output {
   Image* image = nullptr;
   const gpu::Target* target = nullptr;
+  const std::atomic<bool>* unwanted = nullptr;
 };
 
 Status checkRequest(const model::Camera& camera, const PictureSettings& settings) {
@@ -79,6 +80,7 @@ struct Picture::Data {
   Canvas plainCanvas;
   PictureTimings timings;
   int layersDrawn = 0;
+  bool givenUp = false;
 
   std::vector<Shown> shown(const model::Scene& scene);
   int regionSide() const;
@@ -119,6 +121,10 @@ Status Picture::Data::paint(const PictureInput& input, const gpu::Rect& region,
     outcome = painter->paint(*device, input, region, *canvas.target, stopwatch);
     if (!outcome)
       return outcome.error();
+  }
+  if (*outcome == LayerPainter::Outcome::givenUp) {
+    givenUp = true;
+    return Unit{};
   }
   if (*outcome == LayerPainter::Outcome::tooLarge) {
     if (std::max(region.width, region.height) < 2 * passes::ResolvePass::tileSide)
@@ -167,12 +173,14 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
   std::map<model::NodeId, StructureLines> lines;
   const bool whole = std::max(settings.width, settings.height) <= regionSide();
   layersDrawn = 0;
+  givenUp = false;
   Status done = paint({.view = view,
                        .shown = visible,
                        .background = settings.background,
                        .keyLight = settings.keyLight,
                        .parts = settings.parts,
-                       .lines = whole ? nullptr : &lines},
+                       .lines = whole ? nullptr : &lines,
+                       .unwanted = output.unwanted},
                       view.whole(), stopwatch, output);
   timings = stopwatch.done();
   timings.layersDrawn = layersDrawn;
@@ -222,12 +230,14 @@ Status Picture::draw(const model::Scene& scene, const model::Camera& camera,
   return m_data->picture(scene, camera, settings, {});
 }
 
-Status Picture::drawInto(const gpu::Target& target, const model::Scene& scene,
-                         const model::Camera& camera, const PictureSettings& settings) {
-  assert(target.size() == (gpu::TextureSize{settings.width, settings.height}));
-  const Status drawn = m_data->picture(scene, camera, settings, {.target = &target});
+Result<bool> Picture::drawInto(const TargetJob& job, const model::Scene& scene,
+                               const model::Camera& camera, const PictureSettings& settings) {
+  assert(job.target.size() == (gpu::TextureSize{settings.width, settings.height}));
+  const Output output{.target = &job.target, .unwanted = job.unwanted};
+  if (Status s = m_data->picture(scene, camera, settings, output); !s)
+    return s.error();
   m_data->device->finish();
-  return drawn;
+  return !m_data->givenUp;
 }
 
 Status Picture::drawPlainPhong(const model::Scene& scene, const model::Camera& camera,

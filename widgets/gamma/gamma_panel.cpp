@@ -99,6 +99,8 @@ QWidget* GammaPanel::makeFill() {
   const std::vector<Choice> choices{
       {model::Fill::none, "fillNone", tr("Open"), tr("What is behind shows through")},
       {model::Fill::paper, "fillPaper", tr("Solid"), tr("Hides what is behind")},
+      {model::Fill::veil, "fillVeil", tr("Veil"),
+       tr("What is behind shows faintly, as through tracing paper")},
       {model::Fill::tint, "fillTint", tr("Tint"),
        tr("A thin wash of the structure's colour; what is behind shows through")}};
   auto* row = new QWidget;

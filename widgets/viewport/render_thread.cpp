@@ -13,8 +13,9 @@ class RendererPainter : public PicturePainter {
  public:
   explicit RendererPainter(std::unique_ptr<render::Picture> picture)
       : m_picture(std::move(picture)) {}
-  Status paint(const PictureRequest& request, const render::gpu::Target& target) override {
-    return m_picture->drawInto(target, request.scene, request.camera, request.settings);
+  Result<bool> paint(const PictureRequest& request,
+                     const render::Picture::TargetJob& job) override {
+    return m_picture->drawInto(job, request.scene, request.camera, request.settings);
   }
 
  private:
@@ -49,6 +50,7 @@ RenderThread::~RenderThread() {
   {
     const std::lock_guard lock(m_mutex);
     m_quit = true;
+    m_unwanted = true;
   }
   m_wake.notify_one();
   wait();
@@ -57,6 +59,8 @@ RenderThread::~RenderThread() {
 void RenderThread::ask(PictureRequest request) {
   {
     const std::lock_guard lock(m_mutex);
+    if (m_resting && !(*m_resting == request.camera))
+      m_unwanted = true;
     m_request = std::move(request);
   }
   m_wake.notify_one();
@@ -67,23 +71,29 @@ std::optional<PictureRequest> RenderThread::next() {
   m_wake.wait(lock, [this] { return m_quit || m_request; });
   if (m_quit)
     return std::nullopt;
+  m_unwanted = false;
+  m_resting.reset();
+  if (m_request->dispensable)
+    m_resting = m_request->camera;
   return std::exchange(m_request, std::nullopt);
 }
 
-Status RenderThread::draw(PicturePainter& painter, const PictureRequest& request) {
+Result<bool> RenderThread::draw(PicturePainter& painter, const PictureRequest& request) {
   const auto target =
       m_handoff.begin({.width = request.settings.width, .height = request.settings.height});
   if (!target)
     return target.error();
   try {
-    if (Status painted = painter.paint(request, **target); !painted)
+    const Result<bool> painted =
+        painter.paint(request, {.target = **target, .unwanted = &m_unwanted});
+    if (!painted || !*painted)
       return painted;
   } catch (const std::exception& failure) {
     return Error{.reason = std::string("the picture could not be drawn: ") + failure.what(),
                  .remedy = "Hide some structures, or close other programs to free memory"};
   }
   m_handoff.publish(request.number);
-  return Unit{};
+  return true;
 }
 
 void RenderThread::run() {
@@ -101,9 +111,9 @@ void RenderThread::run() {
       break;
     QElapsedTimer clock;
     clock.start();
-    if (const Status done = draw(**painter, *request); !done)
+    if (const Result<bool> done = draw(**painter, *request); !done)
       emit failed(done.error());
-    else
+    else if (*done)
       emit drawn({request->number, double(clock.nsecsElapsed()) * 1e-6});
   }
   if (painter)

@@ -5,6 +5,7 @@
 
 #include <QOffscreenSurface>
 #include <QThread>
+#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <memory>
@@ -24,13 +25,18 @@ struct PictureRequest {
   model::Scene scene;
   model::Camera camera;
   render::PictureSettings settings;
+  /// Of a resting camera: given up when the camera moves on. Those of a moving one are always
+  /// finished, or a long move would show none.
+  bool dispensable = false;
 };
 
 /// Draws requests; lives on the render thread, whose context is current.
 class PicturePainter {
  public:
   virtual ~PicturePainter() = default;
-  virtual Status paint(const PictureRequest& request, const render::gpu::Target& target) = 0;
+  /// False where the picture was given up because nobody wants it any more.
+  virtual Result<bool> paint(const PictureRequest& request,
+                             const render::Picture::TargetJob& job) = 0;
 };
 using PainterFactory = std::function<Result<std::unique_ptr<PicturePainter>>()>;
 /// The renderer itself.
@@ -47,7 +53,7 @@ class RenderThread : public QThread {
  public:
   /// Starts at once. The handoff must outlive the thread. To be called on the GUI's thread.
   RenderThread(QOpenGLContext& shareWith, render::gpu::Handoff& handoff, PainterFactory factory);
-  /// Waits for the picture under way.
+  /// Waits until the picture under way is done or given up.
   ~RenderThread() override;
 
   void ask(PictureRequest request);
@@ -61,7 +67,7 @@ class RenderThread : public QThread {
 
  private:
   std::optional<PictureRequest> next();
-  Status draw(PicturePainter& painter, const PictureRequest& request);
+  Result<bool> draw(PicturePainter& painter, const PictureRequest& request);
 
   render::gpu::Handoff& m_handoff;
   PainterFactory m_factory;
@@ -71,6 +77,9 @@ class RenderThread : public QThread {
   std::condition_variable m_wake;
   std::optional<PictureRequest> m_request;
   bool m_quit = false;
+  /// Of the picture under way, where it is dispensable: its camera.
+  std::optional<model::Camera> m_resting;
+  std::atomic<bool> m_unwanted = false;
 };
 
 }  // namespace sline::widgets

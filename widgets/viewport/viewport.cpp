@@ -130,7 +130,8 @@ void Viewport::refresh() {
                          .camera = m_camera,
                          .settings = {.width = scaled(size.width, m_askedScale),
                                       .height = scaled(size.height, m_askedScale),
-                                      .background = m_background}};
+                                      .background = m_background},
+                         .dispensable = !m_moving};
   m_thread->ask(std::move(request));
 }
 
