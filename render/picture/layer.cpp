@@ -139,6 +139,8 @@ void appendRange(const model::Cluster& cluster, std::vector<gpu::DrawRange>& ran
 
 Coverage coverage(const Shown& shown, const PictureView& view, const gpu::Rect& region) {
   Coverage found;
+  if (takenAway(shown, shown.mesh->bounds()))
+    return found;
   const bool cull = cullsBack(shown, view);
   const int around = margin(shown, view);
   const gpu::Rect within = gpu::grown(region, around);

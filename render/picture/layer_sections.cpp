@@ -24,10 +24,9 @@ glm::vec3 rgb(const Colour& colour) {
   return glm::vec3(float(colour.red), float(colour.green), float(colour.blue)) / 255.0f;
 }
 
-bool cutsBox(const model::Plane& plane, const model::Box& box) {
-  const glm::vec3 farthest =
-      glm::mix(box.low, box.high, glm::greaterThan(plane.normal, glm::vec3(0)));
-  return plane.distance(farthest) > 0.0;
+/// The corner that lies farthest in that direction.
+glm::vec3 cornerAlong(const model::Box& box, const glm::vec3& direction) {
+  return glm::mix(box.low, box.high, glm::greaterThan(direction, glm::vec3(0.0f)));
 }
 
 /// Faces of one plane would lie equally deep. The smaller comes first, so that what lies inside
@@ -94,8 +93,9 @@ void SectionCache::forgetUnused() {
 
 std::vector<model::Section> sectionsThatCut(std::vector<model::Section> sections,
                                             const model::Box& box) {
-  std::erase_if(sections,
-                [&box](const model::Section& section) { return !cutsBox(section.plane, box); });
+  std::erase_if(sections, [&box](const model::Section& section) {
+    return !(section.plane.distance(cornerAlong(box, section.plane.normal)) > 0.0);
+  });
   if (sections.size() > model::maximumSections)
     sections.resize(model::maximumSections);
   return sections;
@@ -106,6 +106,13 @@ bool alike(std::span<const model::Section> a, std::span<const model::Section> b)
                     [](const model::Section& x, const model::Section& y) {
                       return x.plane == y.plane && x.hatched == y.hatched;
                     });
+}
+
+bool takenAway(const Shown& shown, const model::Box& box) {
+  return std::any_of(shown.sections.begin(), shown.sections.end(),
+                     [&box](const model::Section& section) {
+                       return section.plane.distance(cornerAlong(box, -section.plane.normal)) > 0.0;
+                     });
 }
 
 bool takenAway(const Shown& shown, const model::Sphere& sphere) {
