@@ -137,6 +137,12 @@ Result<PictureOrder> understood(const PictureFlags& flags) {
   if (!background.ok())
     return background.error();
   order.background = *background;
+  const Result<render::HatchingMethod> hatching = parseHatching(flags.hatching);
+  if (!hatching.ok())
+    return hatching.error();
+  order.hatching = *hatching;
+  order.keyLight = flags.keyLight;
+  order.blackAndWhite = flags.blackAndWhite;
   if (!flags.fill.empty()) {
     const Result<model::Fill> fill = parseFill(flags.fill);
     if (!fill.ok())
@@ -146,6 +152,9 @@ Result<PictureOrder> understood(const PictureFlags& flags) {
   if (Status parsed = parseAssignments(flags.gammas, parseGamma, order.gammas); !parsed.ok())
     return parsed.error();
   if (Status parsed = parseAssignments(flags.colours, parseColour, order.colours); !parsed.ok())
+    return parsed.error();
+  if (Status parsed = parseAssignments(flags.inkColours, parseColour, order.inkColours);
+      !parsed.ok())
     return parsed.error();
   for (const Assignment<Colour>& assignment : order.colours)
     if (!assignment.name)
@@ -175,11 +184,15 @@ Result<model::Scene> styled(const model::Scene& scene, const PictureOrder& order
     return ok.error();
   if (Status ok = collect(scene, order.colours, &model::Style::colour, patches); !ok.ok())
     return ok.error();
+  if (Status ok = collect(scene, order.inkColours, &model::Style::inkColour, patches); !ok.ok())
+    return ok.error();
   std::stable_sort(patches.begin(), patches.end(),
                    [](const Patch& a, const Patch& b) { return a.depth < b.depth; });
   model::Scene result = scene;
   for (const Patch& patch : patches)
     result = model::withStyle(result, allBelow(scene, patch.node), patch.style).scene;
+  if (order.blackAndWhite)
+    result = model::withInkAlone(result).scene;
   return order.only.empty() ? result : withOnly(result, order.only);
 }
 
@@ -226,9 +239,12 @@ Status drawToFile(const model::Scene& scene, const model::Camera& camera, const 
   progress.show(0.0, "preparing surfaces");
   (*picture)->prepare(scene);
   progress.show(0.5, "drawing");
-  const Result<render::Image> image = (*picture)->render(
-      scene, camera,
-      {.width = order.size.width, .height = order.size.height, .background = order.background});
+  const Result<render::Image> image = (*picture)->render(scene, camera,
+                                                         {.width = order.size.width,
+                                                          .height = order.size.height,
+                                                          .background = order.background,
+                                                          .hatching = order.hatching,
+                                                          .keyLight = order.keyLight});
   if (!image.ok())
     return image.error();
   progress.show(0.9, "writing " + order.output);

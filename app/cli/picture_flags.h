@@ -23,8 +23,12 @@ struct PictureFlags {
   std::string cameraFile;
   std::string fill;
   std::string background = "white";
+  std::string hatching = "strokes";
+  bool keyLight = false;
+  bool blackAndWhite = false;
   std::vector<std::string> gammas;
   std::vector<std::string> colours;
+  std::vector<std::string> inkColours;
   std::vector<std::string> only;
   SectionFlags sections;
 };
@@ -41,11 +45,15 @@ struct PictureOrder {
   std::string output;
   Size size;
   render::Background background = render::Background::white;
+  render::HatchingMethod hatching = render::HatchingMethod::strokes;
+  bool keyLight = false;
+  bool blackAndWhite = false;
   std::optional<model::Camera> camera;  ///< from a file; else `view`
   std::string view;
   std::optional<model::Fill> fill;
   std::vector<Assignment<Gamma>> gammas;
   std::vector<Assignment<Colour>> colours;
+  std::vector<Assignment<Colour>> inkColours;
   std::vector<std::string> only;
   SectionsOrder sections;
 };

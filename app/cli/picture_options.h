@@ -8,11 +8,47 @@
 
 namespace sline::cli {
 
+/// An option that takes several values and may be given again.
+inline CLI::Option* many(CLI::Option* option) {
+  return option->take_all()->type_size(1)->expected(1, CLI::detail::expected_max_vector_size);
+}
+
+/// Declares those flags of `PictureFlags` that say in what colours and manner all is drawn.
+inline void addLookOptions(CLI::App& command, PictureFlags& flags) {
+  many(command.add_option("--color,--colour", flags.colours,
+                          "The colour of a structure, or of all in a group"))
+      ->type_name("NAME=#rrggbb");
+  CLI::Option* ink = many(
+      command.add_option("--ink-color,--ink-colour", flags.inkColours,
+                         "The colour of lines and hatching, of all (--ink-color #30405a), of a "
+                         "structure or of all in a group"));
+  ink->type_name("[NAME=]#rrggbb");
+  command
+      .add_option("--fill", flags.fill,
+                  "What hides behind unfilled structures: none lets it show through, paper hides "
+                  "it, tint hides it behind a thin wash of colour")
+      ->type_name("none|paper|tint");
+  CLI::Option* background =
+      command.add_option("--background", flags.background, "What lies behind the drawing");
+  background->type_name("white|paper|dark|transparent")->capture_default_str();
+  command
+      .add_option("--hatching", flags.hatching,
+                  "strokes that follow the form, or the grey hatching that Sline's paper prints, "
+                  "to compare with")
+      ->type_name("strokes|as-printed")
+      ->capture_default_str();
+  command.add_flag("--key-light", flags.keyLight,
+                   "Shades with a light from the upper left besides the one at the eye");
+  command
+      .add_flag("--bw", flags.blackAndWhite,
+                "For print in black and white: black ink on white paper; what is shaded is hatched "
+                "instead and hides what lies behind it")
+      ->excludes(background)
+      ->excludes(ink);
+}
+
 /// Declares the flags of `PictureFlags` on a sub-command.
 inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
-  const auto many = [](CLI::Option* option) {
-    return option->take_all()->type_size(1)->expected(1, CLI::detail::expected_max_vector_size);
-  };
   command
       .add_option("-o,--output", flags.output,
                   "The picture: png, tiff, exr or jpg by its extension")
@@ -41,18 +77,8 @@ inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
   many(command.add_option("--only", flags.only,
                           "Draws these structures and groups alone; may be given again"))
       ->type_name("NAME");
-  many(command.add_option("--color,--colour", flags.colours,
-                          "The colour of a structure, or of all in a group"))
-      ->type_name("NAME=#rrggbb");
   addSectionOptions(command, flags.sections);
-  command
-      .add_option("--fill", flags.fill,
-                  "What hides behind unfilled structures: none lets it show through, paper hides "
-                  "it, tint hides it behind a thin wash of colour")
-      ->type_name("none|paper|tint");
-  command.add_option("--background", flags.background, "What lies behind the drawing")
-      ->type_name("white|paper|dark|transparent")
-      ->capture_default_str();
+  addLookOptions(command, flags);
 }
 
 }  // namespace sline::cli

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/base/parallel.h"
+#include "render/picture/printed_hatching.h"
 #include "render/picture/transitions.h"
 
 namespace sline::render {
@@ -94,6 +95,7 @@ passes::SurfaceFill surfaceFill(const Shown& shown, const PictureView& view,
   fill.complete = t.complete;
   fill.opacity = style.opacity.value();
   fill.filigree = shown.surface().filigreeSize;
+  fill.glaze = background == Background::dark ? 0.0f : 1.0f;
   fill.twoSided = !cullsBack(shown, view);
   if (style.fill == model::Fill::paper) {
     // A picture without background is meant for white paper.
@@ -143,7 +145,8 @@ Coverage coverage(const Shown& shown, const PictureView& view, const gpu::Rect& 
     return found;
   const bool cull = cullsBack(shown, view);
   const int around = margin(shown, view);
-  const gpu::Rect within = gpu::grown(region, around);
+  const int aside = shown.printedHatching ? std::max(around, printedHatchingReach(view)) : around;
+  const gpu::Rect within = gpu::grown(region, aside);
   for (const model::Cluster& cluster : shown.surface().clusters.items) {
     if ((cull && model::facing(cluster, view.eye()) == model::Facing::back) ||
         takenAway(shown, cluster.bounds))
@@ -165,7 +168,7 @@ Coverage coverage(const Shown& shown, const PictureView& view, const gpu::Rect& 
 }
 
 std::vector<Layer> planLayers(std::span<const Shown> shown, const PictureView& view,
-                              const gpu::Rect& region) {
+                              const gpu::Rect& region, const PictureParts& parts) {
   std::vector<Coverage> found(shown.size());
   parallelFor(shown.size(), 1, [&](std::size_t i) { found[i] = coverage(shown[i], view, region); });
   // The layer of all opaque structures comes first: its depths win ties.
@@ -181,7 +184,8 @@ std::vector<Layer> planLayers(std::span<const Shown> shown, const PictureView& v
     layer.area = unite(layer.area, found[i].area);
     layer.members.push_back(shown[i]);
     layer.coverage.push_back(std::move(found[i]));
-    layer.filled = hasFill(shown[i].style) || hasCaps(shown[i]);
+    layer.parts = parts;
+    layer.filled = parts.fills && (hasFill(shown[i].style) || hasCaps(shown[i]));
   }
   if (layers.front().members.empty())
     layers.erase(layers.begin());
@@ -189,23 +193,29 @@ std::vector<Layer> planLayers(std::span<const Shown> shown, const PictureView& v
 }
 
 void completeLayer(Layer& layer, const PictureView& view, const gpu::Rect& region,
-                   const std::map<model::NodeId, LineSet>& lines) {
+                   const std::map<model::NodeId, StructureLines>& lines) {
   layer.mask = TileMask(region);
   layer.edges.resize(layer.members.size());
   for (std::size_t i = 0; i < layer.members.size(); ++i) {
     const Shown& member = layer.members[i];
-    if (hasFill(member.style))
+    if ((layer.parts.fills && hasFill(member.style)) || member.printedHatching)
       markSurface(member, view, layer.mask);
-    if (hasCaps(member))
+    if (layer.parts.fills && hasCaps(member))
       markCaps(member, view, layer.mask);
-    if (showsEdges(member.style))
-      layer.edges[i] = edges(member.surface(), view, lines.at(member.id), layer.area);
+    if (layer.parts.fills && showsEdges(member.style))
+      layer.edges[i] = edges(member.surface(), view, lines.at(member.id).lines, layer.area);
   }
   const Shown& first = layer.members.front();
-  if (!showsLines(first.style) && !first.cut)
+  layer.inked = first.printedHatching;
+  const PictureParts& parts = layer.parts;
+  const bool pens = (parts.lines || parts.hatching) && showsLines(first.style);
+  if (!pens && !(parts.lines && first.cut))
     return;
-  layer.strokes = strokes(first.surface(), view, first.style, lines.at(first.id), layer.area);
-  layer.inked = !layer.strokes.empty();
+  const StructureLines& drawn = lines.at(first.id);
+  layer.strokes =
+      strokes(first.surface(), view, first.style,
+              parts.lines ? drawn : StructureLines{.hatching = drawn.hatching}, layer.area);
+  layer.inked = layer.inked || !layer.strokes.empty();
   for (const passes::InkSegment& stroke : layer.strokes)
     layer.mask.mark(strokeBounds(stroke));
 }

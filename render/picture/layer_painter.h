@@ -12,6 +12,7 @@
 #include "render/picture/atlas.h"
 #include "render/picture/draw_queue.h"
 #include "render/picture/layer.h"
+#include "render/picture/printed_hatching.h"
 #include "render/picture/stopwatch.h"
 
 namespace sline::render {
@@ -21,8 +22,10 @@ struct PictureInput {
   const PictureView& view;
   std::span<const Shown> shown;  ///< sorted by id
   Background background = Background::white;
+  bool keyLight = false;
+  PictureParts parts;
   /// Where lines are kept between the regions of one picture, by structure; null to keep none.
-  std::map<model::NodeId, LineSet>* lines = nullptr;
+  std::map<model::NodeId, StructureLines>* lines = nullptr;
 };
 
 class LayerPainter {
@@ -46,6 +49,8 @@ class LayerPainter {
     model::Box bounds;
     glm::vec2 size{0.0f};
     Background background = Background::white;
+    bool keyLight = false;
+    PictureParts parts;
     gpu::Rect region;
     bool operator==(const Key&) const = default;
   };
@@ -72,6 +77,7 @@ class LayerPainter {
   std::unique_ptr<passes::CapPass> m_capPass;
   std::unique_ptr<passes::InkPass> m_inkPass;
   std::unique_ptr<passes::ResolvePass> m_resolvePass;
+  PrintedHatching m_printedHatching;
   Key m_key;
   std::vector<Layer> m_kept;
   bool m_freshAtlas = true;

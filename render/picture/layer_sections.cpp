@@ -7,7 +7,6 @@
 #include <glm/matrix.hpp>
 
 #include "render/picture/layer.h"
-#include "render/picture/transitions.h"
 
 namespace sline::render {
 
@@ -177,7 +176,8 @@ CapDraws capDraws(const Shown& shown, const PictureView& view, Background backgr
   CapDraws result;
   SectionedSurface& cut = *shown.cut;
   result.planes.resize(cut.faces.size());
-  const float filled = lightTint + (1.0f - lightTint) * transitions(shown.style.gamma).shading;
+  const float filled =
+      lightTint + (1.0f - lightTint) * std::clamp(shown.style.gamma.value() - 3.0f, 0.0f, 1.0f);
   const glm::vec3 own = rgb(shown.style.colour);
   const glm::vec3 colour = glm::mix(paperColour(background), own, filled);
   const float opacity = shown.style.opacity.value();

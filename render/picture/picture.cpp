@@ -93,7 +93,7 @@ std::vector<Shown> Picture::Data::shown(const model::Scene& scene) {
     if (!style.visible || node.mesh->triangleCount() == 0)
       continue;
     Shown& shown = visible.emplace_back(
-        Shown{node.id, node.mesh, style, &surfaces.at(node.mesh, node.provenance), {}, {}});
+        Shown{node.id, node.mesh, style, &surfaces.at(node.mesh, node.provenance), false, {}, {}});
     shown.sections = sectionsThatCut(scene.sectionsOf(node.id), node.mesh->bounds());
     if (!shown.sections.empty())
       shown.cut = sections.at(shown.cached->surface, shown.sections);
@@ -154,18 +154,22 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
                               const PictureSettings& settings, Image* image) {
   if (Status s = checkRequest(camera, settings); !s)
     return s;
-  const std::vector<Shown> visible = shown(scene);
+  std::vector<Shown> visible = shown(scene);
   model::Box bounds;
-  for (const Shown& s : visible)
+  for (Shown& s : visible) {
+    s.printedHatching = showsPrintedHatching(s.style, settings);
     bounds.add(s.mesh->bounds());
+  }
   Stopwatch stopwatch;
   const PictureView view(camera, bounds, settings.width, settings.height);
-  std::map<model::NodeId, LineSet> lines;
+  std::map<model::NodeId, StructureLines> lines;
   const bool whole = std::max(settings.width, settings.height) <= regionSide();
   layersDrawn = 0;
   Status done = paint({.view = view,
                        .shown = visible,
                        .background = settings.background,
+                       .keyLight = settings.keyLight,
+                       .parts = settings.parts,
                        .lines = whole ? nullptr : &lines},
                       view.whole(), stopwatch, image);
   timings = stopwatch.done();

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <algorithm>
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
@@ -49,6 +51,10 @@ class PictureView {
   /// The direction in the picture into which a point of the surface moves along its normal; zero
   /// where it moves straight towards the eye.
   glm::vec2 projectedDirection(const glm::vec3& p, const glm::vec3& normal) const;
+  /// A direction in the camera's frame (right, up, back) in the patient's.
+  glm::vec3 toPatient(const glm::vec3& direction) const {
+    return glm::transpose(glm::mat3(m_view)) * direction;
+  }
   /// Pixels that the sphere can touch; the whole picture where it reaches behind the eye.
   gpu::Rect bounds(const model::Sphere& sphere) const;
 

@@ -32,7 +32,9 @@ gpu::ProgramRecipe phongRecipe() {
                        {"colour", UniformType::vec3},
                        {"wash", UniformType::vec4},
                        {"transition", UniformType::vec3},
-                       {"twoSided", UniformType::integer}}};
+                       {"twoSided", UniformType::integer},
+                       {"glaze", UniformType::real},
+                       {"key", UniformType::vec3}}};
 }
 
 /// The same program, leaving out what sections cut away.
@@ -89,6 +91,8 @@ void SurfacePass::draw(gpu::Device& device, const gpu::Target& target, const Sur
     program.set("wash", fill.wash);
     program.set("transition", glm::vec3(fill.shading, fill.complete, fill.opacity));
     program.set("twoSided", fill.twoSided ? 1 : 0);
+    program.set("glaze", fill.glaze);
+    program.set("key", view.key);
   } else {
     program.set("colour", fill.wash);
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "light_gradient.glsl"
 #include "place.glsl"
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 normal;
@@ -30,11 +31,8 @@ void main() {
   vec3 n = normalize(normal.xyz);
   float nv = dot(n, v);
   vec3 w = v - nv * n;
-  // METHOD §3: k = S w + (nv/d)·w.
-  vec3 sw = shapeScale * vec3(shapeA.x * w.x + shapeA.w * w.y + shapeB.x * w.z,
-                              shapeA.w * w.x + shapeA.y * w.y + shapeB.y * w.z,
-                              shapeB.x * w.x + shapeB.y * w.y + shapeA.z * w.z);
-  gradient = dot(sw, w) + filigree * nv * away * dot(w, w);
+  gradient =
+      dot(lightGradient(shapeScale * shapeA, shapeScale * shapeB, w, filigree * nv * away), w);
   surfaceNormal = n;
   towardsEye = v;
 }
