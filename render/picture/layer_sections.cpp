@@ -14,7 +14,7 @@ namespace {
 
 /// Of the structure's colour over the background, on the cut face of a structure without fill.
 constexpr float lightTint = 0.35f;
-/// Of the face's colour squared: the strokes on it.
+/// Of the face's colour times the structure's: the strokes on it, where the pen has no colour.
 constexpr float strokeShade = 0.75f;
 constexpr float strokeSpacing = 9.0f;  // λ
 constexpr float strokeWidth = 1.2f;    // λ
@@ -190,7 +190,8 @@ CapDraws capDraws(const Shown& shown, const PictureView& view, Background backgr
     result.planes[i] = sectionVectors(otherPlanes(*cut.surface, cut.planes, i));
     glm::vec3 depth = depthPlane(face.plane, view);
     depth.z -= lift(face, view);
-    const glm::vec3 stroke = glm::mix(colour, colour * own, strokeShade);
+    const glm::vec3 stroke = shown.style.inkColour ? rgb(*shown.style.inkColour)
+                                                   : glm::mix(colour, colour * own, strokeShade);
     result.draws.push_back({.cap = *cut.caps[i],
                             .viewProjection = view.viewProjection(),
                             .pictureSize = view.size(),

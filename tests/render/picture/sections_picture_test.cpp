@@ -42,6 +42,7 @@ class SectionsPictureTest : public QObject {
   void piecesGiveTheSamePicture();
   void orderOfStructuresChangesNothing();
   void hatchingRunsAt45Degrees();
+  void inkAloneHasNoColour();
 
  private:
   Image picture(const model::Scene& scene, const model::Camera& camera,
@@ -526,6 +527,21 @@ void SectionsPictureTest::hatchingRunsAt45Degrees() {
     }
   const double ratio = along / across;
   QVERIFY2(ratio < 0.05 || ratio > 20.0, qPrintable(QString::number(ratio)));
+}
+
+void SectionsPictureTest::inkAloneHasNoColour() {
+  model::Scene scene = crowd(5.0f);
+  cut(scene, AnatomicalView::posterior, 0.0f);
+  QVERIFY(spot(picture(scene, frontal(120.0f)), reddish).count > 1000);
+  const model::Edited bare = model::withInkAlone(scene);
+  QVERIFY(bare.changed);
+  QVERIFY(!model::withInkAlone(bare.scene).changed);
+  const Image image = picture(bare.scene, frontal(120.0f));
+  const auto coloured = [](const Pixel& p) {
+    return std::max({p.red, p.green, p.blue}) - std::min({p.red, p.green, p.blue}) > 2;
+  };
+  QCOMPARE(spot(image, coloured).count, 0);
+  QVERIFY(spot(image, drawn).count > 4000);  // of the faces' hatching
 }
 
 QTEST_GUILESS_MAIN(SectionsPictureTest)
