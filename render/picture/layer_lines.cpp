@@ -22,6 +22,9 @@ constexpr float standardPen = 2.0f;  // λ, METHOD §4
 // Marks shorter than this many λ are specks of a rough surface, which no pen would set.
 constexpr float speckLength = 4.0f;
 constexpr float wholeLineLength = 14.0f;
+// The same around cut faces: all but pores is drawn.
+constexpr float speckOutline = 3.0f;
+constexpr float wholeOutline = 9.0f;
 
 // λ within which a contour of a surface seen along its length may find its far side.
 constexpr float wideStep = 2.5f;
@@ -92,7 +95,7 @@ class StrokeMaker {
     stroke.depthB -= outlineLift;
     stroke.tolerance = 0.1f * m_surface.meanEdge + 1e-4f * m_surface.featureSize +
                        3.0f * m_view.millimetresPerPixel(s.a);
-    finish(stroke, devicePen(width, opacity), devicePen(width, opacity));
+    finish(stroke, devicePen(width, s.opacityA * opacity), devicePen(width, s.opacityB * opacity));
   }
 
   /// `t` is T_SC.
@@ -265,7 +268,10 @@ void joinLines(const model::Surface& surface, const PictureView& view,
       return;
     }
     if (kind == 1) {
-      join(lines.section, connectedChains(lines.section));
+      const Chains chains = connectedChains(lines.section);
+      const float unit = view.outputUnit() * pixel;
+      fadeShortChains(lines.section, chains, speckOutline * unit, wholeOutline * unit);
+      join(lines.section, chains);
       return;
     }
     rankSuggestive(lines.suggestive);

@@ -49,14 +49,15 @@ glm::vec3 depthPlane(const model::Plane& plane, const PictureView& view) {
   return {-q.x / q.z / size.x, -q.y / q.z / size.y, 0.5 - 0.5 * q.w / q.z};
 }
 
-/// Stripes at 45° between the plane's own axes. Their distance in millimetres is a power of two, so
-/// they stay in place while the picture is zoomed; every other one enters gradually.
-glm::vec4 stripes(const model::Plane& plane, const PictureView& view) {
+/// Stripes at 45° between the plane's own axes, rising or falling so that neighbours differ. Their
+/// distance in millimetres is a power of two, so they stay in place while the picture is zoomed;
+/// every other one enters gradually.
+glm::vec4 stripes(const model::Plane& plane, const PictureView& view, bool falling) {
   const float unit = view.outputUnit() * view.millimetresPerPixel(view.bounds().centre());
   const float octave = std::log2(std::max(strokeSpacing * unit, 1e-20f));
   const float coarse = std::ceil(octave);
   const model::PlaneAxes axes = model::axesOf(plane);
-  const glm::vec3 along(glm::normalize(axes.u + axes.v));
+  const glm::vec3 along(glm::normalize(axes.u + (falling ? axes.v : -axes.v)));
   return {along / std::exp2(coarse - 1.0f), coarse - octave};
 }
 
@@ -202,7 +203,7 @@ CapDraws capDraws(const Shown& shown, const PictureView& view, Background backgr
                             .strokeColour = shown.sections[i].hatched
                                                 ? opacity * glm::vec4(stroke, 1.0f)
                                                 : glm::vec4(0.0f),
-                            .stripes = stripes(face.plane, view),
+                            .stripes = stripes(face.plane, view, shown.id.value % 2 == 0),
                             .strokeHalfWidth = 0.5f * strokeWidth * view.outputUnit(),
                             .depthPlane = depth});
   }
