@@ -164,6 +164,7 @@ Result<PictureOrder> understood(const PictureFlags& flags) {
   if (!sections.ok())
     return sections.error();
   order.sections = *sections;
+  order.sections.hatched = order.sections.hatched || order.blackAndWhite;
   if (!flags.cameraFile.empty()) {
     const Result<model::Camera> camera = readCamera(flags.cameraFile);
     if (!camera.ok())

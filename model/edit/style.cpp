@@ -75,6 +75,7 @@ Edited withInkAlone(const Scene& scene) {
     node.style.inkColour = Colour{0, 0, 0};
     if (node.isGroup())
       continue;
+    node.style.colour = Colour{255, 255, 255};  // of cut faces
     const ResolvedStyle style = scene.resolve(node.id);
     const bool shaded = style.gamma.value() > hatched.value();
     if (shaded)
@@ -85,9 +86,14 @@ Edited withInkAlone(const Scene& scene) {
       node.style.opacity = Opacity::clamped(1.0f);
     }
   }
-  Edited edited{scene, nodes != scene.nodes()};
-  if (edited.changed)
+  std::vector<Section> sections = scene.sections();
+  for (Section& section : sections)
+    section.hatched = true;
+  Edited edited{scene, nodes != scene.nodes() || sections != scene.sections()};
+  if (edited.changed) {
     edited.scene.setNodes(std::move(nodes));
+    edited.scene.setSections(std::move(sections));
+  }
   return edited;
 }
 

@@ -24,7 +24,7 @@ Edited withOnlyVisible(const Scene& scene, std::span<const NodeId> ids);
 
 /// What a press without colours or tones can print: black ink alone. Γ ends at 3, where shading
 /// would begin; what was shaded or washed hides what is behind it in the colour of the paper, or
-/// where it was rather transparent, not at all.
+/// where it was rather transparent, not at all. Cut faces become white, with hatching.
 Edited withInkAlone(const Scene& scene);
 
 }  // namespace sline::model

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/lines/clipping.h"
 
-#include <algorithm>
-#include <utility>
-
 namespace sline::render {
 
 namespace {
@@ -34,48 +31,85 @@ Segment part(const Segment& s, double t, double u) {
   return rest;
 }
 
-/// The farthest that any plane's removed side reaches over the point; ≤ 0 where it is kept.
-double beyond(std::span<const model::Plane> planes, const glm::vec3& p) {
-  double farthest = -1e30;
-  for (const model::Plane& plane : planes)
-    farthest = std::max(farthest, plane.distance(p));
-  return farthest;
+/// What all planes keep of the way from a to b, as shares of it.
+struct Kept {
+  double low = 0.0;
+  double high = 1.0;
+  bool any() const { return low < high; }
+};
+
+Kept kept(const glm::vec3& a, const glm::vec3& b, std::span<const model::Plane> planes) {
+  Kept part;
+  for (const model::Plane& plane : planes) {
+    const double da = plane.distance(a);
+    const double db = plane.distance(b);
+    if (da > 0.0 && db > 0.0)
+      return {1.0, 0.0};
+    if (da > 0.0)
+      part.low = std::max(part.low, da / (da - db));
+    else if (db > 0.0)
+      part.high = std::min(part.high, da / (da - db));
+  }
+  return part;
 }
 
-/// Where the way from a kept point to one that is not meets the first plane.
-HatchPoint endBetween(const HatchPoint& kept, const HatchPoint& gone,
-                      std::span<const model::Plane> planes) {
-  double t = 1.0;
-  for (const model::Plane& plane : planes) {
-    const double from = plane.distance(kept.position);
-    const double to = plane.distance(gone.position);
-    if (to > 0.0)
-      t = std::min(t, from / (from - to));
-  }
-  const auto mix = [share = float(t)](const auto& x, const auto& y) { return x + share * (y - x); };
-  return {.position = mix(kept.position, gone.position),
-          .normal = unitOr(mix(kept.normal, gone.normal), kept.normal),
-          .halfWidth = mix(kept.halfWidth, gone.halfWidth)};
+HatchPoint between(const HatchPoint& a, const HatchPoint& b, double t) {
+  const auto at = [t](const auto& x, const auto& y) { return x + float(t) * (y - x); };
+  return {.position = at(a.position, b.position),
+          .normal = unitOr(at(a.normal, b.normal), a.normal),
+          .halfWidth = at(a.halfWidth, b.halfWidth)};
 }
+
+/// Collects the parts of strokes.
+class StrokeCutter {
+ public:
+  explicit StrokeCutter(std::span<const model::Plane> planes) : m_planes(planes) {}
+
+  void cut(const HatchStroke& stroke, std::span<const HatchPoint> points) {
+    begin(stroke);
+    if (points.size() == 1 && model::keptByAll(m_planes, points.front().position))
+      m_out.points.push_back(points.front());
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const Kept part = kept(points[i].position, points[i + 1].position, m_planes);
+      if (!part.any()) {
+        begin(stroke);
+        continue;
+      }
+      if (part.low > 0.0)
+        begin(stroke);
+      if (m_out.points.size() == m_open.first)
+        m_out.points.push_back(between(points[i], points[i + 1], part.low));
+      m_out.points.push_back(part.high < 1.0 ? between(points[i], points[i + 1], part.high)
+                                             : points[i + 1]);
+      if (part.high < 1.0)
+        begin(stroke);
+    }
+    begin(stroke);
+  }
+
+  Hatching take() { return std::move(m_out); }
+
+ private:
+  /// Ends the part under way and opens another.
+  void begin(const HatchStroke& stroke) {
+    m_open.count = std::uint32_t(m_out.points.size()) - m_open.first;
+    if (m_open.count > 0)
+      m_out.strokes.push_back(m_open);
+    m_open = stroke;
+    m_open.first = std::uint32_t(m_out.points.size());
+    m_open.count = 0;
+  }
+
+  std::span<const model::Plane> m_planes;
+  HatchStroke m_open;
+  Hatching m_out;
+};
 
 }  // namespace
 
 std::optional<Segment> clipped(const Segment& segment, std::span<const model::Plane> planes) {
-  double low = 0.0;
-  double high = 1.0;
-  for (const model::Plane& plane : planes) {
-    const double a = plane.distance(segment.a);
-    const double b = plane.distance(segment.b);
-    if (a > 0.0 && b > 0.0)
-      return std::nullopt;
-    if (a > 0.0)
-      low = std::max(low, a / (a - b));
-    else if (b > 0.0)
-      high = std::min(high, a / (a - b));
-  }
-  if (!(low < high))
-    return std::nullopt;
-  return part(segment, low, high);
+  const Kept rest = kept(segment.a, segment.b, planes);
+  return rest.any() ? std::optional<Segment>(part(segment, rest.low, rest.high)) : std::nullopt;
 }
 
 void clip(std::vector<Segment>& segments, std::span<const model::Plane> planes) {
@@ -91,35 +125,10 @@ void clip(std::vector<Segment>& segments, std::span<const model::Plane> planes) 
 void clip(Hatching& hatching, std::span<const model::Plane> planes) {
   if (planes.empty())
     return;
-  Hatching rest;
-  for (const HatchStroke& stroke : hatching.strokes) {
-    HatchStroke run = stroke;
-    run.first = std::uint32_t(rest.points.size());
-    const auto end = [&] {
-      run.count = std::uint32_t(rest.points.size()) - run.first;
-      if (run.count > 1 || (run.count == 1 && stroke.count == 1))
-        rest.strokes.push_back(run);
-      else
-        rest.points.resize(run.first);
-      run.first = std::uint32_t(rest.points.size());
-    };
-    bool keptBefore = false;
-    for (std::uint32_t i = 0; i < stroke.count; ++i) {
-      const HatchPoint& p = hatching.points[stroke.first + i];
-      const bool kept = !(beyond(planes, p.position) > 0.0);
-      if (i > 0 && kept != keptBefore) {
-        const HatchPoint& before = hatching.points[stroke.first + i - 1];
-        rest.points.push_back(kept ? endBetween(p, before, planes) : endBetween(before, p, planes));
-        if (!kept)
-          end();
-      }
-      if (kept)
-        rest.points.push_back(p);
-      keptBefore = kept;
-    }
-    end();
-  }
-  hatching = std::move(rest);
+  StrokeCutter cutter(planes);
+  for (const HatchStroke& stroke : hatching.strokes)
+    cutter.cut(stroke, std::span(hatching.points).subspan(stroke.first, stroke.count));
+  hatching = cutter.take();
 }
 
 }  // namespace sline::render

@@ -17,7 +17,8 @@ namespace sline::render {
 std::optional<Segment> clipped(const Segment& segment, std::span<const model::Plane> planes);
 /// Clips each segment in place and drops those of which nothing is left; the order stays.
 void clip(std::vector<Segment>& segments, std::span<const model::Plane> planes);
-/// Ends strokes at the planes. A stroke that comes back is one more stroke of the same seed.
+/// Cuts strokes into the parts that all planes keep, each as wide at the cut as it was there; their
+/// seeds' names stay.
 void clip(Hatching& hatching, std::span<const model::Plane> planes);
 
 }  // namespace sline::render

@@ -145,6 +145,8 @@ void appendRange(const model::Cluster& cluster, std::vector<gpu::DrawRange>& ran
 
 Coverage coverage(const Shown& shown, const PictureView& view, const gpu::Rect& region) {
   Coverage found;
+  if (takenAway(shown, shown.mesh->bounds()))
+    return found;
   const bool cull = cullsBack(shown, view);
   const int around = margin(shown, view);
   const int aside = shown.printedHatching ? std::max(around, printedHatchingReach(view)) : around;
@@ -210,7 +212,8 @@ void completeLayer(Layer& layer, const PictureView& view, const gpu::Rect& regio
   const Shown& first = layer.members.front();
   layer.inked = first.printedHatching;
   const PictureParts& parts = layer.parts;
-  if (!(parts.lines || parts.hatching) || !(showsLines(first.style) || first.cut))
+  const bool pens = (parts.lines || parts.hatching) && showsLines(first.style);
+  if (!pens && !(parts.lines && first.cut))
     return;
   const StructureLines& drawn = lines.at(first.id);
   layer.strokes =

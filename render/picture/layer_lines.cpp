@@ -22,6 +22,9 @@ constexpr float standardPen = 2.0f;  // λ, METHOD §4
 // Marks shorter than this many λ are specks of a rough surface, which no pen would set.
 constexpr float speckLength = 4.0f;
 constexpr float wholeLineLength = 14.0f;
+// The same around cut faces: all but pores is drawn.
+constexpr float speckOutline = 3.0f;
+constexpr float wholeOutline = 9.0f;
 
 // λ within which a contour of a surface seen along its length may find its far side.
 constexpr float wideStep = 2.5f;
@@ -92,7 +95,7 @@ class StrokeMaker {
     stroke.depthB -= outlineLift;
     stroke.tolerance = 0.1f * m_surface.meanEdge + 1e-4f * m_surface.featureSize +
                        3.0f * m_view.millimetresPerPixel(s.a);
-    finish(stroke, devicePen(width, opacity), devicePen(width, opacity));
+    finish(stroke, devicePen(width, s.opacityA * opacity), devicePen(width, s.opacityB * opacity));
   }
 
   /// `t` is T_SC.
@@ -258,12 +261,18 @@ void joinLines(const model::Surface& surface, const PictureView& view,
     segments = simplified(segments, chains, simplification * pixel, longestStroke * pixel);
   };
   parallelFor(3, 1, [&](std::size_t kind) {
-    if (kind < 2) {
-      std::vector<Segment>& whole = kind == 0 ? lines.contours : lines.section;
+    if (kind == 0) {
       const float t = transitions(style.gamma).contours;
-      if (kind == 0 && t > 0.0f && t < 1.0f)
-        rankContours(whole, surface, view.camera());
-      join(whole, connectedChains(whole));
+      if (t > 0.0f && t < 1.0f)
+        rankContours(lines.contours, surface, view.camera());
+      join(lines.contours, connectedChains(lines.contours));
+      return;
+    }
+    if (kind == 1) {
+      const Chains chains = connectedChains(lines.section);
+      const float unit = view.outputUnit() * pixel;
+      fadeShortChains(lines.section, chains, speckOutline * unit, wholeOutline * unit);
+      join(lines.section, chains);
       return;
     }
     rankSuggestive(lines.suggestive);

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "model/base/parallel.h"
+#include "render/lines/clipping.h"
 
 namespace sline::render {
 

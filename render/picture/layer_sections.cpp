@@ -7,7 +7,6 @@
 #include <glm/matrix.hpp>
 
 #include "render/picture/layer.h"
-#include "render/picture/transitions.h"
 
 namespace sline::render {
 
@@ -15,7 +14,7 @@ namespace {
 
 /// Of the structure's colour over the background, on the cut face of a structure without fill.
 constexpr float lightTint = 0.35f;
-/// Of the face's colour squared: the strokes on it.
+/// Of the face's colour times the structure's: the strokes on it, where the pen has no colour.
 constexpr float strokeShade = 0.75f;
 constexpr float strokeSpacing = 9.0f;  // λ
 constexpr float strokeWidth = 1.2f;    // λ
@@ -24,10 +23,9 @@ glm::vec3 rgb(const Colour& colour) {
   return glm::vec3(float(colour.red), float(colour.green), float(colour.blue)) / 255.0f;
 }
 
-bool cutsBox(const model::Plane& plane, const model::Box& box) {
-  const glm::vec3 farthest =
-      glm::mix(box.low, box.high, glm::greaterThan(plane.normal, glm::vec3(0)));
-  return plane.distance(farthest) > 0.0;
+/// The corner that lies farthest in that direction.
+glm::vec3 cornerAlong(const model::Box& box, const glm::vec3& direction) {
+  return glm::mix(box.low, box.high, glm::greaterThan(direction, glm::vec3(0.0f)));
 }
 
 /// Faces of one plane would lie equally deep. The smaller comes first, so that what lies inside
@@ -51,14 +49,15 @@ glm::vec3 depthPlane(const model::Plane& plane, const PictureView& view) {
   return {-q.x / q.z / size.x, -q.y / q.z / size.y, 0.5 - 0.5 * q.w / q.z};
 }
 
-/// Stripes at 45° between the plane's own axes. Their distance in millimetres is a power of two, so
-/// they stay in place while the picture is zoomed; every other one enters gradually.
-glm::vec4 stripes(const model::Plane& plane, const PictureView& view) {
+/// Stripes at 45° between the plane's own axes, rising or falling so that neighbours differ. Their
+/// distance in millimetres is a power of two, so they stay in place while the picture is zoomed;
+/// every other one enters gradually.
+glm::vec4 stripes(const model::Plane& plane, const PictureView& view, bool falling) {
   const float unit = view.outputUnit() * view.millimetresPerPixel(view.bounds().centre());
   const float octave = std::log2(std::max(strokeSpacing * unit, 1e-20f));
   const float coarse = std::ceil(octave);
   const model::PlaneAxes axes = model::axesOf(plane);
-  const glm::vec3 along(glm::normalize(axes.u + axes.v));
+  const glm::vec3 along(glm::normalize(axes.u + (falling ? axes.v : -axes.v)));
   return {along / std::exp2(coarse - 1.0f), coarse - octave};
 }
 
@@ -94,8 +93,9 @@ void SectionCache::forgetUnused() {
 
 std::vector<model::Section> sectionsThatCut(std::vector<model::Section> sections,
                                             const model::Box& box) {
-  std::erase_if(sections,
-                [&box](const model::Section& section) { return !cutsBox(section.plane, box); });
+  std::erase_if(sections, [&box](const model::Section& section) {
+    return !(section.plane.distance(cornerAlong(box, section.plane.normal)) > 0.0);
+  });
   if (sections.size() > model::maximumSections)
     sections.resize(model::maximumSections);
   return sections;
@@ -106,6 +106,13 @@ bool alike(std::span<const model::Section> a, std::span<const model::Section> b)
                     [](const model::Section& x, const model::Section& y) {
                       return x.plane == y.plane && x.hatched == y.hatched;
                     });
+}
+
+bool takenAway(const Shown& shown, const model::Box& box) {
+  return std::any_of(shown.sections.begin(), shown.sections.end(),
+                     [&box](const model::Section& section) {
+                       return section.plane.distance(cornerAlong(box, -section.plane.normal)) > 0.0;
+                     });
 }
 
 bool takenAway(const Shown& shown, const model::Sphere& sphere) {
@@ -170,7 +177,8 @@ CapDraws capDraws(const Shown& shown, const PictureView& view, Background backgr
   CapDraws result;
   SectionedSurface& cut = *shown.cut;
   result.planes.resize(cut.faces.size());
-  const float filled = lightTint + (1.0f - lightTint) * transitions(shown.style.gamma).shading;
+  const float filled =
+      lightTint + (1.0f - lightTint) * std::clamp(shown.style.gamma.value() - 3.0f, 0.0f, 1.0f);
   const glm::vec3 own = rgb(shown.style.colour);
   const glm::vec3 colour = glm::mix(paperColour(background), own, filled);
   const float opacity = shown.style.opacity.value();
@@ -183,7 +191,8 @@ CapDraws capDraws(const Shown& shown, const PictureView& view, Background backgr
     result.planes[i] = sectionVectors(otherPlanes(*cut.surface, cut.planes, i));
     glm::vec3 depth = depthPlane(face.plane, view);
     depth.z -= lift(face, view);
-    const glm::vec3 stroke = glm::mix(colour, colour * own, strokeShade);
+    const glm::vec3 stroke = shown.style.inkColour ? rgb(*shown.style.inkColour)
+                                                   : glm::mix(colour, colour * own, strokeShade);
     result.draws.push_back({.cap = *cut.caps[i],
                             .viewProjection = view.viewProjection(),
                             .pictureSize = view.size(),
@@ -194,7 +203,7 @@ CapDraws capDraws(const Shown& shown, const PictureView& view, Background backgr
                             .strokeColour = shown.sections[i].hatched
                                                 ? opacity * glm::vec4(stroke, 1.0f)
                                                 : glm::vec4(0.0f),
-                            .stripes = stripes(face.plane, view),
+                            .stripes = stripes(face.plane, view, shown.id.value % 2 == 0),
                             .strokeHalfWidth = 0.5f * strokeWidth * view.outputUnit(),
                             .depthPlane = depth});
   }

@@ -50,7 +50,8 @@ std::vector<model::Section> sectionsThatCut(std::vector<model::Section> sections
 /// True where they have the same planes and look.
 bool alike(std::span<const model::Section> a, std::span<const model::Section> b);
 
-/// True where one of the planes takes all of the sphere away.
+/// True where one of the planes takes all of the box or sphere away.
+bool takenAway(const Shown& shown, const model::Box& box);
 bool takenAway(const Shown& shown, const model::Sphere& sphere);
 /// As sections.glsl wants them.
 std::vector<glm::vec4> sectionVectors(std::span<const model::Plane> planes);

@@ -102,7 +102,7 @@ std::vector<Shown> Picture::Data::shown(const model::Scene& scene) {
     if (!style.visible || node.mesh->triangleCount() == 0)
       continue;
     Shown& shown = visible.emplace_back(
-        Shown{node.id, node.mesh, style, &surfaces.at(node.mesh, node.provenance), {}, {}});
+        Shown{node.id, node.mesh, style, &surfaces.at(node.mesh, node.provenance), false, {}, {}});
     shown.sections = sectionsThatCut(scene.sectionsOf(node.id), node.mesh->bounds());
     if (!shown.sections.empty())
       shown.cut = sections.at(shown.cached->surface, shown.sections);

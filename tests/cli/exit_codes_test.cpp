@@ -77,6 +77,10 @@ void ExitCodesTest::answers_data() {
   QTest::newRow("unknown smoothing") << render + "|--smooth|soft" << 2 << "soft|auto";
   QTest::newRow("lines without camera")
       << "lines|SAMPLE/Organs/kidney.obj|--size|64x64|-o|DIR/l.json" << 2 << "--camera";
+  QTest::newRow("section of another side")
+      << "render|SAMPLE|-o|DIR/a.png|--section|axial:left" << 2 << "inferior or superior";
+  QTest::newRow("hatching without a section")
+      << "render|SAMPLE|-o|DIR/a.png|--section-hatching" << 2 << "--section";
   QTest::newRow("unknown kind of lines")
       << "lines|SAMPLE/Organs/kidney.obj|--camera|DIR/front.json|--size|64x64|-o|DIR/l.json|"
          "--kinds|ridge"

@@ -29,6 +29,7 @@ class LinesCommandTest : public QObject {
   void kindsAreChosen_data();
   void kindsAreChosen();
   void hiddenLinesAreMarked();
+  void sectionIsACircle();
   void frameFileKeepsCoordinates();
 
  private:
@@ -105,8 +106,8 @@ void LinesCommandTest::kindsAreChosen_data() {
   QTest::addColumn<QStringList>("found");
   QTest::newRow("one") << "suggestive" << QStringList{"suggestive"};
   QTest::newRow("two") << "silhouette,contour" << QStringList{"contour", "silhouette"};
-  QTest::newRow("all") << "contour,suggestive,silhouette"
-                       << QStringList{"contour", "silhouette", "suggestive"};
+  QTest::newRow("all") << "contour,suggestive,silhouette,section"
+                       << QStringList{"contour", "section", "silhouette", "suggestive"};
 }
 
 void LinesCommandTest::kindsAreChosen() {
@@ -129,6 +130,24 @@ void LinesCommandTest::hiddenLinesAreMarked() {
   const auto outline = kinds["silhouette"]["segments"].toArray();
   QVERIFY(!outline.isEmpty());
   QVERIFY(outline.size() <= visible + 10);
+}
+
+void LinesCommandTest::sectionIsACircle() {
+  const QJsonValue kinds =
+      lines(m_folder.filePath("ball.obj"),
+            {"--kinds", "section,contour", "--section", "axial=18:inferior"})["kinds"];
+  double length = 0.0;
+  for (const QJsonValue& segment : kinds["section"]["segments"].toArray()) {
+    QVERIFY(std::abs(segment["a"][2].toDouble() - 18.0) < 1e-4);
+    const double r = std::hypot(segment["a"][0].toDouble(), segment["a"][1].toDouble());
+    QVERIFY(std::abs(r - 24.0) < 0.05);
+    length += distance(segment["a"], segment["b"]);
+  }
+  QVERIFY(std::abs(length / (2.0 * M_PI * 24.0) - 1.0) < 0.005);
+  const QJsonArray contours = kinds["contour"]["segments"].toArray();
+  QVERIFY(contours.size() > 50);
+  for (const QJsonValue& segment : contours)
+    QVERIFY(segment["a"][2].toDouble() <= 18.0001 && segment["b"][2].toDouble() <= 18.0001);
 }
 
 void LinesCommandTest::frameFileKeepsCoordinates() {

@@ -21,6 +21,8 @@ class RenderTest : public QObject {
   void onlyDrawsWhatIsNamed();
   void sidesStaySides_data();
   void sidesStaySides();
+  void sectionsKeepTheirSide_data();
+  void sectionsKeepTheirSide();
   void cameraFileIsFollowed();
   void inkHasItsColour();
   void blackAndWhite();
@@ -156,6 +158,37 @@ void RenderTest::sidesStaySides() {
   const Tinted artery = tinted(picture, 0);
   QVERIFY(artery.count > 100);
   QCOMPARE(artery.column > 200.0, leftAtRight);
+}
+
+void RenderTest::sectionsKeepTheirSide_data() {
+  QTest::addColumn<QString>("section");
+  QTest::addColumn<QString>("view");
+  QTest::addColumn<bool>("artery");  // at the patient's left
+  QTest::addColumn<bool>("vein");    // at the patient's right
+  QTest::newRow("left kept") << "sagittal=0:left"
+                             << "anterior" << true << false;
+  QTest::newRow("right kept") << "sagittal=0:right"
+                              << "anterior" << false << true;
+  QTest::newRow("seen from the right") << "sagittal=0"
+                                       << "right" << true << false;
+  QTest::newRow("seen from the left") << "sagittal=0"
+                                      << "left" << false << true;
+  QTest::newRow("by its equation") << "-2,0,0,0"
+                                   << "posterior" << true << false;
+  QTest::newRow("both halved") << "coronal"
+                               << "anterior" << true << true;
+}
+
+void RenderTest::sectionsKeepTheirSide() {
+  QFETCH(QString, section);
+  QFETCH(QString, view);
+  QFETCH(bool, artery);
+  QFETCH(bool, vein);
+  const Pixels picture =
+      rendered({"--size", "300x200", "--gamma", "5", "--color", "renal artery=#ff0000", "--color",
+                "renal vein=#0000ff", "--only", "Vessels", "--view", view, "--section", section});
+  QCOMPARE(tinted(picture, 0).count > 100, artery);
+  QCOMPARE(tinted(picture, 2).count > 100, vein);
 }
 
 void RenderTest::cameraFileIsFollowed() {

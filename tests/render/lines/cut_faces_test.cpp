@@ -45,6 +45,7 @@ class CutFacesTest : public QObject {
   void sharedEndsStayShared();
   void linesStayOnTheKeptSide_data();
   void linesStayOnTheKeptSide();
+  void hatchingStopsAtTheCut();
   void wedgeHasACorner();
   void equalPlanesCutOnce();
   void outlineIsSeenFromTheCutSideOnly();
@@ -130,6 +131,40 @@ void CutFacesTest::linesStayOnTheKeptSide() {
         QVERIFY(cut.distance(s.a) < 1e-3);
         QVERIFY(cut.distance(s.b) < 1e-3);
       }
+}
+
+void CutFacesTest::hatchingStopsAtTheCut() {
+  // A stroke along x from 0 to 10 in steps of 2 that widens, and a dot beyond the plane.
+  Hatching hatching;
+  for (int i = 0; i < 6; ++i)
+    hatching.points.push_back({{2.0f * float(i), 0, 0}, {0, 0, 1}, 0.1f * float(i)});
+  hatching.points.push_back({{20, 0, 0}, {0, 0, 1}, 1.0f});
+  hatching.points.push_back({{4, 3, 0}, {0, 0, 1}, 1.0f});
+  const HatchSeed name{.axis = 2, .level = 1, .i = 7, .j = 8};
+  hatching.strokes = {{name, {}, 0, 6}, {{}, {}, 6, 1}, {{}, {}, 7, 1}};
+  const auto span = [](const Hatching& h, std::size_t stroke) {
+    const HatchStroke& s = h.strokes[stroke];
+    return std::pair{h.points[s.first].position.x, h.points[s.first + s.count - 1].position.x};
+  };
+  Hatching front = hatching;
+  clip(front, Planes{plane({1, 0, 0}, 7)});
+  QCOMPARE(front.strokes.size(), std::size_t(2));
+  QCOMPARE(front.strokes[0].count, 5u);
+  QVERIFY(front.strokes[0].seed == name);
+  QCOMPARE(span(front, 0), (std::pair{0.0f, 7.0f}));
+  QVERIFY(std::abs(front.points[4].halfWidth - 0.35f) < 1e-6f);
+  QCOMPARE(span(front, 1), (std::pair{4.0f, 4.0f}));
+  // Where the stroke leaves and comes back it becomes two.
+  Hatching bent = hatching;
+  bent.points[2].position.z = 5.0f;
+  clip(bent, Planes{plane({0, 0, 1}, 1)});
+  QCOMPARE(bent.strokes.size(), std::size_t(4));
+  QVERIFY(std::abs(span(bent, 0).second - 2.4f) < 1e-5f);
+  QVERIFY(std::abs(span(bent, 1).first - 5.6f) < 1e-5f);
+  QCOMPARE(span(bent, 1).second, 10.0f);
+  Hatching gone = hatching;
+  clip(gone, Planes{plane({1, 0, 0}, -1)});
+  QVERIFY(gone.strokes.empty() && gone.points.empty());
 }
 
 void CutFacesTest::wedgeHasACorner() {

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: Apache-2.0
+// What hatching must do whatever it looks like: where it is, that seeds stay, that strokes keep
+// apart and grow evenly, that a mirror mirrors it.
+#include "render/lines/hatching.h"
+
+#include <QtTest>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "render/lines/clipping.h"
+#include "render/lines/view_fields.h"
+#include "render/lines/view_scale.h"
+#include "tests/support/shapes.h"
+#include "tests/support/torus.h"
+
+using namespace sline;
+
+namespace {
+const test::Torus ring{10.0, 4.0};
+
+model::Camera orthographic(const glm::vec3& direction, float heightMm) {
+  return {.projection = model::Projection::orthographic,
+          .eye = 80.0f * glm::normalize(direction),
+          .target = {0, 0, 0},
+          .up = {0, 0.1f, 1},
+          .heightMm = heightMm};
+}
+const glm::vec3 slanted{0.2f, -0.7f, 0.8f};
+
+struct Subject {
+  model::SurfacePtr surface;
+  model::FaceNeighbours neighbours;
+
+  explicit Subject(const model::MeshPtr& mesh)
+      : surface(model::prepareSurface(mesh)), neighbours(*mesh) {}
+  render::Hatching hatched(const model::Camera& camera,
+                           const render::HatchingRequest& request = {}) const {
+    return render::extractHatching(*surface, neighbours, camera, request);
+  }
+};
+
+Subject torusSubject() {
+  return Subject(test::torus(10.0f, 4.0f, 200, 100));
+}
+
+std::span<const render::HatchPoint> pointsOf(const render::Hatching& h,
+                                             const render::HatchStroke& s) {
+  return std::span(h.points).subspan(s.first, s.count);
+}
+
+/// λ² of ink, overlaps and hidden parts included.
+double ink(const render::Hatching& hatching, const model::Camera& camera) {
+  const render::ViewScale scale(camera);
+  double sum = 0.0;
+  for (const render::HatchStroke& s : hatching.strokes) {
+    const auto points = pointsOf(hatching, s);
+    for (std::size_t i = 1; i < points.size(); ++i)
+      sum += double(glm::distance(scale.project(points[i - 1].position).at,
+                                  scale.project(points[i].position).at)) *
+             double(points[i - 1].halfWidth + points[i].halfWidth);
+  }
+  return sum;
+}
+
+using SeedKey = std::tuple<int, int, int, int>;
+SeedKey keyOf(const render::HatchSeed& s) {
+  return {s.axis, s.level, s.i, s.j};
+}
+}  // namespace
+
+class HatchingTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void neverOnASphere() {
+    const Subject sphere(test::sphere(8.0f, 5));
+    QVERIFY(sphere.hatched(orthographic(slanted, 30.0f)).strokes.empty());
+  }
+
+  // On a torus κr < 0 only within the ring's inner half; that is where S eq. 6 puts hatching.
+  void onlyWhereTheSurfaceIsConcaveToTheEye() {
+    const Subject torus = torusSubject();
+    const model::Camera camera = orthographic(slanted, 30.0f);
+    const render::Hatching hatching = torus.hatched(camera);
+    QVERIFY(hatching.strokes.size() > 10);
+    const glm::dvec3 towards(glm::normalize(slanted));
+    for (const render::HatchPoint& p : hatching.points) {
+      const test::Torus::Point at = ring.at(glm::dvec3(p.position));
+      QVERIFY(glm::distance(ring.position(at), glm::dvec3(p.position)) < 0.02);
+      QVERIFY(ring.nv(at, towards) > -0.03);
+      if (p.halfWidth > 0.0f)
+        QVERIFY(ring.radialCurvature(at, towards) < 0.02 / ring.minor);
+    }
+  }
+
+  // Strokes follow k = S·w (METHOD §3).
+  void strokesRunAlongTheLightGradient() {
+    const Subject torus = torusSubject();
+    const render::Hatching hatching = torus.hatched(orthographic(slanted, 30.0f));
+    const glm::dvec3 towards(glm::normalize(slanted));
+    int checked = 0;
+    for (const render::HatchStroke& s : hatching.strokes) {
+      const auto points = pointsOf(hatching, s);
+      for (std::size_t i = 1; i < points.size(); ++i) {
+        const glm::dvec3 step(points[i].position - points[i - 1].position);
+        const test::Torus::Point at =
+            ring.at(0.5 * glm::dvec3(points[i].position + points[i - 1].position));
+        const glm::dvec3 n = ring.normal(at);
+        const glm::dvec3 w = towards - glm::dot(towards, n) * n;
+        const double across = std::cos(at.v) / (ring.major + ring.minor * std::cos(at.v));
+        const glm::dvec3 k = across * glm::dot(w, ring.alongRing(at)) * ring.alongRing(at) +
+                             glm::dot(w, ring.alongTube(at)) / ring.minor * ring.alongTube(at);
+        if (glm::length(step) < 0.05 || glm::length(k) < 0.02)
+          continue;
+        ++checked;
+        QVERIFY(std::abs(glm::dot(glm::normalize(step), glm::normalize(k))) > 0.97);
+      }
+    }
+    QVERIFY(checked > 50);
+  }
+
+  // METHOD §6.7: zooming by 4 keeps every seed that stays in the picture where it is, and never
+  // thins its stroke to make room for one that came later.
+  void zoomingMovesNoSeed() {
+    const Subject torus = torusSubject();
+    std::map<SeedKey, glm::vec3> before;
+    const model::Camera far = orthographic(slanted, 40.0f);
+    for (const render::HatchStroke& s : torus.hatched(far).strokes)
+      before[keyOf(s.seed)] = s.seedPosition;
+    QVERIFY(before.size() > 10);
+    for (const float zoom : {1.3f, 2.0f, 4.0f}) {
+      const model::Camera near = orthographic(slanted, 40.0f / zoom);
+      const render::ViewScale scale(near);
+      std::map<SeedKey, glm::vec3> after;
+      for (const render::HatchStroke& s : torus.hatched(near).strokes)
+        after[keyOf(s.seed)] = s.seedPosition;
+      int found = 0;
+      int expected = 0;
+      for (const auto& [key, position] : before) {
+        const glm::vec2 at = scale.project(position).at;
+        if (std::abs(at.x) > 600.0f || std::abs(at.y) > 330.0f)
+          continue;
+        ++expected;
+        const auto same = after.find(key);
+        if (same == after.end())
+          continue;
+        ++found;
+        QVERIFY(glm::distance(scale.project(same->second).at, at) < 0.01f);
+      }
+      QVERIFY(expected > 3);
+      QVERIFY2(found >= 0.9 * expected,
+               qPrintable(QString("zoom %1: %2 of %3").arg(zoom).arg(found).arg(expected)));
+    }
+  }
+
+  // New strokes grow from nothing: over a zoom of 1 % the ink on the torus hardly changes, though
+  // over a zoom of 2 many strokes come.
+  void strokesGrowFromNothing() {
+    const Subject torus = torusSubject();
+    double last = 0.0;
+    double largest = 0.0;
+    for (int i = 0; i <= 70; ++i) {
+      const model::Camera camera = orthographic(slanted, 40.0f * std::pow(0.99f, float(i)));
+      const render::ViewScale scale(camera);
+      const double now = ink(torus.hatched(camera), camera) /
+                         std::pow(double(scale.project(glm::vec3(0.0f)).perMm), 2.0);
+      if (i > 0)
+        largest = std::max(largest, std::abs(now - last) / std::max(now, last));
+      last = now;
+    }
+    QVERIFY2(largest < 0.12, qPrintable(QString::number(largest)));
+  }
+
+  // Strokes of one sheet never touch: between their middles is room for both half widths.
+  void strokesDoNotTouch() {
+    const Subject torus = torusSubject();
+    const model::Camera camera = orthographic(slanted, 24.0f);
+    const render::ViewScale scale(camera);
+    const render::Hatching hatching = torus.hatched(camera);
+    int close = 0;
+    int pairs = 0;
+    for (std::size_t a = 0; a < hatching.strokes.size(); ++a)
+      for (std::size_t b = a + 1; b < hatching.strokes.size(); ++b)
+        for (const render::HatchPoint& p : pointsOf(hatching, hatching.strokes[a]))
+          for (const render::HatchPoint& q : pointsOf(hatching, hatching.strokes[b])) {
+            if (!(p.halfWidth > 0.45f) || !(q.halfWidth > 0.45f) ||
+                glm::distance(p.position, q.position) > 1.0f)
+              continue;
+            ++pairs;
+            const float apart =
+                glm::distance(scale.project(p.position).at, scale.project(q.position).at);
+            close += apart < p.halfWidth + q.halfWidth;
+          }
+    QVERIFY(pairs > 100);
+    QVERIFY2(close <= pairs / 100, qPrintable(QString("%1 of %2").arg(close).arg(pairs)));
+  }
+
+  // METHOD §7 ▲: ink grows evenly with T_H.
+  void inkGrowsEvenly() {
+    const Subject torus = torusSubject();
+    const model::Camera camera = orthographic(slanted, 24.0f);
+    const double all = ink(torus.hatched(camera), camera);
+    QVERIFY(all > 0.0);
+    for (const float t : {0.2f, 0.4f, 0.6f, 0.8f}) {
+      const double share = ink(torus.hatched(camera, {.entered = t}), camera) / all;
+      QVERIFY2(std::abs(share - double(t)) < 0.2,
+               qPrintable(QString("T %1: %2").arg(t).arg(share)));
+    }
+    QVERIFY(torus.hatched(camera, {.entered = 0.0f}).strokes.empty());
+  }
+
+  void aMirrorMirrorsStrokes() {
+    const model::MeshPtr mesh =
+        test::moved(*test::torus(10.0f, 4.0f, 200, 100), 1.0f, {3.0f, 1.0f, -2.0f});
+    const Subject here(mesh);
+    const Subject there(test::mirrored(*mesh));
+    const model::Camera camera = orthographic(slanted, 40.0f);
+    const model::Camera mirror = orthographic(slanted * glm::vec3(-1, 1, 1), 40.0f);
+    const render::Hatching a = here.hatched(camera);
+    const render::Hatching b = there.hatched(mirror);
+    QVERIFY(a.strokes.size() > 10);
+    int matched = 0;
+    for (const render::HatchStroke& s : a.strokes) {
+      const glm::vec3 image = s.seedPosition * glm::vec3(-1, 1, 1);
+      matched += std::any_of(b.strokes.begin(), b.strokes.end(), [&](const auto& other) {
+        return glm::distance(other.seedPosition, image) < 0.01f;
+      });
+    }
+    QVERIFY2(matched >= 0.97 * double(a.strokes.size()),
+             qPrintable(QString("%1 of %2").arg(matched).arg(a.strokes.size())));
+    QVERIFY(std::abs(ink(a, camera) / ink(b, mirror) - 1.0) < 0.03);
+  }
+
+  void scaleChangesNothing() {
+    const model::MeshPtr mesh = test::torus(10.0f, 4.0f, 120, 60);
+    const Subject small(mesh);
+    const Subject large(test::moved(*mesh, 8.0f, glm::vec3(0.0f)));
+    model::Camera camera = orthographic(slanted, 40.0f);
+    const render::Hatching a = small.hatched(camera);
+    camera.eye *= 8.0f;
+    camera.heightMm *= 8.0f;
+    const render::Hatching b = large.hatched(camera);
+    QVERIFY(!a.strokes.empty());
+    QVERIFY(std::abs(double(a.strokes.size()) / double(b.strokes.size()) - 1.0) < 0.02);
+  }
+
+  void stipplingIsDots() {
+    const Subject torus = torusSubject();
+    const render::Hatching dots =
+        torus.hatched(orthographic(slanted, 24.0f), {.spacing = 4.5f, .length = 0.0f});
+    QVERIFY(dots.strokes.size() > 50);
+    for (const render::HatchStroke& s : dots.strokes)
+      QCOMPARE(s.count, 1u);
+  }
+
+  // From within a closed body, as an endoscope sees it, the wall is a tube's inner side.
+  void seenFromWithin() {
+    const Subject tube(test::torus(30.0f, 6.0f, 300, 60));
+    model::Camera camera{.eye = {30, 0, 0}, .target = {29, 8, 0}, .up = {0, 0, 1}};
+    camera.fovyDegrees = 80.0f;
+    const render::Hatching hatching = tube.hatched(camera, {.twoSided = true});
+    QVERIFY(hatching.strokes.size() > 10);
+    for (const render::HatchPoint& p : hatching.points)
+      QVERIFY(glm::dot(p.normal, render::directionTo(render::eyeOf(camera), p.position)) > -0.05f);
+    QVERIFY(tube.hatched(camera, {.twoSided = false}).strokes.size() < hatching.strokes.size());
+  }
+
+  void sameEveryTime() {
+    const Subject torus = torusSubject();
+    const render::Hatching a = torus.hatched(orthographic(slanted, 24.0f));
+    const render::Hatching b = torus.hatched(orthographic(slanted, 24.0f));
+    QCOMPARE(a.strokes.size(), b.strokes.size());
+    for (std::size_t i = 0; i < a.points.size(); ++i)
+      QCOMPARE(a.points[i].position, b.points[i].position);
+  }
+
+  void nothingFromNothing() {
+    const Subject torus = torusSubject();
+    const model::Camera away{.eye = {0, -100, 0}, .target = {0, -200, 0}};
+    QVERIFY(torus.hatched(away).strokes.empty());
+    const Subject flat(test::paraboloid(0.0f, 0.0f, 5.0f, 8));
+    QVERIFY(flat.hatched(orthographic(slanted, 24.0f), {.twoSided = true}).strokes.empty());
+  }
+};
+
+QTEST_APPLESS_MAIN(HatchingTest)
+#include "hatching_test.moc"
