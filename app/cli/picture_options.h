@@ -26,8 +26,8 @@ inline void addLookOptions(CLI::App& command, PictureFlags& flags) {
   command
       .add_option("--fill", flags.fill,
                   "What hides behind unfilled structures: none lets it show through, paper hides "
-                  "it, tint hides it behind a thin wash of colour")
-      ->type_name("none|paper|tint");
+                  "it, tint covers it with a thin wash of colour, veil lets it show faintly")
+      ->type_name("none|paper|tint|veil");
   CLI::Option* background =
       command.add_option("--background", flags.background, "What lies behind the drawing");
   background->type_name("white|paper|dark|transparent")->capture_default_str();
@@ -47,13 +47,8 @@ inline void addLookOptions(CLI::App& command, PictureFlags& flags) {
       ->excludes(ink);
 }
 
-/// Declares the flags of `PictureFlags` on a sub-command.
-inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
-  command
-      .add_option("-o,--output", flags.output,
-                  "The picture: png, tiff, exr or jpg by its extension")
-      ->required()
-      ->type_name("FILE");
+/// Declares the flags of `PictureFlags` on a sub-command but for where the picture goes.
+inline void addDrawingOptions(CLI::App& command, PictureFlags& flags) {
   command.add_option("--size", flags.size, "Width and height in pixels, 16 to 20000 each")
       ->type_name("WxH")
       ->capture_default_str();
@@ -77,8 +72,18 @@ inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
   many(command.add_option("--only", flags.only,
                           "Draws these structures and groups alone; may be given again"))
       ->type_name("NAME");
-  addSectionOptions(command, flags.sections);
   addLookOptions(command, flags);
+  addSectionOptions(command, flags.sections);
+}
+
+/// The same with the file, which is needed.
+inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
+  command
+      .add_option("-o,--output", flags.output,
+                  "The picture: png, tiff, exr or jpg by its extension")
+      ->required()
+      ->type_name("FILE");
+  addDrawingOptions(command, flags);
 }
 
 }  // namespace sline::cli

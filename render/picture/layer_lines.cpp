@@ -234,19 +234,20 @@ LineSet styledLines(const model::Surface& surface, const PictureView& view,
        .twoSided = needsTwoSides(surface, view.camera())});
 }
 
-void cutLines(const SectionedSurface& cut, LineSet& lines) {
-  clip(lines.contours, cut.planes);
-  clip(lines.suggestive, cut.planes);
-  for (const CutFace& face : cut.faces)
-    lines.section.insert(lines.section.end(), face.outline.begin(), face.outline.end());
-}
-
 Hatching styledHatching(const model::Surface& surface, const model::FaceNeighbours& neighbours,
                         const PictureView& view, const model::ResolvedStyle& style) {
   return extractHatching(surface, neighbours, view.camera(),
                          {.entered = transitions(style.gamma).hatching,
                           .aspect = view.size().x / view.size().y,
                           .twoSided = needsTwoSides(surface, view.camera())});
+}
+
+void cutLines(const SectionedSurface& cut, StructureLines& drawn) {
+  clip(drawn.lines.contours, cut.planes);
+  clip(drawn.lines.suggestive, cut.planes);
+  clip(drawn.hatching, cut.planes);
+  for (const CutFace& face : cut.faces)
+    drawn.lines.section.insert(drawn.lines.section.end(), face.outline.begin(), face.outline.end());
 }
 
 void joinLines(const model::Surface& surface, const PictureView& view,

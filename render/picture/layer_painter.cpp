@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "model/base/parallel.h"
-#include "render/lines/clipping.h"
 
 namespace sline::render {
 
@@ -49,21 +48,17 @@ void findLines(const PictureInput& input, std::span<const Layer> layers,
   parallelFor(absent.size(), 1, [&](std::size_t i) {
     const Shown& shown = *absent[i].shown;
     absent[i].lines->lines = styledLines(shown.surface(), input.view, shown.style);
-    if (shown.cut)
-      cutLines(*shown.cut, absent[i].lines->lines);
   });
   stopwatch.lines();
   parallelFor(absent.size(), 1, [&](std::size_t i) {
     const Shown& shown = *absent[i].shown;
-    joinLines(shown.surface(), input.view, shown.style, absent[i].lines->lines);
-  });
-  parallelFor(absent.size(), 1, [&](std::size_t i) {
-    const Shown& shown = *absent[i].shown;
+    StructureLines& drawn = *absent[i].lines;
     if (hatches(input, shown))
-      absent[i].lines->hatching =
+      drawn.hatching =
           styledHatching(shown.surface(), *shown.cached->neighbours, input.view, shown.style);
     if (shown.cut)
-      clip(absent[i].lines->hatching, shown.cut->planes);
+      cutLines(*shown.cut, drawn);
+    joinLines(shown.surface(), input.view, shown.style, drawn.lines);
   });
 }
 
@@ -347,6 +342,8 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
         shown.cached->needWhole();
     }
   stopwatch.pass(device, "plan");
+  if (input.isUnwanted())
+    return Outcome::givenUp;
 
   std::map<model::NodeId, StructureLines> own;
   std::map<model::NodeId, StructureLines>& lines = input.lines ? *input.lines : own;
@@ -355,10 +352,14 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
               [&](std::size_t i) { completeLayer(layers[changed[i]], input.view, region, lines); });
   own.clear();
   stopwatch.pass(device, "strokes");
+  if (input.isUnwanted())
+    return Outcome::givenUp;
 
   clear(device, layers, changed);
   drawSurfaces(device, input, layers, changed);
   stopwatch.pass(device, "surface");
+  if (input.isUnwanted())
+    return Outcome::givenUp;
   // Hatching before lines, which lie on it.
   if (Status s = m_printedHatching.draw(device, input.view, m_atlas, layers, changed); !s)
     return s.error();
