@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "model/base/parallel.h"
-#include "render/lines/clipping.h"
 
 namespace sline::render {
 
@@ -317,11 +316,8 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
                                                   const gpu::Rect& region,
                                                   const gpu::Target& target, Stopwatch& stopwatch) {
   std::vector<Layer> layers = planLayers(input.shown, input.view, region, input.parts);
-  model::Box bounds;
-  for (const Shown& shown : input.shown)
-    bounds.add(shown.mesh->bounds());
   std::vector<std::size_t> changed =
-      reuse(layers, {input.view.camera(), bounds, input.view.size(), input.background,
+      reuse(layers, {input.view.camera(), input.view.bounds(), input.view.size(), input.background,
                      input.keyLight, input.parts, region});
   if (!place(layers, changed))
     return Outcome::tooLarge;
