@@ -2,8 +2,11 @@
 // `sline ramp`: is the way from silhouette to shaded surface seamless?
 #include "render/measures/ramp.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "app/cli/image_file.h"
 #include "app/cli/json_values.h"
@@ -13,6 +16,8 @@
 namespace sline::cli {
 
 namespace {
+
+constexpr std::size_t mostOnASheet = 12;
 
 struct RampFlags {
   MeasureFlags measure;
@@ -75,7 +80,7 @@ Json rampJson(const MeasuredRamp& measured) {
            {{"largest_fall", jsonNumber(float(ramp.fill.largestFall))},
             {"fall_at", jsonNumber(float(ramp.fill.fallAt))},
             {"fallen_pixels", jsonNumber(float(ramp.fill.fallenPixels))},
-            {"least_at_5", jsonNumber(float(ramp.fill.leastAtEnd))}}},
+            {"open_at_5", jsonNumber(float(ramp.fill.openAtEnd))}}},
           {"steps", numbers(ramp.steps)},
           {"luminance", numbers(tone.luminance)},
           {"faults", measured.faults}};
@@ -143,9 +148,9 @@ void printRamp(const MeasuredRamp& measured) {
       100.0 * tone.bump.height, render::rampGamma(tone.bump.at).value(), 100.0 * tone.bumpedPixels);
   for (const double share : tone.bumpedByStage)
     std::printf(" %.1f", 100.0 * share);
-  std::printf(")\n  fill  falls by %.3f at most (%.2f %% of pixels, at %.2f); least at 5: %.3f\n",
+  std::printf(")\n  fill  falls by %.3f at most (%.2f %% of pixels, at %.2f); open at 5: %.2f %%\n",
               ramp.fill.largestFall, 100.0 * ramp.fill.fallenPixels, ramp.fill.fallAt,
-              ramp.fill.leastAtEnd);
+              100.0 * ramp.fill.openAtEnd);
   for (const std::string& fault : measured.faults)
     std::printf("  ✗ %s\n", fault.c_str());
   std::printf("\n");
@@ -185,11 +190,8 @@ void printSummary(const std::vector<MeasuredRamp>& all) {
   }
 }
 
-Result<MeasuredRamp> measure(render::Picture& picture, const MeasureOrder& order,
-                             model::NodeId structure, std::vector<render::SheetPicture>* sheet) {
-  const Result<render::Subject> subject = subjectOf(order, structure);
-  if (!subject.ok())
-    return subject.error();
+Result<MeasuredRamp> measure(render::Picture& picture, const render::Subject& subject,
+                             std::vector<render::SheetPicture>* sheet) {
   std::array<render::SheetPicture, 2 * render::rampStages + 1> halves;
   const auto look = [&](Gamma gamma, const render::Image& image) {
     const float twice = 2.0f * gamma.value();
@@ -199,17 +201,15 @@ Result<MeasuredRamp> measure(render::Picture& picture, const MeasureOrder& order
       halves[std::size_t(twice)] = {label.data(), image};
     }
   };
-  Result<render::Ramp> ramp = render::measureRamp(render::rampPictures(picture, *subject, look));
+  Result<render::Ramp> ramp = render::measureRamp(render::rampPictures(picture, subject, look));
   if (!ramp.ok()) {
     Error error = ramp.error();
-    error.where = subject->structure().name;
+    error.where = subject.structure().name;
     return error;
   }
   if (sheet)
     sheet->assign(std::move_iterator(halves.begin()), std::move_iterator(halves.end()));
-  MeasuredRamp measured{.name = subject->structure().name,
-                        .group = order.scene.groupPath(structure),
-                        .ramp = std::move(*ramp)};
+  MeasuredRamp measured{.name = subject.structure().name, .ramp = std::move(*ramp)};
   measured.faults = render::faults(measured.ramp);
   return measured;
 }
@@ -223,6 +223,45 @@ void appendSheet(render::Image& sheet, std::span<const render::SheetPicture> pic
   sheet = sheet.rgba.empty() ? whole : render::stacked(sheet, whole);
 }
 
+struct RampReport {
+  std::vector<MeasuredRamp> structures;
+  render::Image sheet;
+
+  bool passes() const {
+    return std::all_of(structures.begin(), structures.end(),
+                       [](const MeasuredRamp& measured) { return measured.faults.empty(); });
+  }
+};
+
+/// Measures one structure after the other and prints each as soon as it is known, unless all goes
+/// into one JSON object. Leaves an exit code where it cannot go on.
+std::optional<Exit> measureAll(const MeasureOrder& order, const RampFlags& flags,
+                               Progress& progress, RampReport& report) {
+  const Result<Studio> studio = openStudio();
+  if (!studio.ok())
+    return complain(studio.error(), Exit::failed);
+  std::vector<render::SheetPicture> pictures;
+  for (const model::NodeId id : order.structures) {
+    progress.show(double(report.structures.size()) / double(order.structures.size()),
+                  order.scene.find(id)->name);
+    const Result<render::Subject> subject = subjectOf(order, id);
+    if (!subject.ok())
+      return complain(subject.error(), Exit::wrongUse);
+    Result<MeasuredRamp> measured =
+        measure(*studio->picture, *subject, flags.sheet.empty() ? nullptr : &pictures);
+    progress.wipe();
+    if (!measured.ok())
+      return complain(measured.error(), Exit::failed);
+    measured->group = order.scene.groupPath(id);
+    if (!flags.sheet.empty())
+      appendSheet(report.sheet, pictures, measured->ramp);
+    if (!flags.measure.json)
+      printRamp(*measured);
+    report.structures.push_back(std::move(*measured));
+  }
+  return std::nullopt;
+}
+
 Exit runRamp(const RampFlags& flags) {
   if (!flags.sheet.empty())
     if (const Status named = checkImageName(flags.sheet); !named.ok())
@@ -232,42 +271,28 @@ Exit runRamp(const RampFlags& flags) {
   const Result<MeasureOrder> order = measureOrder(flags.measure, progress, wrongUse);
   if (!order.ok())
     return complain(order.error(), wrongUse ? Exit::wrongUse : Exit::failed);
-  const Result<Studio> studio = openStudio();
-  if (!studio.ok())
-    return complain(studio.error(), Exit::failed);
-  std::vector<MeasuredRamp> all;
-  std::vector<render::SheetPicture> pictures;
-  render::Image sheet;
-  for (const model::NodeId id : order->structures) {
-    progress.show(double(all.size()) / double(order->structures.size()),
-                  order->scene.find(id)->name);
-    Result<MeasuredRamp> measured =
-        measure(*studio->picture, *order, id, flags.sheet.empty() ? nullptr : &pictures);
-    progress.wipe();
-    if (!measured.ok())
-      return complain(measured.error(), Exit::failed);
-    if (!flags.sheet.empty())
-      appendSheet(sheet, pictures, measured->ramp);
-    all.push_back(std::move(*measured));
-    if (!flags.measure.json)
-      printRamp(all.back());
-  }
+  if (!flags.sheet.empty() && order->structures.size() > mostOnASheet)
+    return complain({.reason = "a sheet of " + std::to_string(order->structures.size()) +
+                               " structures is too large to look at",
+                     .remedy = "Name at most " + std::to_string(mostOnASheet) + " structures"},
+                    Exit::wrongUse);
+  RampReport report;
+  if (const auto stopped = measureAll(*order, flags, progress, report))
+    return *stopped;
   if (!flags.sheet.empty())
-    if (const Status written = writeImage(sheet, flags.sheet); !written.ok())
+    if (const Status written = writeImage(report.sheet, flags.sheet); !written.ok())
       return complain(written.error(), Exit::failed);
-  const bool passes =
-      std::all_of(all.begin(), all.end(), [](const MeasuredRamp& m) { return m.faults.empty(); });
   if (flags.measure.json) {
     Json list = Json::array();
-    for (const MeasuredRamp& measured : all)
+    for (const MeasuredRamp& measured : report.structures)
       list.push_back(rampJson(measured));
-    std::printf("%s\n", jsonText({{"structures", list}, {"passes", passes}}, 2).c_str());
-  } else if (all.size() > 1) {
-    printSummary(all);
+    std::printf("%s\n", jsonText({{"structures", list}, {"passes", report.passes()}}, 2).c_str());
+  } else if (report.structures.size() > 1) {
+    printSummary(report.structures);
   }
   if (std::fflush(stdout) != 0)
     return Exit::failed;
-  return flags.measure.check && !passes ? Exit::failed : Exit::done;
+  return flags.measure.check && !report.passes() ? Exit::failed : Exit::done;
 }
 
 void declareRamp(CLI::App& command, RampFlags& flags) {

@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "render/lines/coarse_depth.h"
 #include "render/lines/hatch_seeds.h"
 #include "render/lines/stroke_spacing.h"
 #include "render/lines/surface_walk.h"
@@ -49,18 +50,30 @@ void sharpen(Samples& samples) {
     limit(samples[i], samples[i - 1]);
 }
 
+float seedPresence(const PlacedSeed& seed, float opacity) {
+  return seed.presence * smooth(faintest, 0.12f, opacity);
+}
+
+/// How much ink its seed alone would give: its stroke's width, times the area in the picture that
+/// the seed stands for.
+float seedInk(const PlacedSeed& seed, float entered, const HatchingRequest& request) {
+  const float opacity = hatchOpacity(seed.weight, seed.angle, entered);
+  const float nv = std::cos(1.5707963f * std::min(seed.angle, 1.0f));
+  return nv * definite(0.5f * request.spacing * hatchWidth(opacity) * request.tone *
+                       seedPresence(seed, opacity));
+}
+
 /// θ_c is re-timed (METHOD §7 ▲) so that the amount of ink grows evenly with T_H: the value of
 /// `entered` at which the seeds' ink is that share of all of it.
-float evenlyEntered(const std::vector<PlacedSeed>& seeds, float share) {
-  if (share <= 0.0f || share >= 1.0f)
-    return std::clamp(share, 0.0f, 1.0f);
+float evenlyEntered(const std::vector<PlacedSeed>& seeds, const HatchingRequest& request,
+                    const CoarseDepth& depth) {
   constexpr int samples = 32;
   std::array<float, samples + 1> ink{};
-  for (int i = 1; i <= samples; ++i)
-    for (const PlacedSeed& s : seeds)
-      ink[std::size_t(i)] +=
-          s.presence * hatchWidth(hatchOpacity(s.weight, s.angle, float(i) / float(samples)));
-  const float wanted = share * ink[samples];
+  for (const PlacedSeed& s : seeds)
+    if (depth.sees(s.position))
+      for (int i = 1; i <= samples; ++i)
+        ink[std::size_t(i)] += seedInk(s, float(i) / float(samples), request);
+  const float wanted = request.entered * ink[samples];
   for (std::size_t i = 1; i <= samples; ++i)
     if (ink[i] >= wanted && ink[i] > ink[i - 1])
       return (float(i - 1) + (wanted - ink[i - 1]) / (ink[i] - ink[i - 1])) / float(samples);
@@ -73,6 +86,7 @@ class Hatcher {
           const model::Camera& camera, const HatchingRequest& request)
       : m_surface(surface),
         m_neighbours(neighbours),
+        m_camera(camera),
         m_request(request),
         m_eye(eyeOf(camera)),
         m_scale(camera),
@@ -82,7 +96,9 @@ class Hatcher {
     const std::vector<PlacedSeed> seeds = hatchSeeds(m_surface, m_fields, m_scale, m_request);
     if (seeds.empty())
       return {};
-    m_entered = evenlyEntered(seeds, m_request.entered);
+    m_entered = m_request.entered;
+    if (m_entered < 1.0f)
+      m_entered = evenlyEntered(seeds, m_request, CoarseDepth(m_surface, m_camera));
     glm::vec2 low = m_scale.project(seeds.front().position).at;
     glm::vec2 high = low;
     for (const PlacedSeed& s : seeds) {
@@ -109,8 +125,7 @@ class Hatcher {
     const ViewScale::Point seen = m_scale.project(seed.position);
     // A stroke is there as far as its seed is: it grows from nothing all along.
     const float room = spacing.room(seen.at, seed.position, reach(seen));
-    const float presence =
-        seed.presence * smooth(0.0f, 0.6f, room) * smooth(faintest, 0.12f, opacity);
+    const float presence = seedPresence(seed, opacity) * smooth(0.0f, 0.6f, room);
     if (presence < faintest)
       return;
     const bool dot = m_request.length < shortest;
@@ -218,6 +233,7 @@ class Hatcher {
 
   const model::Surface& m_surface;
   const model::FaceNeighbours& m_neighbours;
+  const model::Camera& m_camera;
   const HatchingRequest& m_request;
   model::EyePoint m_eye;
   ViewScale m_scale;

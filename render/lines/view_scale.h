@@ -36,6 +36,10 @@ class ViewScale {
             distance};
   }
 
+  /// The part of a direction that lies in the picture's plane.
+  glm::vec2 across(const glm::vec3& direction) const {
+    return {glm::dot(direction, m_frame.right), glm::dot(direction, m_frame.up)};
+  }
   /// Unit, across the picture's plane.
   const glm::vec3& towardsEye() const { return m_frame.back; }
 

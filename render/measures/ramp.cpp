@@ -175,9 +175,10 @@ Result<RampFill> measureFill(const RampPictures& pictures, const PixelMask& mask
     }
     if (i == rampSteps) {
       const PixelMask inner = shrunk(mask, softEdge);
+      std::size_t open = 0;
       for (std::size_t k = 0; k < highest.size(); ++k)
-        if (inner.inside[k])
-          fill.leastAtEnd = std::min(fill.leastAtEnd, double(opacities.values[k]));
+        open += inner.inside[k] && opacities.values[k] < completeOpacity;
+      fill.openAtEnd = double(open) / double(std::max(inner.count(), std::size_t(1)));
     }
   }
   fill.fallenPixels =

@@ -31,8 +31,10 @@ inline constexpr double exemptChange = 0.002;
 inline constexpr double toneLimit = 0.02;
 /// Opacity may fall by one of 255 levels, which is rounding.
 inline constexpr double fillFallLimit = 1.5 / 255.0;
-/// Opacity everywhere inside at Γ = 5, or more.
-inline constexpr double fillCompleteLimit = 0.98;
+/// A fill is complete at Γ = 5: inside the structure at most `openLimit` of the pixels are less
+/// opaque than this. Those few are slits between its parts, narrower than a pixel.
+inline constexpr double completeOpacity = 0.98;
+inline constexpr double openLimit = 0.001;
 
 /// The Γ of a picture of the ramp: index / 20.
 inline Gamma rampGamma(int index) {
@@ -97,10 +99,10 @@ struct RampFill {
   double largestFall = 0.0;   ///< of any pixel's opacity from any picture to a later one
   double fallAt = 0.0;        ///< Γ of the later one
   double fallenPixels = 0.0;  ///< share of the rectangle's pixels that fall by more than the limit
-  double leastAtEnd = 1.0;    ///< opacity at Γ = 5 inside the structure, two pixels off its edges
+  double openAtEnd = 0.0;     ///< share of pixels inside (two off its edges) not complete at Γ = 5
 
   bool falls() const { return largestFall > fillFallLimit; }
-  bool incomplete() const { return leastAtEnd < fillCompleteLimit; }
+  bool incomplete() const { return openAtEnd > openLimit; }
 };
 
 struct Ramp {

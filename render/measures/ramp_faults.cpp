@@ -56,7 +56,8 @@ std::vector<std::string> faults(const Ramp& ramp) {
     found.push_back("fill: opacity falls by " + number(ramp.fill.largestFall, 3) +
                     " at Γ = " + number(ramp.fill.fallAt, 2));
   if (ramp.fill.incomplete())
-    found.push_back("fill: at Γ = 5 some pixel's opacity is " + number(ramp.fill.leastAtEnd, 3));
+    found.push_back("fill: " + percent(ramp.fill.openAtEnd, 1) +
+                    " of the structure is not filled at Γ = 5");
   return found;
 }
 

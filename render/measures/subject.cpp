@@ -52,4 +52,20 @@ RampPictures rampPictures(Picture& picture, const Subject& subject,
   return pictures;
 }
 
+HatchingPicture hatchingPicture(Picture& picture, const Subject& subject, Gamma gamma,
+                                HatchingMethod method) {
+  model::Style patch;
+  patch.gamma = gamma;
+  patch.inkColour = Colour{0, 0, 0};
+  const model::Scene scene =
+      model::withStyle(subject.scene, std::array{subject.structure().id}, patch).scene;
+  return [&picture, scene, method](const model::Camera& camera, int width, int height) {
+    return picture.render(scene, camera,
+                          {.width = width,
+                           .height = height,
+                           .hatching = method,
+                           .parts = {.lines = false, .hatching = true, .fills = false}});
+  };
+}
+
 }  // namespace sline::render

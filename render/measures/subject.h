@@ -6,6 +6,7 @@
 
 #include "model/scene/scene.h"
 #include "render/measures/ramp.h"
+#include "render/measures/steadiness.h"
 #include "render/picture/picture.h"
 
 namespace sline::render {
@@ -30,5 +31,9 @@ model::Scene alone(const model::Scene& scene, model::NodeId structure);
 /// the whole structure is also shown to `look`, where there is one.
 RampPictures rampPictures(Picture& picture, const Subject& subject,
                           std::function<void(Gamma, const Image&)> look = {});
+
+/// The subject's hatching alone at that Γ, black on white, made that way.
+HatchingPicture hatchingPicture(Picture& picture, const Subject& subject, Gamma gamma,
+                                HatchingMethod method);
 
 }  // namespace sline::render

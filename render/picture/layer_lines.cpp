@@ -9,6 +9,7 @@
 #include "model/base/parallel.h"
 #include "render/lines/chains.h"
 #include "render/lines/view_fields.h"
+#include "render/picture/entrance.h"
 #include "render/picture/transitions.h"
 
 namespace sline::render {
@@ -68,28 +69,33 @@ class StrokeMaker {
     return std::move(m_strokes);
   }
 
-  void contour(const Segment& s, float width, float opacity) {
+  /// `t` is T_C, by which the parts within the structure's own mask enter.
+  void contour(const Segment& s, float width, float opacity, float t) {
     passes::InkSegment stroke;
     if (!place(s.a, s.b, stroke))
       return;
     stroke.outwardA = m_view.projectedDirection(s.a, s.normalA);
     stroke.outwardB = m_view.projectedDirection(s.b, s.normalB);
-    stroke.contour = 1.0f;
+    stroke.contour = 1.0f + entered(t, 0.5f * (s.entryA + s.entryB));
     stroke.tolerance = 0.5f * m_surface.meanEdge + 1e-3f * m_surface.filigreeSize;
     finish(stroke, devicePen(width, s.opacityA * opacity), devicePen(width, s.opacityB * opacity));
   }
 
-  void surfaceLine(const Segment& s, float width, float opacity) {
+  /// `t` is T_SC.
+  void surfaceLine(const Segment& s, float width, float opacity, float t) {
     passes::InkSegment stroke;
     if (!place(s.a, s.b, stroke))
       return;
     stroke.tolerance = 0.1f * m_surface.meanEdge + 1e-4f * m_surface.featureSize +
                        1.5f * m_view.millimetresPerPixel(s.a) *
                            std::max(slope(s.a, s.normalA), slope(s.b, s.normalB));
-    const auto pen = [&](float fade) {
-      return devicePen(width * (0.45f + 0.55f * fade), opacity * std::sqrt(fade));
+    const auto pen = [&](float fade, float rank) {
+      const float share = entered(t, rank);
+      const float full = width * (0.45f + 0.55f * fade);
+      return devicePen(full * std::min(1.0f, 0.35f + 0.65f * share),
+                       opacity * std::sqrt(fade) * std::min(1.0f, 2.0f * share));
     };
-    finish(stroke, pen(s.opacityA), pen(s.opacityB));
+    finish(stroke, pen(s.opacityA, s.entryA), pen(s.opacityB, s.entryB));
   }
 
   /// A stroke of hatching as few capsules as its curve allows.
@@ -207,7 +213,7 @@ LineSet styledLines(const model::Surface& surface, const PictureView& view,
       surface, view.camera(),
       {.contours = true,
        .suggestive = showsLines(style) && transitions(style.gamma).suggestive > 0.0f,
-       .thresholds = suggestiveThresholds(style.gamma),
+       .thresholds = {},
        .twoSided = needsTwoSides(surface, view.camera())});
 }
 
@@ -219,7 +225,8 @@ Hatching styledHatching(const model::Surface& surface, const model::FaceNeighbou
                           .twoSided = needsTwoSides(surface, view.camera())});
 }
 
-void joinLines(const model::Surface& surface, const PictureView& view, LineSet& lines) {
+void joinLines(const model::Surface& surface, const PictureView& view,
+               const model::ResolvedStyle& style, LineSet& lines) {
   if (!needsTwoSides(surface, view.camera()))
     std::erase_if(lines.contours, [](const Segment& s) { return s.concave; });
   const float pixel = view.millimetresPerPixel(surface.boundingSphere.centre);
@@ -230,9 +237,13 @@ void joinLines(const model::Surface& surface, const PictureView& view, LineSet& 
   };
   parallelFor(2, 1, [&](std::size_t kind) {
     if (kind == 0) {
+      const float t = transitions(style.gamma).contours;
+      if (t > 0.0f && t < 1.0f)
+        rankContours(lines.contours, surface, view.camera());
       join(lines.contours, connectedChains(lines.contours));
       return;
     }
+    rankSuggestive(lines.suggestive);
     const Chains chains = connectedChains(lines.suggestive);
     const float unit = view.outputUnit() * pixel;
     fadeShortChains(lines.suggestive, chains, speckLength * unit, wholeLineLength * unit);
@@ -243,8 +254,7 @@ void joinLines(const model::Surface& surface, const PictureView& view, LineSet& 
 ContourProbes contourProbes(const model::Surface& surface, const PictureView& view,
                             const model::ResolvedStyle& style) {
   const float error = outlineError(surface, view);
-  return {.inner = transitions(style.gamma).contours,
-          .probe = penWidth(surface, view, style.penWeight) + 1.0f + error,
+  return {.probe = penWidth(surface, view, style.penWeight) + 1.0f + error,
           .reach = {1.0f + 0.5f * error, 2.0f + wideStep * view.outputUnit()},
           .sheet = 6.0f * surface.meanEdge +
                    wideStep * view.outputUnit() *
@@ -259,10 +269,9 @@ std::vector<passes::InkSegment> strokes(const model::Surface& surface, const Pic
   const Transitions t = transitions(style.gamma);
   const float width = penWidth(surface, view, style.penWeight) * t.lines;
   for (const Segment& s : lines.contours)
-    maker.contour(s, width, t.lines);
-  const float entered = std::sqrt(t.suggestive);
+    maker.contour(s, width, t.lines, t.contours);
   for (const Segment& s : lines.suggestive)
-    maker.surfaceLine(s, width * entered, t.lines * entered);
+    maker.surfaceLine(s, width, t.lines, t.suggestive);
   for (const HatchStroke& s : drawn.hatching.strokes)
     maker.hatching(std::span(drawn.hatching.points).subspan(s.first, s.count), t.lines, t.lines);
   return maker.take();
@@ -272,7 +281,7 @@ std::vector<passes::InkSegment> edges(const model::Surface& surface, const Pictu
                                       const LineSet& lines, const gpu::Rect& area) {
   StrokeMaker maker(surface, view, area);
   for (const Segment& s : lines.contours)
-    maker.contour(s, 1.0f, 1.0f);
+    maker.contour(s, 1.0f, 1.0f, 1.0f);
   return maker.take();
 }
 

@@ -33,13 +33,13 @@ LineSet styledLines(const model::Surface& surface, const PictureView& view,
 /// The hatching that the style asks for.
 Hatching styledHatching(const model::Surface& surface, const model::FaceNeighbours& neighbours,
                         const PictureView& view, const model::ResolvedStyle& style);
-/// Joins them to the strokes a pen would set: pieces of a line become one, specks fade, and what
-/// its own closed surface always hides goes.
-void joinLines(const model::Surface& surface, const PictureView& view, LineSet& lines);
+/// Finds when each enters its stage and joins them to the strokes a pen would set: pieces of a line
+/// become one, specks fade, and what its own closed surface always hides goes.
+void joinLines(const model::Surface& surface, const PictureView& view,
+               const model::ResolvedStyle& style, LineSet& lines);
 
 /// How contours are looked at in the picture; see InkDraw.
 struct ContourProbes {
-  float inner = 1.0f;
   float probe = 3.0f;
   glm::vec2 reach{1.0f, 4.0f};
   float sheet = 0.0f;

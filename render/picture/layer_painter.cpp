@@ -51,7 +51,8 @@ void findLines(const PictureInput& input, std::span<const Layer> layers,
   });
   stopwatch.lines();
   parallelFor(absent.size(), 1, [&](std::size_t i) {
-    joinLines(absent[i].shown->surface(), input.view, absent[i].lines->lines);
+    const Shown& shown = *absent[i].shown;
+    joinLines(shown.surface(), input.view, shown.style, absent[i].lines->lines);
   });
   parallelFor(absent.size(), 1, [&](std::size_t i) {
     const Shown& shown = *absent[i].shown;
@@ -193,7 +194,6 @@ passes::InkDraw LayerPainter::inkDraw(const PictureInput& input, const Layer& la
   return {.layer = layer.area,
           .slot = layer.slot,
           .projection = input.view.depthTerms(),
-          .inner = probes.inner,
           .probe = probes.probe,
           .reach = probes.reach,
           .sheet = probes.sheet};
@@ -215,7 +215,6 @@ void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
       passes::InkDraw draw = inkDraw(input, layers[i], shown);
       draw.first = all.size();
       draw.count = layers[i].edges[k].size();
-      draw.inner = 1.0f;
       const passes::SurfaceFill fill = shownFill(input, shown);
       draw.edge = glm::vec4(fill.colour, fill.complete * fill.opacity);
       draw.key = keyLight(input);

@@ -14,7 +14,6 @@ uniform sampler2D surfaceDepth;
 uniform ivec4 slot;        // of the layer in the atlas: first and last pixel
 uniform ivec2 toAtlas;     // from picture pixels to atlas pixels
 uniform vec4 projection;   // see depth.glsl
-uniform float inner;       // T_C: how much of a contour is left within the surface's own mask
 uniform float probe;       // how far outside (px) the own mask means an inner contour
 uniform vec2 reach;        // px at which a contour's far side is looked for: a step, a wide one
 uniform float sheet;       // mm by which a surface may hide a line of its own sheet
@@ -73,15 +72,16 @@ void main() {
     float wide;
     if (!contourVisible(c, outward, depth, wide))
       discard;
+    float inner = lineDepths.w - 1.0;  // how much is left within the surface's own mask
     if (inner < 1.0) {
       bool within = depthAt(c + (wide + probe) * outward) < 1.0 ||
           (depthAt(pixel) < 1.0 && length(pixel - c) > 1.0);
       if (within) {
         // Thinner strokes keep one pixel and lose opacity instead.
         float thin = halfWidth * inner;
-        opacity *= inner * min(1.0, thin * 2.0);
+        opacity *= min(1.0, thin * 2.0);
         halfWidth = max(thin, 0.5);
-        distance = length(pixel - c);
+        distance = length(pixel - c - outward * (halfWidth - 0.5));
       }
     }
   } else if (!surfaceLineVisible(c, depth)) {

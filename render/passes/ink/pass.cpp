@@ -19,7 +19,6 @@ gpu::ProgramRecipe recipe() {
                        {"slot", UniformType::ivec4},
                        {"toAtlas", UniformType::ivec2},
                        {"projection", UniformType::vec4},
-                       {"inner", UniformType::real},
                        {"probe", UniformType::real},
                        {"reach", UniformType::vec2},
                        {"sheet", UniformType::real},
@@ -69,7 +68,6 @@ void InkPass::draw(gpu::Device& device, const gpu::Target& target, const gpu::Te
                  glm::ivec4(draw.slot.x, draw.slot.y, draw.slot.right() - 1, draw.slot.top() - 1));
   m_program->set("toAtlas", glm::ivec2(draw.slot.x - draw.layer.x, draw.slot.y - draw.layer.y));
   m_program->set("projection", draw.projection);
-  m_program->set("inner", draw.inner);
   m_program->set("probe", draw.probe);
   m_program->set("reach", draw.reach);
   m_program->set("sheet", draw.sheet);
