@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/picture_flags.h"
+#include "app/cli/section_options.h"
 
 namespace sline::cli {
 
@@ -46,13 +47,10 @@ inline void addLookOptions(CLI::App& command, PictureFlags& flags) {
       ->excludes(ink);
 }
 
-/// Declares the flags of `PictureFlags` on a sub-command.
-inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
-  command
-      .add_option("-o,--output", flags.output,
-                  "The picture: png, tiff, exr or jpg by its extension")
-      ->required()
-      ->type_name("FILE");
+inline constexpr const char* pictureHelp = "The picture: png, tiff, exr or jpg by its extension";
+
+/// Declares the flags of `PictureFlags` on a sub-command but for where the picture goes.
+inline void addDrawingOptions(CLI::App& command, PictureFlags& flags) {
   command.add_option("--size", flags.size, "Width and height in pixels, 16 to 20000 each")
       ->type_name("WxH")
       ->capture_default_str();
@@ -84,6 +82,13 @@ inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
                           "Draws these structures and groups alone; may be given again"))
       ->type_name("NAME");
   addLookOptions(command, flags);
+  addSectionOptions(command, flags.sections);
+}
+
+/// The same with the file, which is needed.
+inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
+  command.add_option("-o,--output", flags.output, pictureHelp)->required()->type_name("FILE");
+  addDrawingOptions(command, flags);
 }
 
 }  // namespace sline::cli

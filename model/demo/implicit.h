@@ -4,7 +4,10 @@
 #pragma once
 
 #include <functional>
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -21,25 +24,128 @@ float ellipsoid(const glm::vec3& p, const glm::vec3& semiAxes);
 float blendedUnion(float a, float b, float radius);
 float blendedDifference(float a, float b, float radius);
 
+/// How far the point lies outside the box; 0 inside.
+float distanceToBox(const Box& box, const glm::vec3& p);
+/// The box with its faces moved outward by that much.
+Box grown(Box box, float by);
+/// The shape reflected in the plane x = `plane`.
+Field mirrored(Field field, float plane);
+Box mirrored(const Box& box, float plane);
+/// A slow wave through space between −1 and 1, without a lattice to be seen: liveliness for a
+/// surface, or lobes. `wavelength` is the mean distance between crests, in mm.
+float wave(const glm::vec3& p, float wavelength, float phase);
+
+/// An ellipsoid anywhere: its axes are turned by degrees about x, then y, then z.
+class Blob {
+ public:
+  Blob(const glm::vec3& centre, const glm::vec3& semiAxes, const glm::vec3& degrees = {0, 0, 0});
+  float distance(const glm::vec3& p) const;
+  const Box& bounds() const { return m_bounds; }
+
+ private:
+  glm::vec3 m_centre;
+  glm::vec3 m_semiAxes;
+  glm::mat3 m_toOwn;
+  Box m_bounds;
+};
+
 /// A place on a vessel's centre line.
 struct TubePoint {
   glm::vec3 position;
   float radius;
 };
 
-/// A tube with a round cross-section along a smooth curve through the given points (centripetal
-/// Catmull and Rom, sampled every `step` mm), its radius changing smoothly between them, its ends
-/// rounded.
-class Tube {
+/// A place on the middle line of something flat: half its width along `across`, half its thickness
+/// at right angles to that and to the line. `across` need be neither unit nor at right angles to
+/// the line; where it changes from place to place the band twists.
+struct BandPoint {
+  glm::vec3 position;
+  float halfWidth;
+  float halfThickness;
+  glm::vec3 across;
+};
+
+/// A smooth curve through given points (centripetal Catmull and Rom) that carries a few numbers
+/// along, with a fast search for its nearest place.
+class Curve {
  public:
-  explicit Tube(std::span<const TubePoint> through, float step = 1.5f);
-  float distance(const glm::vec3& p) const;
-  const Box& bounds() const { return m_bounds; }
-  const std::vector<TubePoint>& points() const { return m_points; }
+  struct Knot {
+    glm::vec4 main;              ///< position and radius (or half a width)
+    glm::vec4 more{0, 0, 0, 0};  ///< a direction and half a thickness
+  };
+  struct Place {
+    glm::vec4 main;
+    glm::vec4 more;
+    glm::vec3 tangent;  ///< unit
+  };
+  Curve(std::span<const Knot> through, float step);
+  /// Where distance − `weight` · radius is least; beyond the ends the end itself.
+  Place nearest(const glm::vec3& p, float weight) const;
+  const std::vector<Knot>& knots() const { return m_knots; }
 
  private:
-  std::vector<TubePoint> m_points;
+  struct Chunk {
+    glm::vec3 centre;
+    float reach;  ///< of its segments and their radii
+    std::size_t first;
+    std::size_t end;
+  };
+  struct Nearest {
+    std::size_t segment = 0;
+    float t = 0.0f;
+    float distance = std::numeric_limits<float>::infinity();
+  };
+  void search(const Chunk& chunk, const glm::vec3& p, float weight, Nearest& best) const;
+  std::vector<Knot> m_knots;
+  std::vector<Knot> m_slopes;  ///< per knot, of one step
+  std::vector<Chunk> m_chunks;
+};
+
+/// A tube with a round cross-section along a smooth curve through the given points, its radius
+/// changing smoothly between them, its ends rounded.
+class Tube {
+ public:
+  explicit Tube(std::span<const TubePoint> through, float step = 2.5f);
+  Tube(std::initializer_list<TubePoint> through)
+      : Tube(std::span<const TubePoint>(through.begin(), through.size())) {}
+  float distance(const glm::vec3& p) const;
+  const Box& bounds() const { return m_bounds; }
+
+ private:
+  Curve m_curve;
   Box m_bounds;
 };
+
+/// A tube with an elliptic cross-section: a muscle, a nerve, a flattened vein.
+class Band {
+ public:
+  explicit Band(std::span<const BandPoint> through, float step = 3.0f);
+  Band(std::initializer_list<BandPoint> through)
+      : Band(std::span<const BandPoint>(through.begin(), through.size())) {}
+  float distance(const glm::vec3& p) const;
+  const Box& bounds() const { return m_bounds; }
+
+ private:
+  Curve m_curve;
+  Box m_bounds;
+};
+
+/// Parts blended where they meet; parts too far away to be felt are passed over.
+template <class Part>
+float blended(std::span<const Part> parts, const glm::vec3& p, float radius) {
+  float d = std::numeric_limits<float>::infinity();
+  for (const Part& part : parts)
+    if (distanceToBox(part.bounds(), p) < d + radius)
+      d = blendedUnion(d, part.distance(p), radius);
+  return d;
+}
+
+template <class Part>
+Box boundsOf(std::span<const Part> parts) {
+  Box box;
+  for (const Part& part : parts)
+    box.add(part.bounds());
+  return box;
+}
 
 }  // namespace sline::model

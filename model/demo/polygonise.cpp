@@ -3,62 +3,43 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
+#include <vtkFloatArray.h>
 #include <vtkFlyingEdges3D.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <span>
+#include <utility>
 
 #include "model/base/parallel.h"
+#include "model/demo/field_grid.h"
 #include "model/geometry/topology.h"
 
 namespace sline::model {
 
 namespace {
 constexpr int relaxations = 8;
-constexpr int finalNewtonSteps = 3;
-constexpr int blockCells = 8;
 
 struct Raw {
   std::vector<glm::vec3> positions;
   std::vector<Triangle> triangles;
 };
 
-/// Samples the field on a grid. A block of cells from whose middle the surface is farther than its
-/// corners is filled with that one value: most of the box is empty.
-void sample(const Field& field, const Box& box, float cell, const glm::ivec3& size, float* values) {
-  const glm::ivec3 blocks = (size + blockCells - 1) / blockCells;
-  const float reach = 0.5f * std::sqrt(3.0f) * cell * float(blockCells);
-  parallelFor(
-      std::size_t(blocks.x) * std::size_t(blocks.y) * std::size_t(blocks.z), 8,
-      [&](std::size_t block) {
-        const int b = int(block);
-        const glm::ivec3 first =
-            blockCells * glm::ivec3(b % blocks.x, b / blocks.x % blocks.y, b / blocks.x / blocks.y);
-        const glm::ivec3 end = glm::min(first + blockCells, size);
-        const float middle = field(box.low + cell * (glm::vec3(first) + 0.5f * float(blockCells)));
-        const bool empty = std::abs(middle) > 2.0f * reach;
-        for (int z = first.z; z < end.z; ++z)
-          for (int y = first.y; y < end.y; ++y)
-            for (int x = first.x; x < end.x; ++x)
-              values[(std::ptrdiff_t(z) * size.y + y) * size.x + x] =
-                  empty ? middle : field(box.low + cell * glm::vec3(x, y, z));
-      });
-}
-
 Raw flyingEdges(const Field& field, const Box& box, float cell) {
-  const glm::ivec3 size = glm::ivec3(glm::ceil(box.size() / cell)) + 1;
+  const FieldGrid grid(field, box, cell);
+  vtkNew<vtkFloatArray> values;
+  // Flying edges only reads; the grid outlives it.
+  values->SetArray(const_cast<float*>(grid.values().data()), vtkIdType(grid.values().size()), 1);
   vtkNew<vtkImageData> image;
-  image->SetDimensions(size.x, size.y, size.z);
+  image->SetDimensions(grid.size().x, grid.size().y, grid.size().z);
   image->SetOrigin(double(box.low.x), double(box.low.y), double(box.low.z));
   image->SetSpacing(double(cell), double(cell), double(cell));
-  image->AllocateScalars(VTK_FLOAT, 1);
-  float* values = static_cast<float*>(image->GetScalarPointer());
-  sample(field, box, cell, size, values);
+  image->GetPointData()->SetScalars(values);
   vtkNew<vtkFlyingEdges3D> contour;
   contour->SetInputData(image);
   contour->SetValue(0, 0.0);
@@ -91,29 +72,59 @@ glm::vec3 gradient(const Field& field, const glm::vec3& p, float h) {
   return sum / (4.0f * h);
 }
 
-/// One Newton step along the gradient towards field = 0.
-glm::vec3 projected(const Field& field, const glm::vec3& p, float edge) {
+/// Onto field = 0: Newton's steps along the gradient at the start, which is near enough.
+glm::vec3 projected(const Field& field, glm::vec3 p, float edge) {
   const glm::vec3 g = gradient(field, p, 0.05f * edge);
   const float squared = glm::dot(g, g);
-  return squared > 1e-6f ? p - field(p) / squared * g : p;
+  if (squared < 1e-6f)
+    return p;
+  for (int step = 0; step < 3; ++step)
+    p -= field(p) / squared * g;
+  return p;
 }
 
-/// Each vertex to the area-weighted centroid of its triangles, then back onto the surface.
-void relax(const Field& field, Raw& raw, const VertexFaces& faces, float edge) {
+/// Area-weighted mean of the centroids of a vertex' triangles, and their mean normal.
+struct Umbrella {
+  glm::vec3 centroid;
+  glm::vec3 normal;  ///< unit, or zero
+};
+
+Umbrella umbrella(const Raw& raw, std::span<const std::uint32_t> faces, float edge) {
+  glm::vec3 sum(0.0f);
+  glm::vec3 normal(0.0f);
+  float weights = 0.0f;
+  for (const std::uint32_t f : faces) {
+    const auto& [a, b, c] = raw.triangles[f];
+    const glm::vec3 pa = raw.positions[a];
+    const glm::vec3 pb = raw.positions[b];
+    const glm::vec3 pc = raw.positions[c];
+    const glm::vec3 cross = glm::cross(pb - pa, pc - pa);
+    const float area = glm::length(cross) + 1e-6f * edge * edge;
+    normal += cross;
+    sum += area * (pa + pb + pc) / 3.0f;
+    weights += area;
+  }
+  const float length = glm::length(normal);
+  return {sum / weights, length > 0.0f ? normal / length : glm::vec3(0.0f)};
+}
+
+/// Each vertex towards the centroid of its triangles within the surface, then, where asked for,
+/// back onto the surface along the mesh's normal (outward), taking the field for a distance: near
+/// the surface it is one, and the last word is Newton's.
+void relax(const Field& field, Raw& raw, const VertexFaces& faces, float edge, bool back) {
   std::vector<glm::vec3> moved(raw.positions.size());
   parallelFor(moved.size(), 256, [&](std::size_t v) {
-    glm::vec3 sum(0.0f);
-    float weights = 0.0f;
-    for (const std::uint32_t f : faces[v]) {
-      const auto& [a, b, c] = raw.triangles[f];
-      const glm::vec3 pa = raw.positions[a];
-      const glm::vec3 pb = raw.positions[b];
-      const glm::vec3 pc = raw.positions[c];
-      const float area = glm::length(glm::cross(pb - pa, pc - pa)) + 1e-6f * edge * edge;
-      sum += area * (pa + pb + pc) / 3.0f;
-      weights += area;
+    const glm::vec3 p = raw.positions[v];
+    if (faces[v].empty()) {
+      moved[v] = p;
+      return;
     }
-    moved[v] = weights > 0.0f ? projected(field, sum / weights, edge) : raw.positions[v];
+    const Umbrella u = umbrella(raw, faces[v], edge);
+    const glm::vec3 step = u.centroid - p;
+    glm::vec3 q = p + step - glm::dot(step, u.normal) * u.normal;
+    if (back)
+      q -= std::clamp(field(q), -0.3f * edge, 0.3f * edge) * u.normal;
+    moved[v] = q;
   });
   raw.positions = std::move(moved);
 }
@@ -132,17 +143,16 @@ MeshPtr meshOf(std::vector<glm::vec3> positions, std::vector<Triangle> triangles
 }  // namespace
 
 MeshPtr polygonise(const Field& field, const Box& box, float edge) {
-  Raw raw = flyingEdges(field, box, edge);
-  const VertexFaces faces(*meshOf(raw.positions, raw.triangles));
-  for (int i = 0; i < relaxations; ++i)
-    relax(field, raw, faces, edge);
-  parallelFor(raw.positions.size(), 256, [&](std::size_t v) {
-    for (int step = 0; step < finalNewtonSteps; ++step)
-      raw.positions[v] = projected(field, raw.positions[v], edge);
-  });
+  // A lattice cell holds about three triangles per square of surface: their edges are shorter.
+  Raw raw = flyingEdges(field, box, 1.15f * edge);
   if (signedVolume(raw) < 0.0f)
     for (Triangle& t : raw.triangles)
       std::swap(t[1], t[2]);
+  const VertexFaces faces(*meshOf(raw.positions, raw.triangles));
+  for (int i = 0; i < relaxations; ++i)
+    relax(field, raw, faces, edge, i % 2 == 1);
+  parallelFor(raw.positions.size(), 256,
+              [&](std::size_t v) { raw.positions[v] = projected(field, raw.positions[v], edge); });
   return meshOf(std::move(raw.positions), std::move(raw.triangles));
 }
 

@@ -50,6 +50,7 @@ struct LineRequest {
 struct LineSet {
   std::vector<Segment> contours;
   std::vector<Segment> suggestive;
+  std::vector<Segment> section;  ///< outlines of cut faces (cut_faces.h), no matter from where seen
 };
 
 /// Contours: zero crossings of nv (METHOD §4). Suggestive contours: zero crossings of κr with

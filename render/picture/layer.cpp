@@ -45,7 +45,8 @@ gpu::Rect unite(const gpu::Rect& a, const gpu::Rect& b) {
 void markSurface(const Shown& shown, const PictureView& view, TileMask& mask) {
   const bool cull = cullsBack(shown, view);
   for (const model::Cluster& cluster : shown.surface().clusters.items)
-    if (!cull || model::facing(cluster, view.eye()) != model::Facing::back)
+    if ((!cull || model::facing(cluster, view.eye()) != model::Facing::back) &&
+        !takenAway(shown, cluster.bounds))
       mask.mark(gpu::grown(view.bounds(cluster.bounds), edgeMargin));
 }
 
@@ -145,7 +146,8 @@ Coverage coverage(const Shown& shown, const PictureView& view, const gpu::Rect& 
   const int aside = shown.printedHatching ? std::max(around, printedHatchingReach(view)) : around;
   const gpu::Rect within = gpu::grown(region, aside);
   for (const model::Cluster& cluster : shown.surface().clusters.items) {
-    if (cull && model::facing(cluster, view.eye()) == model::Facing::back)
+    if ((cull && model::facing(cluster, view.eye()) == model::Facing::back) ||
+        takenAway(shown, cluster.bounds))
       continue;
     const gpu::Rect seen =
         gpu::intersection(gpu::grown(view.bounds(cluster.bounds), around), within);
@@ -157,6 +159,9 @@ Coverage coverage(const Shown& shown, const PictureView& view, const gpu::Rect& 
     else
       appendRange(cluster, found.ranges);
   }
+  if (shown.cut)
+    found.area =
+        unite(found.area, gpu::intersection(gpu::grown(sectionArea(shown, view), around), within));
   return found;
 }
 
@@ -169,7 +174,8 @@ std::vector<Layer> planLayers(std::span<const Shown> shown, const PictureView& v
   for (std::size_t i = 0; i < shown.size(); ++i) {
     if (found[i].area.empty())
       continue;
-    const bool opaque = isOpaque(shown[i].style);
+    // Cut faces have outlines, so what is cut has a layer of its own.
+    const bool opaque = isOpaque(shown[i].style) && !shown[i].cut;
     if (!opaque)
       layers.emplace_back();
     Layer& layer = opaque ? layers.front() : layers.back();
@@ -177,7 +183,7 @@ std::vector<Layer> planLayers(std::span<const Shown> shown, const PictureView& v
     layer.members.push_back(shown[i]);
     layer.coverage.push_back(std::move(found[i]));
     layer.parts = parts;
-    layer.filled = parts.fills && hasFill(shown[i].style);
+    layer.filled = parts.fills && (hasFill(shown[i].style) || hasCaps(shown[i]));
   }
   if (layers.front().members.empty())
     layers.erase(layers.begin());
@@ -190,15 +196,17 @@ void completeLayer(Layer& layer, const PictureView& view, const gpu::Rect& regio
   layer.edges.resize(layer.members.size());
   for (std::size_t i = 0; i < layer.members.size(); ++i) {
     const Shown& member = layer.members[i];
-    if (layer.filled || member.printedHatching)
+    if ((layer.parts.fills && hasFill(member.style)) || member.printedHatching)
       markSurface(member, view, layer.mask);
+    if (layer.parts.fills && hasCaps(member))
+      markCaps(member, view, layer.mask);
     if (layer.parts.fills && showsEdges(member.style))
       layer.edges[i] = edges(member.surface(), view, lines.at(member.id).lines, layer.area);
   }
   const Shown& first = layer.members.front();
   layer.inked = first.printedHatching;
   const PictureParts& parts = layer.parts;
-  if (!(parts.lines || parts.hatching) || !showsLines(first.style))
+  if (!(parts.lines || parts.hatching) || !(showsLines(first.style) || first.cut))
     return;
   const StructureLines& drawn = lines.at(first.id);
   layer.strokes =

@@ -8,6 +8,7 @@
 #include "model/scene/scene.h"
 #include "render/passes/surface/pass.h"
 #include "render/picture/layer_lines.h"
+#include "render/picture/layer_sections.h"
 #include "render/picture/picture.h"
 #include "render/picture/surface_cache.h"
 #include "render/picture/tile_lists.h"
@@ -20,11 +21,13 @@ struct Shown {
   model::MeshPtr mesh;
   model::ResolvedStyle style;
   CachedSurface* cached = nullptr;
-  bool printedHatching = false;  ///< hatched as S prints it
+  bool printedHatching = false;           ///< hatched as S prints it
+  std::vector<model::Section> sections;   ///< that cut it
+  std::shared_ptr<SectionedSurface> cut;  ///< by these; null where there are none
 
   bool operator==(const Shown& other) const {
     return id == other.id && mesh == other.mesh && style == other.style &&
-           printedHatching == other.printedHatching;
+           printedHatching == other.printedHatching && alike(sections, other.sections);
   }
   const model::Surface& surface() const { return *cached->surface; }
 };

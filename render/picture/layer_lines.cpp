@@ -8,8 +8,10 @@
 
 #include "model/base/parallel.h"
 #include "render/lines/chains.h"
+#include "render/lines/clipping.h"
 #include "render/lines/view_fields.h"
 #include "render/picture/entrance.h"
+#include "render/picture/layer_sections.h"
 #include "render/picture/transitions.h"
 
 namespace sline::render {
@@ -79,6 +81,18 @@ class StrokeMaker {
     stroke.contour = 1.0f + entered(t, 0.5f * (s.entryA + s.entryB));
     stroke.tolerance = 0.5f * m_surface.meanEdge + 1e-3f * m_surface.filigreeSize;
     finish(stroke, devicePen(width, s.opacityA * opacity), devicePen(width, s.opacityB * opacity));
+  }
+
+  /// Around a cut face: centred on the line, in front of the faces that it borders.
+  void outline(const Segment& s, float width, float opacity) {
+    passes::InkSegment stroke;
+    if (!place(s.a, s.b, stroke))
+      return;
+    stroke.depthA -= outlineLift;
+    stroke.depthB -= outlineLift;
+    stroke.tolerance = 0.1f * m_surface.meanEdge + 1e-4f * m_surface.featureSize +
+                       3.0f * m_view.millimetresPerPixel(s.a);
+    finish(stroke, devicePen(width, opacity), devicePen(width, opacity));
   }
 
   /// `t` is T_SC.
@@ -225,6 +239,14 @@ Hatching styledHatching(const model::Surface& surface, const model::FaceNeighbou
                           .twoSided = needsTwoSides(surface, view.camera())});
 }
 
+void cutLines(const SectionedSurface& cut, StructureLines& drawn) {
+  clip(drawn.lines.contours, cut.planes);
+  clip(drawn.lines.suggestive, cut.planes);
+  clip(drawn.hatching, cut.planes);
+  for (const CutFace& face : cut.faces)
+    drawn.lines.section.insert(drawn.lines.section.end(), face.outline.begin(), face.outline.end());
+}
+
 void joinLines(const model::Surface& surface, const PictureView& view,
                const model::ResolvedStyle& style, LineSet& lines) {
   if (!needsTwoSides(surface, view.camera()))
@@ -235,12 +257,13 @@ void joinLines(const model::Surface& surface, const PictureView& view,
   const auto join = [pixel](std::vector<Segment>& segments, const Chains& chains) {
     segments = simplified(segments, chains, simplification * pixel, longestStroke * pixel);
   };
-  parallelFor(2, 1, [&](std::size_t kind) {
-    if (kind == 0) {
+  parallelFor(3, 1, [&](std::size_t kind) {
+    if (kind < 2) {
+      std::vector<Segment>& whole = kind == 0 ? lines.contours : lines.section;
       const float t = transitions(style.gamma).contours;
-      if (t > 0.0f && t < 1.0f)
-        rankContours(lines.contours, surface, view.camera());
-      join(lines.contours, connectedChains(lines.contours));
+      if (kind == 0 && t > 0.0f && t < 1.0f)
+        rankContours(whole, surface, view.camera());
+      join(whole, connectedChains(whole));
       return;
     }
     rankSuggestive(lines.suggestive);
@@ -274,6 +297,10 @@ std::vector<passes::InkSegment> strokes(const model::Surface& surface, const Pic
     maker.surfaceLine(s, width, t.lines, t.suggestive);
   for (const HatchStroke& s : drawn.hatching.strokes)
     maker.hatching(std::span(drawn.hatching.points).subspan(s.first, s.count), t.lines, t.lines);
+  // What is cut stays outlined where other lines leave: half as wide.
+  const float outline = penWidth(surface, view, style.penWeight) * (0.5f + 0.5f * t.lines);
+  for (const Segment& s : lines.section)
+    maker.outline(s, outline, style.penWeight > 0.0f ? 1.0f : 0.0f);
   return maker.take();
 }
 

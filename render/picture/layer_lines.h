@@ -18,6 +18,7 @@ struct StructureLines {
   LineSet lines;
   Hatching hatching;
 };
+struct SectionedSurface;
 
 /// True where a structure of that style shows any line.
 bool showsLines(const model::ResolvedStyle& style);
@@ -33,6 +34,8 @@ LineSet styledLines(const model::Surface& surface, const PictureView& view,
 /// The hatching that the style asks for.
 Hatching styledHatching(const model::Surface& surface, const model::FaceNeighbours& neighbours,
                         const PictureView& view, const model::ResolvedStyle& style);
+/// Ends them at the section planes and adds the outlines of the cut faces.
+void cutLines(const SectionedSurface& cut, StructureLines& drawn);
 /// Finds when each enters its stage and joins them to the strokes a pen would set: pieces of a line
 /// become one, specks fade, and what its own closed surface always hides goes.
 void joinLines(const model::Surface& surface, const PictureView& view,

@@ -19,7 +19,7 @@ glm::vec3 keyLight(const PictureInput& input) {
 
 bool needsLines(const PictureInput& input, const Shown& shown) {
   return ((input.parts.lines || input.parts.hatching) && showsLines(shown.style)) ||
-         (input.parts.fills && showsEdges(shown.style));
+         (input.parts.fills && showsEdges(shown.style)) || (input.parts.lines && shown.cut);
 }
 
 passes::SurfaceFill shownFill(const PictureInput& input, const Shown& shown) {
@@ -52,13 +52,13 @@ void findLines(const PictureInput& input, std::span<const Layer> layers,
   stopwatch.lines();
   parallelFor(absent.size(), 1, [&](std::size_t i) {
     const Shown& shown = *absent[i].shown;
-    joinLines(shown.surface(), input.view, shown.style, absent[i].lines->lines);
-  });
-  parallelFor(absent.size(), 1, [&](std::size_t i) {
-    const Shown& shown = *absent[i].shown;
+    StructureLines& drawn = *absent[i].lines;
     if (hatches(input, shown))
-      absent[i].lines->hatching =
+      drawn.hatching =
           styledHatching(shown.surface(), *shown.cached->neighbours, input.view, shown.style);
+    if (shown.cut)
+      cutLines(*shown.cut, drawn);
+    joinLines(shown.surface(), input.view, shown.style, drawn.lines);
   });
 }
 
@@ -70,6 +70,9 @@ Result<std::unique_ptr<LayerPainter>> LayerPainter::create(const gpu::Device& de
   auto surface = passes::SurfacePass::create(device.dialect());
   if (!surface)
     return surface.error();
+  auto cap = passes::CapPass::create(device.dialect());
+  if (!cap)
+    return cap.error();
   auto ink = passes::InkPass::create(device.dialect());
   if (!ink)
     return ink.error();
@@ -77,6 +80,7 @@ Result<std::unique_ptr<LayerPainter>> LayerPainter::create(const gpu::Device& de
   if (!resolve)
     return resolve.error();
   painter->m_surfacePass = std::move(*surface);
+  painter->m_capPass = std::move(*cap);
   painter->m_inkPass = std::move(*ink);
   painter->m_resolvePass = std::move(*resolve);
   return painter;
@@ -161,16 +165,30 @@ void LayerPainter::drawSurface(gpu::Device& device, const PictureInput& input, c
                                  .key = input.view.toPatient(keyLight(input))};
   for (std::size_t i = 0; i < layer.members.size(); ++i) {
     const Shown& shown = layer.members[i];
+    const std::vector<glm::vec4> sections =
+        shown.cut ? sectionVectors(shown.cut->planes) : std::vector<glm::vec4>();
     const passes::SurfaceDraw draw{.surface = *shown.cached->geometry,
                                    .ranges = layer.coverage[i].ranges,
                                    .visible = layer.coverage[i].visible,
                                    .layer = layer.area,
                                    .slot = layer.slot,
-                                   .fill = shownFill(input, shown)};
+                                   .fill = shownFill(input, shown),
+                                   .sections = sections};
     m_surfacePass->draw(device, m_atlas.surfaceTarget(), view, draw);
     for (const gpu::DrawRange& range : draw.ranges)
       queue.add(device, range.count);
     queue.add(device, std::uint32_t(draw.visible.size()));
+  }
+}
+
+void LayerPainter::drawCaps(gpu::Device& device, const PictureInput& input,
+                            const Layer& layer) const {
+  for (const Shown& shown : layer.members) {
+    if (!hasCaps(shown))
+      continue;
+    const CapDraws caps = capDraws(shown, input.view, input.background, layer.area, layer.slot);
+    for (const passes::CapDraw& draw : caps.draws)
+      m_capPass->draw(device, m_atlas.surfaceTarget(), draw);
   }
 }
 
@@ -179,8 +197,10 @@ void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
                                 std::span<const std::size_t> changed) const {
   DrawQueue queue;
   for (const std::size_t i : changed)
-    if (layers[i].shows())
+    if (layers[i].shows()) {
       drawSurface(device, input, layers[i], queue);
+      drawCaps(device, input, layers[i]);
+    }
   // Where a layer has a fill, it lies as deep as its surface; else only its ink counts. All copies
   // after all surfaces: a software driver starts anew at each change of target.
   for (const std::size_t i : changed)

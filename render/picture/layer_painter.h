@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 
+#include "render/passes/cap/pass.h"
 #include "render/passes/ink/pass.h"
 #include "render/passes/resolve/pass.h"
 #include "render/passes/surface/pass.h"
@@ -62,6 +63,7 @@ class LayerPainter {
              std::span<const std::size_t> changed) const;
   void drawSurface(gpu::Device& device, const PictureInput& input, const Layer& layer,
                    DrawQueue& queue) const;
+  void drawCaps(gpu::Device& device, const PictureInput& input, const Layer& layer) const;
   void drawSurfaces(gpu::Device& device, const PictureInput& input, std::span<const Layer> layers,
                     std::span<const std::size_t> changed) const;
   static passes::InkDraw inkDraw(const PictureInput& input, const Layer& layer, const Shown& shown);
@@ -72,6 +74,7 @@ class LayerPainter {
 
   Atlas m_atlas;
   std::unique_ptr<passes::SurfacePass> m_surfacePass;
+  std::unique_ptr<passes::CapPass> m_capPass;
   std::unique_ptr<passes::InkPass> m_inkPass;
   std::unique_ptr<passes::ResolvePass> m_resolvePass;
   PrintedHatching m_printedHatching;

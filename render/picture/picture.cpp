@@ -68,6 +68,7 @@ struct Picture::Data {
   std::unique_ptr<passes::PlainPhongPass> plainPhong;
   PictureOptions options;
   SurfaceCache surfaces;
+  SectionCache sections;
   Canvas canvas;
   Canvas plainCanvas;
   PictureTimings timings;
@@ -89,10 +90,16 @@ std::vector<Shown> Picture::Data::shown(const model::Scene& scene) {
       continue;
     meshes.push_back(node.mesh);
     const model::ResolvedStyle style = scene.resolve(node.id);
-    if (style.visible && node.mesh->triangleCount() > 0)
-      visible.push_back({node.id, node.mesh, style, &surfaces.at(node.mesh, node.provenance)});
+    if (!style.visible || node.mesh->triangleCount() == 0)
+      continue;
+    Shown& shown = visible.emplace_back(
+        Shown{node.id, node.mesh, style, &surfaces.at(node.mesh, node.provenance), {}, {}});
+    shown.sections = sectionsThatCut(scene.sectionsOf(node.id), node.mesh->bounds());
+    if (!shown.sections.empty())
+      shown.cut = sections.at(shown.cached->surface, shown.sections);
   }
   surfaces.keepOnly(meshes);
+  sections.forgetUnused();
   std::sort(visible.begin(), visible.end(),
             [](const Shown& a, const Shown& b) { return a.id < b.id; });
   return visible;

@@ -22,6 +22,7 @@ class PictureView {
   PictureView(const model::Camera& camera, const model::Box& bounds, int width, int height);
 
   const model::Camera& camera() const { return m_camera; }
+  const model::Box& bounds() const { return m_bounds; }
   const model::EyePoint& eye() const { return m_eye; }
   /// Position and 1, or for a parallel projection direction and 0.
   glm::vec4 eyeVector() const { return {m_eye.value, m_eye.atInfinity ? 0.0f : 1.0f}; }
@@ -59,6 +60,7 @@ class PictureView {
 
  private:
   model::Camera m_camera;
+  model::Box m_bounds;
   model::EyePoint m_eye;
   glm::mat4 m_view;
   glm::mat4 m_viewProjection;

@@ -41,7 +41,7 @@ const std::vector<Room>& rooms() {
       {"model/geometry", {"model/base"}},
       {"model/scene", {"model/base", "model/geometry"}},
       {"model/edit", {"model/base", "model/geometry", "model/scene"}},
-      {"model/demo", {"model/base", "model/geometry", "model/scene"}},
+      {"model/demo", {"model/base", "model/files", "model/geometry", "model/scene"}},
       {"model/import", {"model/base", "model/geometry", "model/scene"}},
       {"model/files", {"model/base", "model/geometry", "model/scene"}},
       {"render/lines", {"model/base", "model/geometry", "model/scene"}},

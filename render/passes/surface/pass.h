@@ -42,6 +42,7 @@ struct SurfaceDraw {
   gpu::Rect layer;                         ///< in picture pixels, y upwards
   gpu::Rect slot;                          ///< the layer's place in the target, of the same size
   SurfaceFill fill;
+  std::span<const glm::vec4> sections;  ///< as in sections.glsl; at most 8
 };
 
 class SurfacePass {
@@ -54,6 +55,9 @@ class SurfacePass {
   SurfacePass() = default;
   std::unique_ptr<gpu::Program> m_flat;
   std::unique_ptr<gpu::Program> m_phong;
+  // Their own programs, so that what is not cut pays nothing: `discard` costs early depth tests.
+  std::unique_ptr<gpu::Program> m_flatCut;
+  std::unique_ptr<gpu::Program> m_phongCut;
 };
 
 }  // namespace sline::render::passes

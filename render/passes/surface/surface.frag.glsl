@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "phong.glsl"
+#ifdef SECTIONED
+#include "sections.glsl"
+in vec3 place;
+#endif
 in vec3 surfaceNormal;
 in vec3 towardsEye;
 in float gradient;
@@ -16,6 +20,10 @@ out vec4 fragment;
 const float quarterTurn = 1.5707963268;
 
 void main() {
+#ifdef SECTIONED
+  if (cutAway(place))
+    discard;
+#endif
   float nv = dot(normalize(surfaceNormal), normalize(towardsEye));
   float side = twoSided != 0 && nv < 0.0 ? -1.0 : 1.0;
   nv = clamp(nv * side, 0.0, 1.0);

@@ -15,10 +15,16 @@ uniform float filigree;    // F_c in mm
 
 out vec3 surfaceNormal;
 out vec3 towardsEye;
+#ifdef SECTIONED
+out vec3 place;
+#endif
 out float gradient;  // ⟨k, v̂⟩·F_c
 
 void main() {
   gl_Position = layerClip(viewProjection * vec4(position, 1.0), pictureSize, layer);
+#ifdef SECTIONED
+  place = position;
+#endif
   vec3 toEye = eye.xyz - eye.w * position;
   float away = eye.w / max(length(toEye), 1e-20);
   vec3 v = normalize(toEye);

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/demo/demo_structure.h"
+
+#include <algorithm>
+#include <cassert>
+#include <glm/vector_relational.hpp>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "model/base/parallel.h"
+#include "model/demo/polygonise.h"
+#include "model/geometry/topology.h"
+
+namespace sline::model {
+
+namespace {
+bool meet(const Box& a, const Box& b) {
+  return glm::all(glm::lessThan(a.low, b.high)) && glm::all(glm::lessThan(b.low, a.high));
+}
+
+struct Cutter {
+  const Field* field = nullptr;
+  Box reach;  ///< outside it the cut is not felt
+};
+
+/// The structure's own field less its neighbours'. Far from a neighbour the distance to its box
+/// stands in for the distance to itself: never more, and the sign is the same.
+Field cutField(const DemoStructure& own, std::vector<Cutter> cutters) {
+  if (cutters.empty())
+    return own.field;
+  const float margin = own.gap + 2.0f * own.rounding;
+  return [&own, cutters = std::move(cutters), margin](const glm::vec3& p) {
+    float d = own.field(p);
+    for (const Cutter& cutter : cutters) {
+      const float outside = distanceToBox(cutter.reach, p);
+      d = outside > 0.0f ? std::max(d, -(outside + margin - own.gap))
+                         : blendedDifference(d, (*cutter.field)(p)-own.gap, own.rounding);
+    }
+    return d;
+  };
+}
+
+const DemoStructure* named(const std::vector<DemoStructure>& structures, const std::string& name) {
+  const auto at = std::find_if(structures.begin(), structures.end(),
+                               [&](const DemoStructure& s) { return s.name == name; });
+  return at == structures.end() ? nullptr : &*at;
+}
+
+Field cutField(const DemoStructure& own, const std::vector<DemoStructure>& all) {
+  std::vector<Cutter> cutters;
+  for (const std::string& name : own.givesWayTo) {
+    const DemoStructure* other = named(all, name);
+    assert(other && other != &own);
+    const Box reach = grown(other->box, own.gap + 2.0f * own.rounding);
+    if (meet(reach, own.box))
+      cutters.push_back({&other->field, reach});
+  }
+  return cutField(own, std::move(cutters));
+}
+
+/// The component with the most triangles; cutting may leave crumbs.
+MeshPtr largestComponent(const MeshPtr& mesh) {
+  const Components components = connectedComponents(*mesh);
+  if (components.count <= 1)
+    return mesh;
+  std::vector<std::size_t> sizes(components.count, 0);
+  for (const std::uint32_t c : components.ofTriangle)
+    ++sizes[c];
+  const auto largest = std::uint32_t(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+  std::vector<std::uint32_t> newIndex(mesh->vertexCount(), 0);
+  std::vector<glm::vec3> positions;
+  std::vector<Triangle> triangles;
+  for (std::size_t t = 0; t < mesh->triangleCount(); ++t) {
+    if (components.ofTriangle[t] != largest)
+      continue;
+    Triangle kept = mesh->triangles()[t];
+    for (std::uint32_t& v : kept) {
+      if (newIndex[v] == 0) {
+        positions.push_back(mesh->positions()[v]);
+        newIndex[v] = std::uint32_t(positions.size());
+      }
+      v = newIndex[v] - 1;
+    }
+    triangles.push_back(kept);
+  }
+  return std::make_shared<const Mesh>(
+      Mesh::create(std::move(positions), std::move(triangles)).value());
+}
+
+[[maybe_unused]] bool namesAreUnique(const std::vector<DemoStructure>& structures) {
+  std::vector<std::string> names;
+  for (const DemoStructure& s : structures)
+    names.push_back(s.name);
+  std::sort(names.begin(), names.end());
+  return std::adjacent_find(names.begin(), names.end()) == names.end();
+}
+
+/// The group at the end of the path, made with all above it where it is new.
+NodeId groupAt(Scene& scene, std::map<std::vector<std::string>, NodeId>& known,
+               const std::vector<std::string>& path) {
+  if (path.empty())
+    return rootId;
+  const auto found = known.find(path);
+  if (found != known.end())
+    return found->second;
+  const NodeId parent = groupAt(scene, known, {path.begin(), path.end() - 1});
+  const NodeId made = scene.append({.parent = parent, .name = path.back()});
+  known.emplace(path, made);
+  return made;
+}
+}  // namespace
+
+Scene demoScene(const std::vector<DemoStructure>& structures) {
+  assert(namesAreUnique(structures));
+  std::vector<MeshPtr> meshes(structures.size());
+  // The largest first, so that none of them is left to run alone at the end.
+  std::vector<std::size_t> order(structures.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto work = [&](std::size_t i) {
+    const glm::vec3 size = structures[i].box.size() / structures[i].edge;
+    return size.x * size.y * size.z;
+  };
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return work(a) > work(b); });
+  parallelFor(order.size(), 1, [&](std::size_t k) {
+    const DemoStructure& s = structures[order[k]];
+    meshes[order[k]] = largestComponent(polygonise(cutField(s, structures), s.box, s.edge));
+  });
+
+  Scene scene;
+  std::map<std::vector<std::string>, NodeId> groups;
+  for (std::size_t i = 0; i < structures.size(); ++i) {
+    const DemoStructure& s = structures[i];
+    scene.append({.parent = groupAt(scene, groups, s.groups),
+                  .name = s.name,
+                  .style = {.colour = s.colour, .gamma = s.gamma, .fill = s.fill},
+                  .mesh = std::move(meshes[i]),
+                  .provenance = {.frame = "LPS", .frameReason = "modelled in it"}});
+  }
+  return scene;
+}
+
+}  // namespace sline::model

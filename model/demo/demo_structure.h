@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// A demo scene is a list of shapes: each structure is a field with the box that holds its surface,
+// the names of the groups above it, and the structures it gives way to, so that no two overlap.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/base/units.h"
+#include "model/demo/implicit.h"
+#include "model/scene/scene.h"
+
+namespace sline::model {
+
+/// Whose anatomy where it differs; also the scene's name in messages.
+enum class Sex { female, male };
+
+struct DemoStructure {
+  std::string name;                 ///< "left ureter"
+  std::vector<std::string> groups;  ///< outermost first
+  Colour colour;
+  Gamma gamma = Gamma::clamped(1.0f);
+  std::optional<Fill> fill;
+  Field field;                          ///< mm, patient frame (LPS); negative inside
+  Box box;                              ///< holds the surface field = 0 with room to spare
+  float edge = 1.5f;                    ///< mm: mean edge of its triangles
+  std::vector<std::string> givesWayTo;  ///< names; their bodies, grown by `gap`, are cut out of it
+  float gap = 0.5f;                     ///< mm kept clear of those
+  float rounding = 1.0f;                ///< mm: radius of the edge that cutting leaves
+};
+
+/// Meshes all structures in parallel, each closed and smooth, and builds the tree in list order;
+/// asserts that names are unique and that each name given way to exists.
+Scene demoScene(const std::vector<DemoStructure>& structures);
+
+}  // namespace sline::model

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/demo/pelvis.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/vector_relational.hpp>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+#include "model/demo/pelvis_bones.h"
+#include "model/demo/pelvis_parts.h"
+
+namespace sline::model {
+
+namespace {
+constexpr float femaleShift = 16.0f;  // mm; no point of the pelvis moves farther
+
+/// Who keeps his shape where two meet: the lower number. Within one class, list order.
+int precedence(const DemoStructure& s) {
+  static constexpr std::array<std::string_view, 4> thinMuscles{"puborectalis", "pubococcygeus",
+                                                               "iliococcygeus", "sphincter"};
+  const auto isThin = [&](std::string_view part) { return s.name.find(part) != s.name.npos; };
+  const std::string& group = s.groups.front();
+  if (group == "Bones")
+    return 0;
+  if (group == "Tumour")
+    return 1;
+  if (group == "Arteries")
+    return 2;
+  if (group == "Nerves")
+    return 3;
+  if (group == "Veins")
+    return 4;
+  if (std::any_of(thinMuscles.begin(), thinMuscles.end(), isThin))
+    return 5;
+  return group == "Organs" ? 6 : 7;
+}
+
+bool meet(const Box& a, const Box& b) {
+  return glm::all(glm::lessThan(a.low, b.high)) && glm::all(glm::lessThan(b.low, a.high));
+}
+
+/// Bones keep the rules their makers gave them; every other structure gives way to all before it.
+void settle(std::vector<DemoStructure>& structures) {
+  for (std::size_t i = 0; i < structures.size(); ++i) {
+    DemoStructure& own = structures[i];
+    const int mine = precedence(own);
+    if (mine == 0)
+      continue;
+    for (std::size_t j = 0; j < structures.size(); ++j) {
+      const int theirs = precedence(structures[j]);
+      const bool first = theirs < mine || (theirs == mine && j < i);
+      if (i != j && first && meet(own.box, grown(structures[j].box, own.gap)))
+        own.givesWayTo.push_back(structures[j].name);
+    }
+  }
+}
+
+void append(std::vector<DemoStructure>& list, std::vector<DemoStructure> more) {
+  list.insert(list.end(), std::make_move_iterator(more.begin()),
+              std::make_move_iterator(more.end()));
+}
+
+/// Into a woman's pelvis.
+void widen(DemoStructure& s) {
+  s.field = [inMan = std::move(s.field)](const glm::vec3& p) { return inMan(fromFemalePelvis(p)); };
+  s.box = grown(s.box, femaleShift);
+}
+
+std::vector<View> savedViews() {
+  const auto view = [](const char* name, const glm::vec3& eye, const glm::vec3& target) {
+    return View{name, {.eye = eye, .target = target, .fovyDegrees = 28.0f}};
+  };
+  return {view("Overview", {-190, -560, 1180}, {-1, -75, 928}),
+          view("From behind", {130, 520, 1040}, {-1, -75, 925}),
+          view("Midsagittal", {-640, -80, 930}, {-1, -80, 922})};
+}
+}  // namespace
+
+std::vector<DemoStructure> pelvisStructures(Sex sex) {
+  std::vector<DemoStructure> soft = pelvisMuscles();
+  append(soft, pelvisOrgans(sex));
+  append(soft, sex == Sex::male ? maleOrgans() : femaleOrgans());
+  append(soft, pelvisArteries());
+  append(soft, pelvisVeins());
+  append(soft, pelvisNerves());
+  if (sex == Sex::female)
+    for (DemoStructure& s : soft)
+      widen(s);
+  std::vector<DemoStructure> list = pelvisBones(sex);
+  append(list, std::move(soft));
+  settle(list);
+  return list;
+}
+
+Scene pelvisDemo(Sex sex) {
+  Scene scene = demoScene(pelvisStructures(sex));
+  scene.setViews(savedViews());
+  return scene;
+}
+
+}  // namespace sline::model

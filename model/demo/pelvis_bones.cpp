@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/demo/pelvis_bones.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <utility>
+
+#include "model/demo/femur.h"
+#include "model/demo/hip_bone.h"
+#include "model/demo/lumbar_vertebra.h"
+#include "model/demo/sacrum.h"
+
+namespace sline::model {
+
+namespace {
+constexpr Colour boneColour{226, 211, 178};
+constexpr Colour cartilageColour{172, 200, 206};
+
+struct Shape {
+  Field field;
+  Box box;
+};
+
+Shape shapeOf(const Sculpture& sculpture, SampledField::Fineness fineness) {
+  return {sculpture.sampled(fineness), grown(sculpture.bounds(), 4.0f)};
+}
+
+Shape reflected(const Shape& shape) {
+  return {mirrored(shape.field, pelvisMiddle), mirrored(shape.box, pelvisMiddle)};
+}
+
+/// The fibrous plate between the pubic bones.
+Sculpture pubicSymphysis() {
+  constexpr float x = pelvisMiddle;
+  Sculpture disc;
+  disc.addPlate({{{{x, -140, 863.5f}, 4.4f},
+                  {{x, -135.5f, 868.5f}, 4.4f},
+                  {{x, -131, 854}, 4.4f},
+                  {{x, -126, 859}, 4.4f},
+                  {{x, -121, 847}, 4.4f},
+                  {{x, -118, 850}, 4.4f}},
+                 2},
+                1.0f);
+  return disc;
+}
+
+DemoStructure structure(const char* name, Shape shape, Colour colour, float edge) {
+  return {.name = name,
+          .groups = {"Bones"},
+          .colour = colour,
+          .gamma = Gamma::clamped(1.2f),
+          .fill = Fill::paper,
+          .field = std::move(shape.field),
+          .box = shape.box,
+          .edge = edge};
+}
+
+DemoStructure female(DemoStructure s) {
+  s.field = [male = std::move(s.field)](const glm::vec3& p) { return male(fromFemalePelvis(p)); };
+  s.box = grown(s.box, 16.0f);
+  return s;
+}
+}  // namespace
+
+glm::vec3 fromFemalePelvis(const glm::vec3& p) {
+  // Everything is lower, measured from the hip joints, and moved aside by up to `wider`, the more
+  // the lower it lies, so that the pubic arch opens.
+  constexpr float lower = 1.06f;
+  constexpr float arch = 40.0f;  // mm from the midline where most of the way aside is reached
+  const float aside = p.x - pelvisMiddle;
+  const float wider = 5.0f + 6.5f * glm::smoothstep(0.0f, 1.0f, (885.0f - p.z) / 60.0f);
+  const float hipLevel = leftHipJoint.z;
+  return {p.x - wider * std::tanh(aside / arch), p.y, hipLevel + lower * (p.z - hipLevel)};
+}
+
+std::vector<DemoStructure> pelvisBones(Sex sex) {
+  const Shape hipBone = shapeOf(leftHipBone(), {1.6f, 2.3f});
+  const Shape femur = shapeOf(leftFemur(), {1.8f, 2.2f});
+  std::vector<DemoStructure> bones;
+  bones.push_back(structure("left hip bone", hipBone, boneColour, 2.0f));
+  bones.push_back(structure("right hip bone", reflected(hipBone), boneColour, 2.0f));
+  // The sacroiliac joints are as narrow as the cut is: the wings are modelled into the hip bones.
+  DemoStructure wedge = structure("sacrum", shapeOf(sacrum(), {1.3f, 1.6f}), boneColour, 1.7f);
+  wedge.givesWayTo = {"left hip bone", "right hip bone"};
+  wedge.gap = 1.0f;
+  wedge.rounding = 1.5f;
+  bones.push_back(std::move(wedge));
+  bones.push_back(structure("fifth lumbar vertebra", shapeOf(fifthLumbarVertebra(), {1.2f, 1.3f}),
+                            boneColour, 1.6f));
+  bones.push_back(structure("left femur", femur, boneColour, 2.2f));
+  bones.push_back(structure("right femur", reflected(femur), boneColour, 2.2f));
+  DemoStructure disc = structure("fifth lumbar intervertebral disc",
+                                 shapeOf(lumbosacralDisc(), {1.4f, 1.0f}), cartilageColour, 1.8f);
+  disc.givesWayTo = {"sacrum", "fifth lumbar vertebra"};
+  disc.gap = 0.2f;
+  bones.push_back(std::move(disc));
+  DemoStructure symphysis =
+      structure("pubic symphysis", shapeOf(pubicSymphysis(), {1.4f, 1.0f}), cartilageColour, 1.5f);
+  symphysis.givesWayTo = {"left hip bone", "right hip bone"};
+  symphysis.gap = 0.2f;
+  bones.push_back(std::move(symphysis));
+  if (sex == Sex::female)
+    std::transform(bones.begin(), bones.end(), bones.begin(), female);
+  return bones;
+}
+
+}  // namespace sline::model

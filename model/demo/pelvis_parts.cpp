@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/demo/pelvis_parts.h"
+
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "model/demo/pelvis_bones.h"
+
+namespace sline::model {
+
+const Palette musclePalette{"Muscles", {158, 70, 58}, 1.6f, Fill::paper, 2.2f, 0.8f};
+const Palette organPalette{"Organs", {214, 160, 128}, 4.0f, std::nullopt, 1.9f, 0.4f};
+const Palette arteryPalette{"Arteries", {207, 40, 28}, 4.0f, std::nullopt, 1.4f, 0.25f};
+const Palette veinPalette{"Veins", {52, 92, 176}, 4.0f, std::nullopt, 1.6f, 0.3f};
+const Palette nervePalette{"Nerves", {240, 208, 60}, 4.0f, std::nullopt, 1.2f, 0.25f};
+
+namespace {
+template <class Part>
+Shape shapeAround(Part part) {
+  const Box box = part.bounds();
+  return {[part = std::move(part)](const glm::vec3& p) { return part.distance(p); }, box};
+}
+}  // namespace
+
+Shape shapeOf(Tube tube) {
+  return shapeAround(std::move(tube));
+}
+Shape shapeOf(Band band) {
+  return shapeAround(std::move(band));
+}
+Shape shapeOf(Lamina lamina) {
+  return shapeAround(std::move(lamina));
+}
+Shape shapeOf(Blob blob) {
+  return shapeAround(blob);
+}
+
+Shape branching(std::vector<Tube> tubes, float blend) {
+  const Box box = boundsOf(std::span<const Tube>(tubes));
+  return {[tubes = std::move(tubes), blend](const glm::vec3& p) {
+            return blended(std::span<const Tube>(tubes), p, blend);
+          },
+          box};
+}
+
+Shape merged(Shape a, Shape b, float blend) {
+  Box box = a.box;
+  box.add(b.box);
+  return {[a = std::move(a.field), b = std::move(b.field), blend](const glm::vec3& p) {
+            return blendedUnion(a(p), b(p), blend);
+          },
+          box};
+}
+
+Shape cutOff(Shape shape, const glm::vec3& point, const glm::vec3& normal) {
+  constexpr float rounding = 0.8f;
+  const glm::vec3 n = glm::normalize(normal);
+  return {[field = std::move(shape.field), point, n](const glm::vec3& p) {
+            return blendedDifference(field(p), glm::dot(point - p, n), rounding);
+          },
+          shape.box};
+}
+
+Shape rippled(Shape shape, float wavelength, float height, float phase) {
+  return {[field = std::move(shape.field), wavelength, height, phase](const glm::vec3& p) {
+            const float d = field(p);
+            // Far from the surface a wave is not worth its price.
+            return std::abs(d) > 4.0f * height + 4.0f ? d : d - height * wave(p, wavelength, phase);
+          },
+          grown(shape.box, height)};
+}
+
+Shape mirrored(const Shape& shape) {
+  return {mirrored(shape.field, pelvisMiddle), mirrored(shape.box, pelvisMiddle)};
+}
+
+DemoStructure structure(const Palette& palette, std::string name, Shape shape) {
+  return {.name = std::move(name),
+          .groups = {palette.group},
+          .colour = palette.colour,
+          .gamma = Gamma::clamped(palette.gamma),
+          .fill = palette.fill,
+          .field = std::move(shape.field),
+          .box = grown(shape.box, 2.5f * palette.edge),
+          .edge = palette.edge,
+          .gap = palette.gap,
+          .rounding = palette.gap + 0.5f};
+}
+
+void addPair(std::vector<DemoStructure>& list, const Palette& palette, const std::string& name,
+             const Shape& left) {
+  list.push_back(structure(palette, "left " + name, left));
+  list.push_back(structure(palette, "right " + name, mirrored(left)));
+}
+
+}  // namespace sline::model

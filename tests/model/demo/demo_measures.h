@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Measures of modelled anatomy that tests compare.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "model/geometry/bvh.h"
+#include "model/geometry/mesh.h"
+
+namespace sline::test {
+
+double volumeOf(const model::Mesh& mesh);
+
+/// Root mean square of the distances of a body's vertices, as a share of the radius, from the
+/// ellipsoid with the body's second moments: 0 for an ellipsoid.
+double misfitOfBestEllipsoid(const model::Mesh& mesh);
+
+/// Bounds of the vertices of an OBJ file, in its own coordinates.
+model::Box boundsOfObj(const std::filesystem::path& file);
+
+/// A closed mesh that can be asked what lies inside.
+class Solid {
+ public:
+  explicit Solid(model::MeshPtr mesh);
+  bool contains(const glm::vec3& p) const;
+  /// The share of the other body's vertices that lie inside this one. Two bodies that overlap by a
+  /// share of their volume do so by a far larger share of their surface.
+  double shareOf(const model::Mesh& other) const;
+
+ private:
+  model::MeshPtr m_mesh;
+  model::Bvh m_bvh;
+};
+
+}  // namespace sline::test

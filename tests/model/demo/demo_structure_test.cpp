@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/demo/demo_structure.h"
+
+#include <QtTest>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "model/demo/field_grid.h"
+#include "model/demo/polygonise.h"
+#include "model/geometry/surface.h"
+#include "model/geometry/topology.h"
+
+using namespace sline;
+using model::Box;
+using model::DemoStructure;
+using model::Field;
+
+namespace {
+Field sphere(const glm::vec3& centre, float radius) {
+  return [=](const glm::vec3& p) { return glm::distance(p, centre) - radius; };
+}
+
+DemoStructure ball(const char* name, const glm::vec3& centre, float radius) {
+  return {.name = name,
+          .groups = {"Balls"},
+          .colour = {200, 100, 50},
+          .field = sphere(centre, radius),
+          .box = {centre - (radius + 3.0f), centre + (radius + 3.0f)},
+          .edge = 0.8f};
+}
+
+const model::Mesh& meshOf(const model::Scene& scene, const char* name) {
+  return *scene.find(scene.named(name).front())->mesh;
+}
+
+double volumeOf(const model::Mesh& mesh) {
+  double sum = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles())
+    sum +=
+        double(glm::dot(mesh.positions()[a], glm::cross(mesh.positions()[b], mesh.positions()[c])));
+  return sum / 6.0;
+}
+}  // namespace
+
+class DemoStructureTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void treeInListOrder() {
+    DemoStructure a = ball("a", {0, 0, 0}, 4);
+    DemoStructure b = ball("b", {20, 0, 0}, 4);
+    DemoStructure c = ball("c", {40, 0, 0}, 4);
+    b.groups = {"Balls", "Small"};
+    b.fill = model::Fill::paper;
+    const model::Scene scene = model::demoScene({a, b, c});
+    QCOMPARE(scene.nodes().size(), std::size_t(5));
+    const model::Node& inner = *scene.find(scene.named("b").front());
+    QCOMPARE(scene.groupPath(inner.id), std::string("Balls / Small"));
+    QVERIFY(inner.style.fill == model::Fill::paper);
+    QCOMPARE(scene.groupPath(scene.named("c").front()), std::string("Balls"));
+    QCOMPARE(scene.structuresBelow(model::rootId).size(), std::size_t(3));
+  }
+
+  // A ball bitten by another keeps the gap everywhere and stays closed.
+  void givesWayWithAGap() {
+    DemoStructure bitten = ball("bitten", {0, 0, 0}, 10);
+    bitten.givesWayTo = {"biter"};
+    bitten.gap = 0.7f;
+    const model::Scene scene = model::demoScene({bitten, ball("biter", {9, 2, 1}, 6)});
+    const model::Mesh& mesh = meshOf(scene, "bitten");
+    float nearest = 1e9f;
+    for (const glm::vec3& p : mesh.positions())
+      nearest = std::min(nearest, sphere({9, 2, 1}, 6)(p));
+    QVERIFY(std::abs(nearest - 0.7f) < 0.02f);
+    QVERIFY(model::countEdges(mesh, model::VertexFaces(mesh)).closed());
+    const double whole = 4.0 / 3.0 * 3.14159265 * 1000.0;
+    QVERIFY(volumeOf(mesh) < 0.9 * whole && volumeOf(mesh) > 0.6 * whole);
+    QVERIFY(std::abs(volumeOf(meshOf(scene, "biter")) / (whole * 0.216) - 1.0) < 0.01);
+  }
+
+  // A rod cut by a ball near one end keeps the longer piece only.
+  void crumbsAreDropped() {
+    const std::array<model::TubePoint, 2> ends{{{{0, 0, 0}, 2.0f}, {{40, 0, 0}, 2.0f}}};
+    const model::Tube tube(ends);
+    DemoStructure rod = ball("rod", {0, 0, 0}, 1);
+    rod.field = [tube](const glm::vec3& p) { return tube.distance(p); };
+    rod.box = {{-5, -5, -5}, {45, 5, 5}};
+    rod.givesWayTo = {"ball"};
+    const model::Scene scene = model::demoScene({rod, ball("ball", {10, 0, 0}, 5)});
+    const model::Mesh& mesh = meshOf(scene, "rod");
+    QCOMPARE(model::connectedComponents(mesh).count, std::size_t(1));
+    QVERIFY(std::abs(mesh.bounds().low.x - 15.5f) < 0.3f);
+    QVERIFY(std::abs(mesh.bounds().high.x - 42.0f) < 0.05f);
+  }
+
+  // Where the surface runs, the sparse grid holds what a full one holds; it asks far less.
+  void gridIsExactAtTheSurface_data() {
+    QTest::addColumn<float>("overstated");
+    QTest::newRow("a distance") << 1.0f;
+    QTest::newRow("half a distance") << 0.5f;
+    QTest::newRow("four distances far away") << 4.0f;
+  }
+  void gridIsExactAtTheSurface() {
+    QFETCH(const float, overstated);
+    const Field ball = sphere({1, 2, 3}, 20.0f);
+    const Field field = [&](const glm::vec3& p) {
+      const float d = ball(p);
+      return std::abs(d) < 1.0f ? d : overstated * d;
+    };
+    const Box box{glm::vec3(-26, -26, -26), glm::vec3(27, 27, 27)};
+    const model::FieldGrid grid(field, box, 0.7f);
+    const glm::ivec3 size = grid.size();
+    const auto at = [&](int x, int y, int z) {
+      return grid.values()[std::size_t((z * size.y + y) * size.x + x)];
+    };
+    for (int z = 0; z < size.z; ++z)
+      for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+          const float truth = field(box.low + 0.7f * glm::vec3(x, y, z));
+          QVERIFY((truth < 0.0f) == (at(x, y, z) < 0.0f));
+          if (x + 1 < size.x && (at(x, y, z) < 0.0f) != (at(x + 1, y, z) < 0.0f))
+            QCOMPARE(at(x, y, z), truth);
+        }
+    if (overstated >= 1.0f)
+      QVERIFY(grid.exactCount() < grid.values().size() / 4);
+  }
+
+  // Triangles are near equilateral and the surface is where the field says.
+  void polygonsAreEvenAndOnTheSurface() {
+    const std::array<model::TubePoint, 4> through{
+        {{{0, 0, 0}, 4.0f}, {{15, 5, 0}, 3.0f}, {{25, 0, 8}, 4.0f}, {{40, 0, 20}, 5.0f}}};
+    const model::Tube tube(through);
+    const Field field = [&](const glm::vec3& p) {
+      return model::blendedUnion(tube.distance(p), glm::distance(p, {20, 2, 4}) - 7.0f, 4.0f);
+    };
+    const auto mesh = model::polygonise(field, {{-8, -12, -8}, {48, 14, 28}}, 1.0f);
+    QVERIFY(model::prepareSurface(mesh)->closed);
+    for (const glm::vec3& p : mesh->positions())
+      QVERIFY(std::abs(field(p)) < 5e-3f);
+    double quality = 0.0;
+    for (const auto& [a, b, c] : mesh->triangles()) {
+      const glm::vec3 u = mesh->positions()[b] - mesh->positions()[a];
+      const glm::vec3 v = mesh->positions()[c] - mesh->positions()[b];
+      const glm::vec3 w = mesh->positions()[a] - mesh->positions()[c];
+      const double area = 0.5 * double(glm::length(glm::cross(u, v)));
+      const double squares = double(glm::dot(u, u) + glm::dot(v, v) + glm::dot(w, w));
+      quality += 4.0 * std::sqrt(3.0) * area / squares;  // 1 where equilateral
+    }
+    QVERIFY(quality / double(mesh->triangleCount()) > 0.9);
+  }
+};
+
+QTEST_APPLESS_MAIN(DemoStructureTest)
+#include "demo_structure_test.moc"
