@@ -122,6 +122,24 @@ Error unknownView(const model::Scene& scene, const std::string& view) {
 
 }  // namespace
 
+namespace {
+
+/// Two, but one where a picture is so large that its pixels are fine enough.
+Result<int> understoodSamples(const std::string& text, const Size& size) {
+  const Result<std::optional<int>> samples = parseSamples(text);
+  if (!samples.ok())
+    return samples.error();
+  constexpr std::int64_t fine = 8'000'000;
+  const int number = samples->value_or(std::int64_t(size.width) * size.height > fine ? 1 : 2);
+  if (*samples && std::max(size.width, size.height) > largestSide / number)
+    return Error{.reason = text + " samples across a pixel are too many for so large a picture",
+                 .remedy = "Its longer side times the samples may reach " +
+                           std::to_string(largestSide) + "; take fewer"};
+  return number;
+}
+
+}  // namespace
+
 Result<PictureOrder> understood(const PictureFlags& flags) {
   PictureOrder order;
   order.output = flags.output;
@@ -133,6 +151,10 @@ Result<PictureOrder> understood(const PictureFlags& flags) {
   if (!size.ok())
     return size.error();
   order.size = *size;
+  const Result<int> samples = understoodSamples(flags.samples, *size);
+  if (!samples.ok())
+    return samples.error();
+  order.samples = *samples;
   const Result<render::Background> background = parseBackground(flags.background);
   if (!background.ok())
     return background.error();
@@ -240,16 +262,18 @@ Status drawToFile(const model::Scene& scene, const model::Camera& camera, const 
   progress.show(0.0, "preparing surfaces");
   (*picture)->prepare(scene);
   progress.show(0.5, "drawing");
-  const Result<render::Image> image = (*picture)->render(scene, camera,
-                                                         {.width = order.size.width,
-                                                          .height = order.size.height,
-                                                          .background = order.background,
-                                                          .hatching = order.hatching,
-                                                          .keyLight = order.keyLight});
+  const Result<render::Image> image =
+      (*picture)->render(scene, camera,
+                         {.width = order.samples * order.size.width,
+                          .height = order.samples * order.size.height,
+                          .background = order.background,
+                          .hatching = order.hatching,
+                          .keyLight = order.keyLight});
   if (!image.ok())
     return image.error();
   progress.show(0.9, "writing " + order.output);
-  return writeImage(*image, order.output);
+  return writeImage(order.samples > 1 ? render::averaged(*image, order.samples) : *image,
+                    order.output);
 }
 
 }  // namespace sline::cli

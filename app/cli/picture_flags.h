@@ -19,6 +19,7 @@ namespace sline::cli {
 struct PictureFlags {
   std::string output;
   std::string size = "1280x720";
+  std::string samples = "auto";
   std::string view = "anterior";
   std::string cameraFile;
   std::string fill;
@@ -44,6 +45,7 @@ struct Assignment {
 struct PictureOrder {
   std::string output;
   Size size;
+  int samples = 1;  ///< across a pixel
   render::Background background = render::Background::white;
   render::HatchingMethod hatching = render::HatchingMethod::strokes;
   bool keyLight = false;

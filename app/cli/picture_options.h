@@ -52,6 +52,13 @@ inline void addDrawingOptions(CLI::App& command, PictureFlags& flags) {
   command.add_option("--size", flags.size, "Width and height in pixels, 16 to 20000 each")
       ->type_name("WxH")
       ->capture_default_str();
+  command
+      .add_option(
+          "--samples", flags.samples,
+          "Draws this many times as large both ways and averages, for smooth edges: 1 to 4; "
+          "auto takes 2, for more than 8 million pixels 1")
+      ->type_name("auto|N")
+      ->capture_default_str();
   CLI::Option* view = command
                           .add_option("--view", flags.view,
                                       "anterior, posterior, left, right, superior or inferior, "

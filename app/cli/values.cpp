@@ -92,6 +92,16 @@ Result<Size> parseSize(std::string_view text) {
   return Size{*width, *height};
 }
 
+Result<std::optional<int>> parseSamples(std::string_view text) {
+  if (sameIgnoringCase(text, "auto"))
+    return std::optional<int>();
+  const auto samples = number<int>(text);
+  if (!samples || *samples < 1 || *samples > mostSamples)
+    return wrong("number of samples", text,
+                 "auto or a number from 1 to " + std::to_string(mostSamples));
+  return samples;
+}
+
 Result<Gamma> parseGamma(std::string_view text) {
   constexpr std::string_view right =
       "a number from 0 (silhouette) to 5 (shaded surface), or NAME=NUMBER for one structure or "

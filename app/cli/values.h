@@ -23,9 +23,12 @@ struct Size {
 };
 inline constexpr int smallestSide = 16;
 inline constexpr int largestSide = 20000;
+inline constexpr int mostSamples = 4;
 
 /// "1920x1080"; both sides within [smallestSide, largestSide].
 Result<Size> parseSize(std::string_view text);
+/// "auto" (nothing) or a number from 1 to 4.
+Result<std::optional<int>> parseSamples(std::string_view text);
 /// "2.5", within [0, 5].
 Result<Gamma> parseGamma(std::string_view text);
 /// "#rrggbb".

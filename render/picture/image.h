@@ -14,4 +14,8 @@ struct Image {
   bool operator==(const Image&) const = default;
 };
 
+/// Each square of `side` × `side` pixels as one, colours weighted by their alpha. The image's sides
+/// must be multiples of `side`.
+Image averaged(const Image& image, int side);
+
 }  // namespace sline::render

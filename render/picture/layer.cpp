@@ -97,7 +97,7 @@ passes::SurfaceFill surfaceFill(const Shown& shown, const PictureView& view,
   fill.complete = t.complete;
   fill.opacity = style.opacity.value();
   fill.filigree = shown.surface().filigreeSize;
-  fill.glaze = background == Background::dark ? 0.0f : 1.0f;
+  fill.darkGround = background == Background::dark;
   fill.twoSided = !cullsBack(shown, view);
   if (style.fill == model::Fill::paper || style.fill == model::Fill::veil) {
     // A picture without background is meant for white paper.

@@ -53,6 +53,9 @@ void ExitCodesTest::answers_data() {
   QTest::newRow("size of words") << "render|SAMPLE|-o|DIR/a.png|--size|big" << 2 << "big|1920x1080";
   QTest::newRow("size too small") << "render|SAMPLE|-o|DIR/a.png|--size|15x64" << 2 << "16|20000";
   QTest::newRow("size too large") << "render|SAMPLE|-o|DIR/a.png|--size|64x20001" << 2 << "20000";
+  QTest::newRow("samples of words") << render + "|--samples|many" << 2 << "many|auto";
+  QTest::newRow("samples of a large picture")
+      << "render|SAMPLE|-o|DIR/a.png|--size|64x10001|--samples|2" << 2 << "20000";
   QTest::newRow("gamma too large") << render + "|--gamma|5.1" << 2 << "5.1";
   QTest::newRow("gamma of words") << render + "|--gamma|much" << 2 << "much";
   QTest::newRow("gamma not a number") << render + "|--gamma|nan" << 2 << "nan";

@@ -27,6 +27,7 @@ class RenderTest : public QObject {
   void inkHasItsColour();
   void blackAndWhite();
   void keyLight();
+  void samplesSmoothEdges();
   void demo();
 
  private:
@@ -244,6 +245,21 @@ void RenderTest::keyLight() {
   };
   QVERIFY(std::abs(difference(rendered(base))) <= 2);
   QVERIFY(difference(rendered(base + QStringList{"--key-light"})) > 30);
+}
+
+void RenderTest::samplesSmoothEdges() {
+  const QStringList base{"--size", "160x120", "--gamma", "5", "--samples"};
+  const Pixels fine = rendered(base + QStringList{"4"});
+  const auto distance = [&](const QString& samples) {
+    const Pixels picture = rendered(base + QStringList{samples});
+    double sum = 0.0;
+    for (std::size_t i = 0; i < fine.rgba.size(); ++i)
+      sum += std::abs(int(fine.rgba[i]) - int(picture.rgba[i]));
+    return sum;
+  };
+  QCOMPARE(fine.width, 160);
+  QVERIFY(distance("2") < 0.6 * distance("1"));
+  QCOMPARE(distance("auto"), distance("2"));
 }
 
 void RenderTest::demo() {

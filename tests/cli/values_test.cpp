@@ -38,6 +38,18 @@ void ValuesTest::parses_data() {
   QTest::newRow("size, overflow") << "size"
                                   << "99999999999x64"
                                   << "";
+  QTest::newRow("samples") << "samples"
+                           << "4"
+                           << "4";
+  QTest::newRow("samples, auto") << "samples"
+                                 << "AUTO"
+                                 << "0";
+  QTest::newRow("samples, none") << "samples"
+                                 << "0"
+                                 << "";
+  QTest::newRow("samples, too many") << "samples"
+                                     << "5"
+                                     << "";
   QTest::newRow("gamma") << "gamma"
                          << "2.5"
                          << "2.5";
@@ -111,6 +123,8 @@ void ValuesTest::parses() {
   QString found;
   if (const auto size = parseSize(input); kind == "size" && size.ok())
     found = QString("%1 %2").arg(size->width).arg(size->height);
+  if (const auto samples = parseSamples(input); kind == "samples" && samples.ok())
+    found = QString::number(samples->value_or(0));
   if (const auto gamma = parseGamma(input); kind == "gamma" && gamma.ok())
     found = QString::number(double(gamma->value()));
   if (const auto colour = parseColour(input); kind == "colour" && colour.ok())

@@ -33,7 +33,7 @@ gpu::ProgramRecipe phongRecipe() {
                        {"wash", UniformType::vec4},
                        {"transition", UniformType::vec3},
                        {"twoSided", UniformType::integer},
-                       {"glaze", UniformType::real},
+                       {"darkGround", UniformType::integer},
                        {"key", UniformType::vec3}}};
 }
 
@@ -91,7 +91,7 @@ void SurfacePass::draw(gpu::Device& device, const gpu::Target& target, const Sur
     program.set("wash", fill.wash);
     program.set("transition", glm::vec3(fill.shading, fill.complete, fill.opacity));
     program.set("twoSided", fill.twoSided ? 1 : 0);
-    program.set("glaze", fill.glaze);
+    program.set("darkGround", fill.darkGround ? 1 : 0);
     program.set("key", view.key);
   } else {
     program.set("colour", fill.wash);

@@ -29,9 +29,9 @@ struct SurfaceFill {
   float complete = 0.0f;  ///< clamp01(Γ − 4): mixes the opacity with 1
   float opacity = 1.0f;   ///< the style's
   float filigree = 1.0f;  ///< F_c in mm
-  /// 1: a thin fill shows the colour itself, and shadows deepen as it closes; they would grey white
-  /// paper. 0: shadows from the start; on a dark ground colour would lighten them first.
-  float glaze = 0.0f;
+  /// Fills enter as light instead of shade: from what faces the eye, where on paper they enter from
+  /// the rim, as S eq. 11 says.
+  bool darkGround = false;
   bool twoSided = false;  ///< normals turn towards the eye
 };
 

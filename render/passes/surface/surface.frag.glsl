@@ -12,7 +12,7 @@ uniform vec3 colour;
 uniform vec4 wash;           // premultiplied, lies under the shading
 uniform vec3 transition;     // T_P, clamp01(Γ − 4), the style's opacity
 uniform int twoSided;
-uniform float glaze;         // share of shadow that a thin fill leaves out
+uniform int darkGround;      // 1: drawn as with chalk, 0: as with ink and glazes on paper
 uniform vec3 key;            // unit, towards the key light; 0: there is none
 
 out vec4 fragment;
@@ -30,8 +30,11 @@ void main() {
   // S eq. 11 with the last term's sign as METHOD §7 reads it; θ_c = π/2 at T_P = 0 means w_a = 0.
   float shading = transition.x;
   float threshold = quarterTurn * (1.0 - shading);
+  // Paper is light by itself and shading enters from the dark rim; on a dark ground light enters,
+  // from what faces the eye.
+  float angle = darkGround != 0 ? asin(nv) : acos(nv);
   float byAngle = shading > 0.0
-      ? clamp((acos(nv) - threshold) / max(quarterTurn - threshold, 1e-4), 0.0, 1.0) : 0.0;
+      ? clamp((angle - threshold) / max(quarterTurn - threshold, 1e-4), 0.0, 1.0) : 0.0;
   float byLight = clamp(gradient * side, 0.0, 1.0) * (1.0 - shading) + shading;
   float entered = mix(byAngle * byLight, 1.0, transition.y);
   float opacity = entered * transition.z;
@@ -43,6 +46,9 @@ void main() {
   } else {
     shaded = phong(colour, nv);
   }
-  shaded = mix(shaded, max(shaded, colour), glaze * (1.0 - entered));
+  // A thin glaze shows the colour itself; its shadows, which would grey the paper, deepen as it
+  // closes.
+  if (darkGround == 0)
+    shaded = mix(shaded, max(shaded, colour), 1.0 - entered);
   fragment = vec4(min(shaded, 1.0) * opacity, opacity) + wash * (1.0 - opacity);
 }

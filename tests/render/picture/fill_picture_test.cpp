@@ -24,6 +24,7 @@ class FillPictureTest : public QObject {
   void lightFallsFromTheEye();
   void keyLightFallsFromTheUpperLeft();
   void keyLightTurnsWithTheCamera();
+  void entersAsShadeOrAsLight();
   void closesWithoutTurningBack_data();
   void closesWithoutTurningBack();
 
@@ -214,6 +215,23 @@ void FillPictureTest::keyLightTurnsWithTheCamera() {
   above.up = {1.0f, 0.3f, 0.0f};
   const Difference d = difference(front, picture(scene, above, Background::white, true));
   QVERIFY2(d.mean < 0.5, qPrintable(QString::number(d.mean)));
+}
+
+void FillPictureTest::entersAsShadeOrAsLight() {
+  model::Style style = gammaStyle(3.4f);
+  style.penWeight = 0.0f;
+  style.colour = Colour{230, 120, 60};
+  model::Scene scene;
+  add(scene, sphere(50.0f, 5), style);
+  // The sphere's middle, and a place 5 of its 100 pixels from the rim.
+  const auto change = [&](Background background, int x) {
+    const Image image = picture(scene, frontal(150.0f), background);
+    return pixelAt(image, x, 150).grey() - pixelAt(image, 2, 2).grey();
+  };
+  QVERIFY(change(Background::white, 295) < -20);
+  QVERIFY(std::abs(change(Background::white, 200)) <= 2);
+  QVERIFY(change(Background::dark, 200) > 20);
+  QVERIFY(std::abs(change(Background::dark, 295)) <= 2);
 }
 
 void FillPictureTest::closesWithoutTurningBack_data() {

@@ -3,6 +3,7 @@
 #include <QtTest>
 #include <random>
 
+#include "render/picture/image.h"
 #include "render/picture/picture_view.h"
 #include "render/picture/shelf_packer.h"
 #include "render/picture/tile_lists.h"
@@ -21,6 +22,7 @@ class LayoutTest : public QObject {
   void sphereBoundsHoldTheSphere();
   void stagesOfGamma_data();
   void stagesOfGamma();
+  void averagesWeighAlpha();
 };
 
 void LayoutTest::packsWithoutOverlap() {
@@ -122,6 +124,19 @@ void LayoutTest::stagesOfGamma() {
   QFETCH(QList<float>, stages);
   const Transitions t = transitions(Gamma::clamped(gamma));
   QCOMPARE((QList<float>{t.contours, t.suggestive, t.shading, t.complete, t.lines}), stages);
+}
+
+void LayoutTest::averagesWeighAlpha() {
+  // 4 × 2 pixels: red beside nothing, then four opaque greys.
+  const Image image{.width = 4,
+                    .height = 2,
+                    .rgba = {200, 0, 0, 255, 0, 9, 9, 0, 10, 10, 10, 255, 20, 20, 20, 255,
+                             200, 0, 0, 255, 7, 7, 7, 0, 30, 30, 30, 255, 41, 41, 41, 255}};
+  const Image expected{.width = 2, .height = 1, .rgba = {200, 0, 0, 128, 25, 25, 25, 255}};
+  QCOMPARE(averaged(image, 2), expected);
+  QCOMPARE(averaged(image, 1).rgba[0], image.rgba[0]);
+  const Image nothing{.width = 2, .height = 2, .rgba = std::vector<std::uint8_t>(16, 0)};
+  QCOMPARE(averaged(nothing, 2).rgba, std::vector<std::uint8_t>(4, 0));
 }
 
 QTEST_APPLESS_MAIN(LayoutTest)

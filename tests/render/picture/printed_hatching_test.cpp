@@ -125,6 +125,7 @@ class PrintedHatchingTest : public QObject {
   void mirrors();
   void orientationOfASheetChangesNothing();
   void hiddenByItsOwnSurface();
+  void stopsAtCuts();
   void methodsDiffer();
   void piecesGiveTheSamePicture();
 
@@ -298,6 +299,31 @@ void PrintedHatchingTest::hiddenByItsOwnSurface() {
   model::Scene open;
   add(open, bowl, bare(3.0f));
   QVERIFY(inkedPixels(picture(open, above)) > 3000);
+}
+
+void PrintedHatchingTest::stopsAtCuts() {
+  const Paraboloid shape{0.02f, 0.012f, 30.0f};
+  model::Scene scene;
+  add(scene, paraboloid(shape.a, shape.b, shape.size, 160), bare(3.0f));
+  const auto inked = [&](const Image& image) {
+    std::pair<int, int> counts{0, 0};  // where y < 0 is kept, where y > 0 is taken away
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        const Ray ray = rayThrough(slanted(true), x, y);
+        const auto p = shape.hit(ray.from, ray.direction);
+        if (p && std::abs(p->y) > 0.5f && inkAt(image, x, y) > 0.02f)
+          ++(p->y < 0.0f ? counts.first : counts.second);
+      }
+    return counts;
+  };
+  const auto whole = inked(picture(scene, slanted(true)));
+  QVERIFY(whole.first > 2000 && whole.second > 2000);
+  model::Section section;
+  section.plane = {{0.0f, 1.0f, 0.0f}, 0.0f};
+  scene.appendSection(section);
+  const auto cut = inked(picture(scene, slanted(true)));
+  QVERIFY(cut.first > 0.8 * whole.first);
+  QCOMPARE(cut.second, 0);
 }
 
 void PrintedHatchingTest::methodsDiffer() {
