@@ -28,7 +28,8 @@ inline constexpr float darkestMidTone = 0.8f;
 /// Degrees between one picture and the next.
 inline constexpr float turnStep = 0.5f;
 
-/// Hatching alone, black on white, from that camera at that size.
+/// Hatching alone, black on white, from that camera at that size: a larger picture is the same
+/// drawing, finer.
 using HatchingPicture = std::function<Result<Image>(const model::Camera&, int width, int height)>;
 
 /// What is turned before which camera.
