@@ -42,17 +42,16 @@ Result<Turn> turnOf(const Turntable& table) {
   return turn;
 }
 
-/// Pictures drawn at a multiple of the size, looked at in pixels of the size itself. Between the
-/// pixels of a fine stroke no interpolation knows where its edge lies: without this, strokes of a
-/// pixel's width that stay exactly where they are would differ by a sixth of their ink.
+/// A picture drawn at a multiple of the size, looked at in pixels of the size itself.
 struct Fine {
-  static constexpr int factor = 3;
+  int factor = 1;
   PixelValues values;
 
   /// Mean of a pixel's samples.
-  float pixel(std::size_t index, int width) const {
-    const int x = factor * int(index % std::size_t(width));
-    const int y = factor * int(index / std::size_t(width));
+  float pixel(std::size_t index) const {
+    const std::size_t width = std::size_t(values.width / factor);
+    const int x = factor * int(index % width);
+    const int y = factor * int(index / width);
     float sum = 0.0f;
     for (int i = 0; i < factor * factor; ++i)
       sum += values.at(x + i % factor, y + i / factor);
@@ -78,10 +77,10 @@ struct Sums {
   std::size_t pixels = 0;
   std::size_t hatched = 0;
 
-  void add(const Fine& now, const Fine& before, std::span<const WarpedPixel> warps, int width) {
+  void add(const Fine& now, const Fine& before, std::span<const WarpedPixel> warps) {
     for (const WarpedPixel& w : warps) {
       const float then = before.around(w.from);
-      const float is = now.pixel(w.pixel, width);
+      const float is = now.pixel(w.pixel);
       const double difference = std::abs(is - then);
       change += difference;
       if (is > leastInk || then > leastInk) {
@@ -99,12 +98,12 @@ Result<Flicker> flickerOf(const Turntable& table, const Turn& turn, const Hatchi
   Fine before;
   for (std::size_t i = 0; i < turn.cameras.size(); ++i) {
     const Result<Image> drawn =
-        draw(turn.cameras[i], Fine::factor * table.width, Fine::factor * table.height);
+        draw(turn.cameras[i], table.oversampling * table.width, table.oversampling * table.height);
     if (!drawn)
       return drawn.error();
-    Fine now{ink(*drawn)};
+    Fine now{table.oversampling, ink(*drawn)};
     if (i > 0)
-      sums.add(now, before, turn.warps[i - 1], table.width);
+      sums.add(now, before, turn.warps[i - 1]);
     before = std::move(now);
   }
   for (const auto& [share, scale] :

@@ -49,10 +49,10 @@ render::HatchingPicture glued(const model::MeshPtr& mesh, const Ink& ink) {
   };
 }
 
-/// The same with strokes of definite edges, each pixel the mean of three by three samples.
+/// The same with strokes of definite edges, each pixel the mean of four by four samples.
 template <class Inside>
 render::HatchingPicture drawnStrokes(const model::MeshPtr& mesh, const Inside& inside) {
-  constexpr int samples = 3;
+  constexpr int samples = 4;
   const auto bvh = std::make_shared<model::Bvh>(mesh, model::spatialOrder(*mesh));
   return [=](const model::Camera& camera, int width, int height) {
     const render::SeenSurface seen = render::seenSurface(
@@ -106,7 +106,8 @@ class SteadinessTest : public QObject {
  private slots:
   void gluedIsSteady_data();
   void gluedIsSteady();
-  void fineStrokesAreSteadyToo();
+  void oversamplingTellsFineStrokesFromUnsteadyOnes_data();
+  void oversamplingTellsFineStrokesFromUnsteadyOnes();
   void fixedToThePictureIsNot();
   void drawnAnewEachTimeIsWorse();
   void onlyWhatBothSeeCounts();
@@ -136,20 +137,31 @@ void SteadinessTest::gluedIsSteady() {
   QVERIFY(flicker.hatchedShare > 0.99);
 }
 
-void SteadinessTest::fineStrokesAreSteadyToo() {
-  // Strokes a pixel wide that move across themselves: interpolated from pixel to pixel they would
-  // seem to change by 0.17 of the ink they could.
+void SteadinessTest::oversamplingTellsFineStrokesFromUnsteadyOnes_data() {
+  QTest::addColumn<int>("oversampling");
+  QTest::addColumn<double>("least");
+  QTest::addColumn<double>("most");
+  QTest::newRow("interpolated from pixel to pixel") << 1 << 0.10 << 0.25;
+  QTest::newRow("three times as fine") << 3 << 0.0 << 0.08;
+}
+
+void SteadinessTest::oversamplingTellsFineStrokesFromUnsteadyOnes() {
+  QFETCH(int, oversampling);
+  QFETCH(double, least);
+  QFETCH(double, most);
+  // Strokes a pixel wide that move across themselves.
   const model::MeshPtr ball = sphere(40.0f, 4);
   render::Turntable table = turntable(ball, model::Projection::orthographic);
   table.width = 120;
   table.height = 90;
   table.frames = 1;
+  table.oversampling = oversampling;
   const float pixel = 100.0f / 90.0f;
   const render::Flicker flicker = flickerOf(table, drawnStrokes(ball, [=](const glm::vec3& p) {
                                               const float u = p.x / (8.0f * pixel);
                                               return 8.0f * std::abs(u - std::round(u)) < 0.5f;
                                             }));
-  QVERIFY2(flicker.overHatching > 0.0 && flicker.overHatching < 0.08,
+  QVERIFY2(flicker.overHatching > least && flicker.overHatching < most,
            qPrintable(QString::number(flicker.overHatching)));
 }
 
