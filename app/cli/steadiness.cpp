@@ -17,6 +17,7 @@ struct SteadinessFlags {
   MeasureFlags measure;
   std::string gamma = "3";
   int frames = 10;
+  int oversampling = 1;
 };
 
 struct MeasuredSteadiness {
@@ -69,7 +70,7 @@ void printSteadiness(const MeasuredSteadiness& measured) {
 }
 
 Result<MeasuredSteadiness> measure(render::Picture& picture, const render::Subject& subject,
-                                   Gamma gamma, int frames) {
+                                   Gamma gamma, const SteadinessFlags& flags) {
   const std::array<render::HatchingPicture, 2> ways{
       hatchingPicture(picture, subject, gamma, render::HatchingMethod::strokes),
       hatchingPicture(picture, subject, gamma, render::HatchingMethod::asPrinted)};
@@ -77,7 +78,8 @@ Result<MeasuredSteadiness> measure(render::Picture& picture, const render::Subje
                                                 .camera = subject.camera,
                                                 .width = subject.width,
                                                 .height = subject.height,
-                                                .frames = frames},
+                                                .frames = flags.frames,
+                                                .oversampling = flags.oversampling},
                                                ways);
   if (!flickers.ok()) {
     Error error = flickers.error();
@@ -111,7 +113,7 @@ Exit runSteadiness(const SteadinessFlags& flags) {
     const Result<render::Subject> subject = subjectOf(*order, id);
     if (!subject.ok())
       return complain(subject.error(), Exit::wrongUse);
-    Result<MeasuredSteadiness> measured = measure(*studio->picture, *subject, *gamma, flags.frames);
+    Result<MeasuredSteadiness> measured = measure(*studio->picture, *subject, *gamma, flags);
     progress.wipe();
     if (!measured.ok())
       return complain(measured.error(), Exit::failed);
@@ -136,6 +138,13 @@ void declareSteadiness(CLI::App& command, SteadinessFlags& flags) {
       ->capture_default_str();
   command.add_option("--frames", flags.frames, "Turns of half a degree, 1 to 360")
       ->check(CLI::Range(1, 360))
+      ->capture_default_str();
+  command
+      .add_option(
+          "--oversampling", flags.oversampling,
+          "Draws pictures that many times as large and compares them at their size, so that "
+          "less is lost between pixels; 1 to 4")
+      ->check(CLI::Range(1, 4))
       ->capture_default_str();
   command.footer(
       "Turns the camera about the structure's middle in steps of half a degree, hatching alone, "

@@ -42,6 +42,34 @@ Result<Turn> turnOf(const Turntable& table) {
   return turn;
 }
 
+/// A picture drawn at a multiple of the size, looked at in pixels of the size itself.
+struct Fine {
+  int factor = 1;
+  PixelValues values;
+
+  /// Mean of a pixel's samples.
+  float pixel(std::size_t index) const {
+    const std::size_t width = std::size_t(values.width / factor);
+    const int x = factor * int(index % width);
+    const int y = factor * int(index / width);
+    float sum = 0.0f;
+    for (int i = 0; i < factor * factor; ++i)
+      sum += values.at(x + i % factor, y + i / factor);
+    return sum / float(factor * factor);
+  }
+
+  /// The same for a pixel around any place. A turn of half a degree moves a pixel's samples all
+  /// alike but for a hundredth of their distance.
+  float around(const glm::vec2& place) const {
+    float sum = 0.0f;
+    for (int i = 0; i < factor * factor; ++i) {
+      const glm::vec2 offset(i % factor, i / factor);
+      sum += sample(values, float(factor) * place + offset - 0.5f * float(factor - 1));
+    }
+    return sum / float(factor * factor);
+  }
+};
+
 /// Adds up differences over pairs of pictures.
 struct Sums {
   double change = 0.0;
@@ -49,10 +77,10 @@ struct Sums {
   std::size_t pixels = 0;
   std::size_t hatched = 0;
 
-  void add(const PixelValues& now, const PixelValues& before, std::span<const WarpedPixel> warps) {
+  void add(const Fine& now, const Fine& before, std::span<const WarpedPixel> warps) {
     for (const WarpedPixel& w : warps) {
-      const float then = sample(before, w.from);
-      const float is = now.values[w.pixel];
+      const float then = before.around(w.from);
+      const float is = now.pixel(w.pixel);
       const double difference = std::abs(is - then);
       change += difference;
       if (is > leastInk || then > leastInk) {
@@ -67,22 +95,24 @@ struct Sums {
 Result<Flicker> flickerOf(const Turntable& table, const Turn& turn, const HatchingPicture& draw) {
   Flicker flicker;
   Sums sums;
-  PixelValues before;
+  Fine before;
   for (std::size_t i = 0; i < turn.cameras.size(); ++i) {
-    const Result<Image> drawn = draw(turn.cameras[i], table.width, table.height);
+    const Result<Image> drawn =
+        draw(turn.cameras[i], table.oversampling * table.width, table.oversampling * table.height);
     if (!drawn)
       return drawn.error();
-    PixelValues now = ink(*drawn);
-    if (i == 0)
-      flicker.midTones = midToneShare(*drawn);
-    else
+    Fine now{table.oversampling, ink(*drawn)};
+    if (i > 0)
       sums.add(now, before, turn.warps[i - 1]);
     before = std::move(now);
   }
-  const Result<Image> doubled = draw(table.camera, 2 * table.width, 2 * table.height);
-  if (!doubled)
-    return doubled.error();
-  flicker.midTonesDoubled = midToneShare(*doubled);
+  for (const auto& [share, scale] :
+       {std::pair(&flicker.midTones, 1), {&flicker.midTonesDoubled, 2}}) {
+    const Result<Image> drawn = draw(table.camera, scale * table.width, scale * table.height);
+    if (!drawn)
+      return drawn.error();
+    *share = midToneShare(*drawn);
+  }
   flicker.overSurface = sums.change / double(sums.pixels);
   flicker.overHatching = sums.hatched > 0 ? sums.hatchedChange / double(sums.hatched) : 0.0;
   flicker.hatchedShare = double(sums.hatched) / double(sums.pixels);

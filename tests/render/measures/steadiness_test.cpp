@@ -31,7 +31,7 @@ model::Camera front(model::Projection projection) {
 }
 
 render::Turntable turntable(const model::MeshPtr& mesh, model::Projection projection) {
-  return {.mesh = mesh, .camera = front(projection), .width = 240, .height = 180, .frames = 3};
+  return {.mesh = mesh, .camera = front(projection), .width = 240, .height = 180, .frames = 2};
 }
 
 /// A picture of the surface whose ink is a function of the point.
@@ -49,14 +49,34 @@ render::HatchingPicture glued(const model::MeshPtr& mesh, const Ink& ink) {
   };
 }
 
+/// The same with strokes of definite edges, each pixel the mean of four by four samples.
+template <class Inside>
+render::HatchingPicture drawnStrokes(const model::MeshPtr& mesh, const Inside& inside) {
+  constexpr int samples = 4;
+  const auto bvh = std::make_shared<model::Bvh>(mesh, model::spatialOrder(*mesh));
+  return [=](const model::Camera& camera, int width, int height) {
+    const render::SeenSurface seen = render::seenSurface(
+        *bvh, render::PictureView(camera, mesh->bounds(), samples * width, samples * height));
+    return Result<Image>(painted(width, height, [&](int x, int y) {
+      int count = 0;
+      for (int i = 0; i < samples * samples; ++i) {
+        const std::size_t k = seen.index(samples * x + i % samples, samples * y + i / samples);
+        count += seen.seen[k] && inside(seen.points[k]);
+      }
+      const int grey = 255 - 255 * count / (samples * samples);
+      return Pixel{grey, grey, grey, 255};
+    }));
+  };
+}
+
 float waves(const glm::vec3& p) {
   return 0.5f + 0.4f * std::sin(0.7f * p.x + 0.2f * p.y) * std::cos(0.6f * p.z);
 }
 
 render::HatchingPicture fixedToThePicture() {
   return [](const model::Camera&, int width, int height) {
-    return Result<Image>(painted(width, height, [](int x, int y) {
-      const int grey = (x / 3 + y / 40) % 2 ? 255 : 0;
+    return Result<Image>(painted(width, height, [width](int x, int) {
+      const int grey = x * 80 / width % 2 ? 255 : 0;
       return Pixel{grey, grey, grey, 255};
     }));
   };
@@ -86,6 +106,8 @@ class SteadinessTest : public QObject {
  private slots:
   void gluedIsSteady_data();
   void gluedIsSteady();
+  void oversamplingTellsFineStrokesFromUnsteadyOnes_data();
+  void oversamplingTellsFineStrokesFromUnsteadyOnes();
   void fixedToThePictureIsNot();
   void drawnAnewEachTimeIsWorse();
   void onlyWhatBothSeeCounts();
@@ -107,7 +129,7 @@ void SteadinessTest::gluedIsSteady_data() {
 
 void SteadinessTest::gluedIsSteady() {
   QFETCH(model::Projection, projection);
-  const model::MeshPtr ball = sphere(40.0f, 5);
+  const model::MeshPtr ball = sphere(40.0f, 4);
   const render::Flicker flicker = flickerOf(turntable(ball, projection), glued(ball, waves));
   // What is left is rounding to 8 bits and interpolation.
   QVERIFY2(flicker.overSurface >= 0.0 && flicker.overSurface < 0.004,
@@ -115,8 +137,36 @@ void SteadinessTest::gluedIsSteady() {
   QVERIFY(flicker.hatchedShare > 0.99);
 }
 
+void SteadinessTest::oversamplingTellsFineStrokesFromUnsteadyOnes_data() {
+  QTest::addColumn<int>("oversampling");
+  QTest::addColumn<double>("least");
+  QTest::addColumn<double>("most");
+  QTest::newRow("interpolated from pixel to pixel") << 1 << 0.10 << 0.25;
+  QTest::newRow("three times as fine") << 3 << 0.0 << 0.08;
+}
+
+void SteadinessTest::oversamplingTellsFineStrokesFromUnsteadyOnes() {
+  QFETCH(int, oversampling);
+  QFETCH(double, least);
+  QFETCH(double, most);
+  // Strokes a pixel wide that move across themselves.
+  const model::MeshPtr ball = sphere(40.0f, 4);
+  render::Turntable table = turntable(ball, model::Projection::orthographic);
+  table.width = 120;
+  table.height = 90;
+  table.frames = 1;
+  table.oversampling = oversampling;
+  const float pixel = 100.0f / 90.0f;
+  const render::Flicker flicker = flickerOf(table, drawnStrokes(ball, [=](const glm::vec3& p) {
+                                              const float u = p.x / (8.0f * pixel);
+                                              return 8.0f * std::abs(u - std::round(u)) < 0.5f;
+                                            }));
+  QVERIFY2(flicker.overHatching > least && flicker.overHatching < most,
+           qPrintable(QString::number(flicker.overHatching)));
+}
+
 void SteadinessTest::fixedToThePictureIsNot() {
-  const model::MeshPtr ball = sphere(40.0f, 5);
+  const model::MeshPtr ball = sphere(40.0f, 4);
   const render::Turntable table = turntable(ball, model::Projection::orthographic);
   const render::Flicker flicker = flickerOf(table, fixedToThePicture());
   // The surface moves by up to 40 mm · 0.5°, that is 0.63 pixels, under stripes with an edge every
@@ -128,12 +178,12 @@ void SteadinessTest::fixedToThePictureIsNot() {
 }
 
 void SteadinessTest::drawnAnewEachTimeIsWorse() {
-  const model::MeshPtr ball = sphere(40.0f, 5);
+  const model::MeshPtr ball = sphere(40.0f, 4);
   int phase = 0;
   const render::HatchingPicture anew = [&](const model::Camera&, int width, int height) {
     ++phase;
     return Result<Image>(painted(width, height, [&](int x, int) {
-      const int grey = (x / 6 + phase) % 2 ? 255 : 0;
+      const int grey = (x * 40 / width + phase) % 2 ? 255 : 0;
       return Pixel{grey, grey, grey, 255};
     }));
   };
@@ -147,7 +197,7 @@ void SteadinessTest::onlyWhatBothSeeCounts() {
   // Black in front, white behind: any pixel warped from the wrong plate would differ by 1.
   const auto twoTones = glued(mesh, [](const glm::vec3& p) { return p.y < 0.0f ? 1.0f : 0.0f; });
   render::Turntable table = turntable(mesh, model::Projection::perspective);
-  table.frames = 12;
+  table.frames = 4;
   const render::Flicker flicker = flickerOf(table, twoTones);
   QVERIFY2(flicker.overSurface >= 0.0 && flicker.overSurface < 1e-6,
            qPrintable(QString::number(flicker.overSurface)));
