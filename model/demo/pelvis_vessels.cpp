@@ -239,10 +239,10 @@ std::vector<DemoStructure> pelvisVeins() {
   list.push_back(vein("left external iliac vein", leftExternalVein()));
   list.push_back(vein("right external iliac vein", rightExternalVein()));
   list.push_back(vein("left internal iliac vein", shapeOf(Tube{{{20.8f, -94, 978}, 4.6f},
-                                                               {{20, -88, 971}, 4.6f},
-                                                               {{19, -76, 961}, 4.3f},
-                                                               {{19, -60, 951}, 4},
-                                                               {{21, -48, 941}, 3.4f},
+                                                               {{25, -88, 970}, 4.6f},
+                                                               {{27, -78, 961}, 4.3f},
+                                                               {{25, -63, 951.5f}, 4},
+                                                               {{22.5f, -49, 941}, 3.4f},
                                                                {{25.5f, -37.5f, 927}, 2.6f}})));
   list.push_back(vein("right internal iliac vein", shapeOf(Tube{{{-33.2f, -106, 978}, 4.6f},
                                                                 {{-31, -96, 969.5f}, 4.6f},
