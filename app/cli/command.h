@@ -25,6 +25,8 @@ void addLines(CLI::App& program, Exit& exit);
 void addCurvature(CLI::App& program, Exit& exit);
 void addInfo(CLI::App& program, Exit& exit);
 void addDemo(CLI::App& program, Exit& exit);
+void addRamp(CLI::App& program, Exit& exit);
+void addSteadiness(CLI::App& program, Exit& exit);
 
 /// Says what went wrong on standard error and hands the exit code on.
 inline Exit complain(const Error& error, Exit code) {

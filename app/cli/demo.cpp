@@ -1,44 +1,120 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline demo`: a scene that the program models itself.
+// `sline demo`: the scenes that the program models itself, as a list, a picture or a folder of
+// meshes.
+#include <algorithm>
+#include <filesystem>
+
 #include "app/cli/command.h"
 #include "app/cli/draw_scene.h"
+#include "app/cli/mesh_folder.h"
 #include "app/cli/picture_options.h"
-#include "model/demo/kidney.h"
-#include "model/demo/pelvis.h"
+#include "app/cli/scene_summary.h"
+#include "model/demo/demo.h"
+#include "model/files/cache_folder.h"
 
 namespace sline::cli {
 
 namespace {
+constexpr const char* firstView = "Overview";
 
 struct DemoFlags {
-  std::string scene = "kidney";
-  PictureFlags picture;
+  std::string scene = "pelvis";
+  std::string sex = "female";
+  bool json = false;
+  PictureFlags picture{.view = firstView};
 };
 
-Exit runDemo(const DemoFlags& flags) {
-  const Result<PictureOrder> order = understood(flags.picture);
+model::Scene sceneFor(const DemoFlags& flags) {
+  const model::Sex sex = flags.sex == "male" ? model::Sex::male : model::Sex::female;
+  return model::demo(*model::demoNamed(flags.scene), sex, model::userCacheFolder());
+}
+
+bool isFolderName(const std::string& output) {
+  return !std::filesystem::path(output).has_extension();
+}
+
+/// Meshes have no style: what was said of it would be lost.
+bool saysHowToDraw(const PictureFlags& flags) {
+  return !flags.gammas.empty() || !flags.colours.empty() || !flags.only.empty() ||
+         !flags.fill.empty() || !flags.cameraFile.empty() || flags.view != firstView;
+}
+
+Exit list(const DemoFlags& flags) {
+  const SceneSummary summary = summaryOf(sceneFor(flags));
+  if (flags.json)
+    std::cout << jsonText(summaryJson(summary, "LPS"), 2) << '\n';
+  else
+    printSummary(summary, "LPS (modelled in it)");
+  return std::cout.flush() ? Exit::done : Exit::failed;
+}
+
+Exit writeFolder(const DemoFlags& flags) {
+  if (saysHowToDraw(flags.picture))
+    return complain({.file = flags.picture.output,
+                     .reason = "a folder of meshes has no style and no view",
+                     .remedy = "Name a picture (png, tiff, exr or jpg), or leave those flags out"},
+                    Exit::wrongUse);
+  const Status written = writeMeshFolder(sceneFor(flags), flags.picture.output);
+  return written.ok() ? Exit::done : complain(written.error(), Exit::failed);
+}
+
+Exit draw(const DemoFlags& flags) {
+  Result<PictureOrder> order = understood(flags.picture);
   if (!order.ok())
     return complain(order.error(), Exit::wrongUse);
   Progress progress;
-  return drawScene(flags.scene == "kidney" ? model::kidneyDemo() : model::pelvisDemo(flags.scene == "pelvis" ? model::Sex::male : model::Sex::female), *order, progress);
+  progress.show(0.0, "modelling");
+  const model::Scene scene = sceneFor(flags);
+  const auto& views = scene.views();
+  if (order->view == firstView && std::none_of(views.begin(), views.end(), [](const auto& view) {
+        return view.name == firstView;
+      }))
+    order->view = "anterior";
+  return drawScene(scene, *order, progress);
+}
+
+Exit runDemo(const DemoFlags& flags) {
+  if (flags.picture.output.empty())
+    return list(flags);
+  return isFolderName(flags.picture.output) ? writeFolder(flags) : draw(flags);
 }
 
 void declareDemo(CLI::App& command, DemoFlags& flags) {
   command
-      .add_option(
-          "SCENE", flags.scene,
-          "kidney: a left kidney with its artery, vein and ureter, no patient's but modelled")
-      ->check(CLI::IsMember({"kidney", "pelvis", "pelvis-female"}))
+      .add_option("SCENE", flags.scene,
+                  "kidney: a left kidney with its artery, vein and ureter; pelvis: bones, muscles, "
+                  "organs, vessels, nerves and a tumour of the rectum; abdomen: the organs before "
+                  "the lumbar column and their vessels. No patient's: modelled")
+      ->check(CLI::IsMember({"kidney", "pelvis", "abdomen"}))
       ->capture_default_str();
-  addPictureOptions(command, flags.picture);
+  command.add_option("--sex", flags.sex, "Whose anatomy, where the scene tells them apart")
+      ->check(CLI::IsMember({"female", "male"}))
+      ->capture_default_str();
+  CLI::Option* output = command.add_option(
+      "-o,--output", flags.picture.output,
+      "A picture (png, tiff, exr or jpg by its extension); without extension a folder, new or "
+      "empty, for one mesh per structure. Without -o the structures are listed");
+  output->type_name("FILE|FOLDER");
+  command.add_flag("--json", flags.json, "The list for programs: one JSON object")
+      ->excludes(output);
+  const std::vector<CLI::Option*> before = command.get_options();
+  addDrawingOptions(command, flags.picture);
+  for (CLI::Option* option : command.get_options())
+    if (std::find(before.begin(), before.end(), option) == before.end())
+      option->needs(output);
+  command.footer(
+      "The scene is modelled once, in some seconds, and then kept in the user's cache folder.\n\n"
+      "  sline demo abdomen\n"
+      "  sline demo abdomen -o abdomen.png --size 1600x1600\n"
+      "  sline demo abdomen --sex male -o meshes && sline render meshes -o liver.png --only liver");
 }
 
 }  // namespace
 
 void addDemo(CLI::App& program, Exit& exit) {
   addCommand<DemoFlags>(program, exit,
-                        {"demo", "Draw a picture of a scene modelled by the program"}, declareDemo,
-                        runDemo);
+                        {"demo", "List, draw or write a scene modelled by the program"},
+                        declareDemo, runDemo);
 }
 
 }  // namespace sline::cli

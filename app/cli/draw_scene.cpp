@@ -7,10 +7,13 @@ Exit drawScene(const model::Scene& scene, const PictureOrder& order, Progress& p
   const Result<model::Scene> dressed = styled(scene, order);
   if (!dressed.ok())
     return complain(dressed.error(), Exit::wrongUse);
-  const Result<model::Camera> camera = cameraFor(*dressed, order);
+  const Result<model::Scene> cut = cutOpen(*dressed, order);
+  if (!cut.ok())
+    return complain(cut.error(), Exit::wrongUse);
+  const Result<model::Camera> camera = cameraFor(*cut, order);
   if (!camera.ok())
     return complain(camera.error(), Exit::wrongUse);
-  const Status drawn = drawToFile(*dressed, *camera, order, progress);
+  const Status drawn = drawToFile(*cut, *camera, order, progress);
   if (!drawn.ok()) {
     progress.wipe();
     return complain(drawn.error(), Exit::failed);

@@ -8,9 +8,12 @@
 #include "app/cli/camera_file.h"
 #include "app/cli/command.h"
 #include "app/cli/json_values.h"
+#include "app/cli/section_options.h"
 #include "app/cli/text_file.h"
 #include "app/cli/values.h"
 #include "model/geometry/spatial_order.h"
+#include "render/lines/clipping.h"
+#include "render/lines/cut_faces.h"
 #include "render/lines/visibility.h"
 
 namespace sline::cli {
@@ -24,15 +27,17 @@ struct LinesFlags {
   std::string output;
   std::string gamma = "2";
   std::vector<std::string> kinds{"contour", "suggestive"};
+  SectionFlags sections;
 };
 
-constexpr std::array<const char*, 3> kindNames{"contour", "suggestive", "silhouette"};
+constexpr std::array<const char*, 4> kindNames{"contour", "suggestive", "silhouette", "section"};
 
 struct LinesOrder {
   model::ImportOptions import;
   model::Camera camera;
   Gamma gamma;
   std::vector<std::string> kinds;
+  SectionsOrder sections;
 
   bool wants(std::string_view kind) const {
     return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
@@ -59,6 +64,10 @@ Result<LinesOrder> understoodLines(const LinesFlags& flags) {
     return camera.error();
   order.camera = *camera;
   order.kinds = flags.kinds;
+  const Result<SectionsOrder> sections = understood(flags.sections);
+  if (!sections.ok())
+    return sections.error();
+  order.sections = *sections;
   return order;
 }
 
@@ -70,7 +79,7 @@ class LinesDocument {
       m_kinds[kind] = {{"segments", Json::array()}, {"thresholds", Json::object()}};
   }
 
-  void add(const model::MeshPtr& mesh) {
+  void add(const model::MeshPtr& mesh, std::span<const model::Plane> planes) {
     const model::SurfacePtr surface = model::prepareSurface(mesh);
     const model::Bvh bvh(mesh, model::spatialOrder(*mesh));
     render::LineRequest request;
@@ -78,19 +87,26 @@ class LinesDocument {
     request.suggestive = m_order.wants("suggestive");
     request.thresholds = render::suggestiveThresholds(m_order.gamma);
     request.twoSided = render::needsTwoSides(*surface, m_order.camera);
-    const render::LineSet lines = render::extractLines(*surface, m_order.camera, request);
+    render::LineSet lines = render::extractLines(*surface, m_order.camera, request);
+    render::clip(lines.contours, planes);
+    render::clip(lines.suggestive, planes);
+    const std::vector<render::CutFace> faces = render::cutFaces(*surface, planes);
+    for (const render::CutFace& face : faces)
+      lines.section.insert(lines.section.end(), face.outline.begin(), face.outline.end());
     m_featureSize.push_back(surface->featureSize);
 
     const auto visible = [&](const std::vector<render::Segment>& segments) {
-      return render::visibleSegments(*surface, bvh, m_order.camera, segments);
+      return render::visibleSegments(*surface, bvh, m_order.camera, segments, faces);
     };
     if (m_order.wants("contour"))
       append("contour", lines.contours, visible(lines.contours));
     if (m_order.wants("suggestive"))
       append("suggestive", lines.suggestive, visible(lines.suggestive));
+    if (m_order.wants("section"))
+      append("section", lines.section, visible(lines.section));
     if (m_order.wants("silhouette")) {
       const std::vector<bool> outline =
-          render::silhouetteSegments(*surface, bvh, m_order.camera, lines.contours);
+          render::silhouetteSegments(*surface, bvh, m_order.camera, lines.contours, faces);
       std::vector<render::Segment> segments;
       for (std::size_t i = 0; i < outline.size(); ++i)
         if (outline[i])
@@ -143,10 +159,13 @@ Exit runLines(const LinesFlags& flags) {
   const Result<model::Imported> imported = readInputs(flags.input.inputs, order->import, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
+  const Result<model::Scene> scene = sectioned(imported->scene, order->sections, order->camera);
+  if (!scene.ok())
+    return complain(scene.error(), Exit::wrongUse);
   LinesDocument document(*order);
-  for (const model::Node& node : imported->scene.nodes())
+  for (const model::Node& node : scene->nodes())
     if (!node.isGroup())
-      document.add(node.mesh);
+      document.add(node.mesh, model::planesOf(scene->sectionsOf(node.id)));
   const Status written = writeText(flags.output, document.text());
   return written.ok() ? Exit::done : complain(written.error(), Exit::failed);
 }
@@ -166,12 +185,13 @@ void declareLines(CLI::App& command, LinesFlags& flags) {
       ->type_name("FILE.json");
   command.add_option("--kinds", flags.kinds, "Which lines")
       ->delimiter(',')
-      ->check(CLI::IsMember({kindNames[0], kindNames[1], kindNames[2]}))
-      ->type_name("contour,suggestive,silhouette")
+      ->check(CLI::IsMember({kindNames[0], kindNames[1], kindNames[2], kindNames[3]}))
+      ->type_name("contour,suggestive,silhouette,section")
       ->default_str("contour,suggestive");
   command.add_option("--gamma", flags.gamma, "Sets the thresholds of suggestive contours, above 1")
       ->type_name("G")
       ->capture_default_str();
+  addSectionOptions(command, flags.sections);
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
       ->default_str("off");
@@ -181,7 +201,8 @@ void declareLines(CLI::App& command, LinesFlags& flags) {
       "\"visible\":true}, …],\"thresholds\":{…}}, …}}. `visible` tells whether the middle of the\n"
       "segment can be seen past its own structure. Thresholds: t_d and theta_c (radians) with\n"
       "which suggestive contours were kept, and F, the radius of the bounding sphere, that makes\n"
-      "them dimensionless (a list where the file holds several structures). With `--frame file`\n"
+      "them dimensionless (a list where the file holds several structures). Lines end at the\n"
+      "planes of --section; kind `section` is the line of the cut. With `--frame file`\n"
       "the camera is in the file's coordinates too.");
 }
 

@@ -35,6 +35,8 @@ int run(int argc, char** argv) {
   sline::cli::addCurvature(program, exit);
   sline::cli::addInfo(program, exit);
   sline::cli::addDemo(program, exit);
+  sline::cli::addRamp(program, exit);
+  sline::cli::addSteadiness(program, exit);
   try {
     std::vector<std::string> arguments = sline::cli::withInputsFirst(
         {argv + std::min(argc, 1), argv + argc}, [](const std::string& path) {

@@ -8,6 +8,7 @@
 #include "app/cli/image_file.h"
 #include "app/cli/names.h"
 #include "model/edit/style.h"
+#include "model/geometry/plane_section.h"
 #include "render/gpu/headless/context.h"
 
 namespace sline::cli {
@@ -84,13 +85,26 @@ Result<model::Scene> withOnly(const model::Scene& scene, const std::vector<std::
 }
 
 /// Fits the camera to the vertices themselves; a slanted structure leaves much of its box empty.
+/// What sections take away does not count.
 model::Camera fittedToVisible(const model::Scene& scene, const model::Camera& camera,
                               float aspect) {
   std::vector<glm::vec3> points;
-  for (const model::Node& node : scene.nodes())
-    if (!node.isGroup() && scene.resolve(node.id).visible)
-      points.insert(points.end(), node.mesh->positions().begin(), node.mesh->positions().end());
+  for (const model::Node& node : scene.nodes()) {
+    if (node.isGroup() || !scene.resolve(node.id).visible)
+      continue;
+    const std::vector<glm::vec3> kept =
+        model::keptPoints(*node.mesh, model::planesOf(scene.sectionsOf(node.id)));
+    points.insert(points.end(), kept.begin(), kept.end());
+  }
   return model::fitted(camera, points, aspect);
+}
+
+const model::View* savedView(const model::Scene& scene, const std::string& name) {
+  const std::string wanted = model::normalisedName(name);
+  for (const model::View& saved : scene.views())
+    if (model::normalisedName(saved.name) == wanted)
+      return &saved;
+  return nullptr;
 }
 
 Error unknownView(const model::Scene& scene, const std::string& view) {
@@ -123,6 +137,12 @@ Result<PictureOrder> understood(const PictureFlags& flags) {
   if (!background.ok())
     return background.error();
   order.background = *background;
+  const Result<render::HatchingMethod> hatching = parseHatching(flags.hatching);
+  if (!hatching.ok())
+    return hatching.error();
+  order.hatching = *hatching;
+  order.keyLight = flags.keyLight;
+  order.blackAndWhite = flags.blackAndWhite;
   if (!flags.fill.empty()) {
     const Result<model::Fill> fill = parseFill(flags.fill);
     if (!fill.ok())
@@ -133,10 +153,17 @@ Result<PictureOrder> understood(const PictureFlags& flags) {
     return parsed.error();
   if (Status parsed = parseAssignments(flags.colours, parseColour, order.colours); !parsed.ok())
     return parsed.error();
+  if (Status parsed = parseAssignments(flags.inkColours, parseColour, order.inkColours);
+      !parsed.ok())
+    return parsed.error();
   for (const Assignment<Colour>& assignment : order.colours)
     if (!assignment.name)
       return Error{.reason = "a colour is given without the name of a structure or group",
                    .remedy = "Write NAME=#rrggbb"};
+  const Result<SectionsOrder> sections = understood(flags.sections);
+  if (!sections.ok())
+    return sections.error();
+  order.sections = *sections;
   if (!flags.cameraFile.empty()) {
     const Result<model::Camera> camera = readCamera(flags.cameraFile);
     if (!camera.ok())
@@ -157,22 +184,40 @@ Result<model::Scene> styled(const model::Scene& scene, const PictureOrder& order
     return ok.error();
   if (Status ok = collect(scene, order.colours, &model::Style::colour, patches); !ok.ok())
     return ok.error();
+  if (Status ok = collect(scene, order.inkColours, &model::Style::inkColour, patches); !ok.ok())
+    return ok.error();
   std::stable_sort(patches.begin(), patches.end(),
                    [](const Patch& a, const Patch& b) { return a.depth < b.depth; });
   model::Scene result = scene;
   for (const Patch& patch : patches)
     result = model::withStyle(result, allBelow(scene, patch.node), patch.style).scene;
+  if (order.blackAndWhite)
+    result = model::withInkAlone(result).scene;
   return order.only.empty() ? result : withOnly(result, order.only);
+}
+
+Result<model::Scene> cutOpen(const model::Scene& scene, const PictureOrder& order) {
+  if (order.sections.sections.empty()) {
+    const model::View* saved = order.camera ? nullptr : savedView(scene, order.view);
+    if (!saved || !saved->sections)
+      return scene;
+    model::Scene cut = scene;
+    cut.setSections(*saved->sections);
+    return cut;
+  }
+  // Which half faces the camera does not depend on how it is fitted.
+  const Result<model::Camera> camera = cameraFor(scene, order);
+  if (!camera.ok())
+    return camera.error();
+  return sectioned(scene, order.sections, *camera);
 }
 
 Result<model::Camera> cameraFor(const model::Scene& scene, const PictureOrder& order) {
   if (order.camera)
     return *order.camera;
-  const std::string wanted = model::normalisedName(order.view);
-  for (const model::View& saved : scene.views())
-    if (model::normalisedName(saved.name) == wanted)
-      return saved.camera;
-  const auto view = model::anatomicalViewNamed(wanted);
+  if (const model::View* saved = savedView(scene, order.view))
+    return saved->camera;
+  const auto view = model::anatomicalViewNamed(model::normalisedName(order.view));
   if (!view)
     return unknownView(scene, order.view);
   const float aspect = order.size.aspect();
@@ -194,9 +239,12 @@ Status drawToFile(const model::Scene& scene, const model::Camera& camera, const 
   progress.show(0.0, "preparing surfaces");
   (*picture)->prepare(scene);
   progress.show(0.5, "drawing");
-  const Result<render::Image> image = (*picture)->render(
-      scene, camera,
-      {.width = order.size.width, .height = order.size.height, .background = order.background});
+  const Result<render::Image> image = (*picture)->render(scene, camera,
+                                                         {.width = order.size.width,
+                                                          .height = order.size.height,
+                                                          .background = order.background,
+                                                          .hatching = order.hatching,
+                                                          .keyLight = order.keyLight});
   if (!image.ok())
     return image.error();
   progress.show(0.9, "writing " + order.output);

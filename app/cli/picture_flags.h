@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/cli/progress.h"
+#include "app/cli/section_flags.h"
 #include "app/cli/values.h"
 #include "model/base/result.h"
 #include "model/scene/scene.h"
@@ -22,9 +23,14 @@ struct PictureFlags {
   std::string cameraFile;
   std::string fill;
   std::string background = "white";
+  std::string hatching = "strokes";
+  bool keyLight = false;
+  bool blackAndWhite = false;
   std::vector<std::string> gammas;
   std::vector<std::string> colours;
+  std::vector<std::string> inkColours;
   std::vector<std::string> only;
+  SectionFlags sections;
 };
 
 /// A value for all structures (no name) or for those of that name.
@@ -39,12 +45,17 @@ struct PictureOrder {
   std::string output;
   Size size;
   render::Background background = render::Background::white;
+  render::HatchingMethod hatching = render::HatchingMethod::strokes;
+  bool keyLight = false;
+  bool blackAndWhite = false;
   std::optional<model::Camera> camera;  ///< from a file; else `view`
   std::string view;
   std::optional<model::Fill> fill;
   std::vector<Assignment<Gamma>> gammas;
   std::vector<Assignment<Colour>> colours;
+  std::vector<Assignment<Colour>> inkColours;
   std::vector<std::string> only;
+  SectionsOrder sections;
 };
 
 /// An error is a wrong use, here and in the next two.
@@ -53,8 +64,10 @@ Result<PictureOrder> understood(const PictureFlags& flags);
 /// said of a structure or an inner group wins over what is said of a group around it, whatever the
 /// order of the flags.
 Result<model::Scene> styled(const model::Scene& scene, const PictureOrder& order);
+/// The scene with the sections of the order, else with those of the saved view that it names.
+Result<model::Scene> cutOpen(const model::Scene& scene, const PictureOrder& order);
 /// The camera of the file; else the saved view of that name, else the anatomical view fitted to
-/// the visible structures.
+/// what sections leave of the visible structures.
 Result<model::Camera> cameraFor(const model::Scene& scene, const PictureOrder& order);
 
 /// Draws without a display and writes the file.

@@ -4,19 +4,51 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/picture_flags.h"
+#include "app/cli/section_options.h"
 
 namespace sline::cli {
 
-/// Declares the flags of `PictureFlags` on a sub-command.
-inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
-  const auto many = [](CLI::Option* option) {
-    return option->take_all()->type_size(1)->expected(1, CLI::detail::expected_max_vector_size);
-  };
+/// An option that takes several values and may be given again.
+inline CLI::Option* many(CLI::Option* option) {
+  return option->take_all()->type_size(1)->expected(1, CLI::detail::expected_max_vector_size);
+}
+
+/// Declares those flags of `PictureFlags` that say in what colours and manner all is drawn.
+inline void addLookOptions(CLI::App& command, PictureFlags& flags) {
+  many(command.add_option("--color,--colour", flags.colours,
+                          "The colour of a structure, or of all in a group"))
+      ->type_name("NAME=#rrggbb");
+  CLI::Option* ink = many(
+      command.add_option("--ink-color,--ink-colour", flags.inkColours,
+                         "The colour of lines and hatching, of all (--ink-color #30405a), of a "
+                         "structure or of all in a group"));
+  ink->type_name("[NAME=]#rrggbb");
   command
-      .add_option("-o,--output", flags.output,
-                  "The picture: png, tiff, exr or jpg by its extension")
-      ->required()
-      ->type_name("FILE");
+      .add_option("--fill", flags.fill,
+                  "What hides behind unfilled structures: none lets it show through, paper hides "
+                  "it, tint hides it behind a thin wash of colour")
+      ->type_name("none|paper|tint");
+  CLI::Option* background =
+      command.add_option("--background", flags.background, "What lies behind the drawing");
+  background->type_name("white|paper|dark|transparent")->capture_default_str();
+  command
+      .add_option("--hatching", flags.hatching,
+                  "strokes that follow the form, or the grey hatching that Sline's paper prints, "
+                  "to compare with")
+      ->type_name("strokes|as-printed")
+      ->capture_default_str();
+  command.add_flag("--key-light", flags.keyLight,
+                   "Shades with a light from the upper left besides the one at the eye");
+  command
+      .add_flag("--bw", flags.blackAndWhite,
+                "For print in black and white: black ink on white paper; what is shaded is hatched "
+                "instead and hides what lies behind it")
+      ->excludes(background)
+      ->excludes(ink);
+}
+
+/// Declares the flags of `PictureFlags` on a sub-command but for where the picture goes.
+inline void addDrawingOptions(CLI::App& command, PictureFlags& flags) {
   command.add_option("--size", flags.size, "Width and height in pixels, 16 to 20000 each")
       ->type_name("WxH")
       ->capture_default_str();
@@ -40,17 +72,18 @@ inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
   many(command.add_option("--only", flags.only,
                           "Draws these structures and groups alone; may be given again"))
       ->type_name("NAME");
-  many(command.add_option("--color,--colour", flags.colours,
-                          "The colour of a structure, or of all in a group"))
-      ->type_name("NAME=#rrggbb");
+  addLookOptions(command, flags);
+  addSectionOptions(command, flags.sections);
+}
+
+/// The same with the file, which is needed.
+inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
   command
-      .add_option("--fill", flags.fill,
-                  "What hides behind unfilled structures: none lets it show through, paper hides "
-                  "it, tint hides it behind a thin wash of colour")
-      ->type_name("none|paper|tint");
-  command.add_option("--background", flags.background, "What lies behind the drawing")
-      ->type_name("white|paper|dark|transparent")
-      ->capture_default_str();
+      .add_option("-o,--output", flags.output,
+                  "The picture: png, tiff, exr or jpg by its extension")
+      ->required()
+      ->type_name("FILE");
+  addDrawingOptions(command, flags);
 }
 
 }  // namespace sline::cli

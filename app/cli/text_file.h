@@ -1,24 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <filesystem>
-#include <functional>
-#include <string>
-#include <string_view>
-
-#include "model/base/result.h"
+#include "model/files/whole_file.h"
 
 namespace sline::cli {
 
-/// Lets write(temporary) write a file beside `file` and puts it in its place when that succeeded,
-/// so that a full disk or a crash leaves an old file whole. What exists and is no plain file (a
-/// pipe, /dev/stdout) is written directly.
-Status writeBeside(const std::filesystem::path& file,
-                   const std::function<Status(const std::filesystem::path&)>& write);
-
-Status writeText(const std::filesystem::path& file, std::string_view text);
-
-/// The whole file, or why not; at most `limit` bytes.
-Result<std::string> readText(const std::filesystem::path& file, std::size_t limit);
+using model::readText;
+using model::writeBeside;
+using model::writeText;
 
 }  // namespace sline::cli

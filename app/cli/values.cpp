@@ -24,6 +24,9 @@ constexpr std::array<Choice<render::Background>, 4> backgrounds{
      {"paper", render::Background::paper},
      {"dark", render::Background::dark},
      {"transparent", render::Background::transparent}}};
+constexpr std::array<Choice<render::HatchingMethod>, 2> hatchingMethods{
+    {{"strokes", render::HatchingMethod::strokes},
+     {"as-printed", render::HatchingMethod::asPrinted}}};
 
 char lower(char c) {
   return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
@@ -141,6 +144,10 @@ Result<model::Fill> parseFill(std::string_view text) {
 
 Result<render::Background> parseBackground(std::string_view text) {
   return parseChoice(backgrounds, "background", text);
+}
+
+Result<render::HatchingMethod> parseHatching(std::string_view text) {
+  return parseChoice(hatchingMethods, "hatching", text);
 }
 
 std::optional<NamedValue> splitNamed(std::string_view text) {

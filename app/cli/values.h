@@ -36,6 +36,8 @@ Result<model::Frame> parseFrame(std::string_view text);
 Result<model::Smoothing> parseSmoothing(std::string_view text);
 Result<model::Fill> parseFill(std::string_view text);
 Result<render::Background> parseBackground(std::string_view text);
+/// "strokes" or "as-printed".
+Result<render::HatchingMethod> parseHatching(std::string_view text);
 
 /// "NAME=VALUE", cut at the last '='; nothing where there is none.
 struct NamedValue {

@@ -14,6 +14,19 @@
 
 namespace sline::model {
 
+/// A bean: an ellipsoid bent around the hilum, its lower half a little fuller, with faint lobes and
+/// a sinus that the vessels enter.
+float kidneyField(const glm::vec3& p) {
+  glm::vec3 q = p;
+  q.x += 0.0065f * q.z * q.z;
+  q.x += 0.10f * q.y;
+  const float lower = 1.0f + 0.0011f * -q.z;
+  float d = ellipsoid(q / lower, {27.0f, 20.0f, 55.0f}) * lower;
+  d += 0.45f * std::sin(q.z * 0.17f + 0.6f) * std::sin(q.y * 0.13f + 0.3f);
+  const float sinus = ellipsoid(p - glm::vec3(-24, -1, 0), {17.0f, 11.0f, 18.0f});
+  return blendedDifference(d, sinus, 9.0f);
+}
+
 namespace {
 using Tubes = std::vector<Tube>;
 
@@ -65,19 +78,6 @@ Tubes ureterTubes() {
                                          {{-18, 8, -6}, 5.0f},
                                          {{-27, 8.5f, -6}, 5.6f},
                                          {{-32, 9, -14}, 4.2f}}})};
-}
-
-/// A bean: an ellipsoid bent around the hilum, its lower half a little fuller, with faint lobes and
-/// a sinus that the vessels enter.
-float kidneyField(const glm::vec3& p) {
-  glm::vec3 q = p;
-  q.x += 0.0065f * q.z * q.z;
-  q.x += 0.10f * q.y;
-  const float lower = 1.0f + 0.0011f * -q.z;
-  float d = ellipsoid(q / lower, {27.0f, 20.0f, 55.0f}) * lower;
-  d += 0.45f * std::sin(q.z * 0.17f + 0.6f) * std::sin(q.y * 0.13f + 0.3f);
-  const float sinus = ellipsoid(p - glm::vec3(-24, -1, 0), {17.0f, 11.0f, 18.0f});
-  return blendedDifference(d, sinus, 9.0f);
 }
 
 Box around(const Tubes& tubes, float margin) {

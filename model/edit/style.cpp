@@ -68,4 +68,27 @@ Edited withOnlyVisible(const Scene& scene, std::span<const NodeId> ids) {
   return edited;
 }
 
+Edited withInkAlone(const Scene& scene) {
+  const Gamma hatched = Gamma::clamped(3.0f);
+  std::vector<Node> nodes = scene.nodes();
+  for (Node& node : nodes) {
+    node.style.inkColour = Colour{0, 0, 0};
+    if (node.isGroup())
+      continue;
+    const ResolvedStyle style = scene.resolve(node.id);
+    const bool shaded = style.gamma.value() > hatched.value();
+    if (shaded)
+      node.style.gamma = hatched;
+    // Half of a fill would be a tone again.
+    if (shaded || style.fill != Fill::none) {
+      node.style.fill = style.opacity.value() >= 0.5f ? Fill::paper : Fill::none;
+      node.style.opacity = Opacity::clamped(1.0f);
+    }
+  }
+  Edited edited{scene, nodes != scene.nodes()};
+  if (edited.changed)
+    edited.scene.setNodes(std::move(nodes));
+  return edited;
+}
+
 }  // namespace sline::model

@@ -22,4 +22,9 @@ Edited withStyleReset(const Scene& scene, std::span<const NodeId> ids);
 /// shown ones are made visible.
 Edited withOnlyVisible(const Scene& scene, std::span<const NodeId> ids);
 
+/// What a press without colours or tones can print: black ink alone. Γ ends at 3, where shading
+/// would begin; what was shaded or washed hides what is behind it in the colour of the paper, or
+/// where it was rather transparent, not at all.
+Edited withInkAlone(const Scene& scene);
+
 }  // namespace sline::model

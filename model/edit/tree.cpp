@@ -45,7 +45,14 @@ Edited removed(const Scene& scene, std::span<const NodeId> ids) {
   const IdSet gone = subtrees(scene, ids);
   std::vector<Node> nodes = scene.nodes();
   std::erase_if(nodes, [&gone](const Node& node) { return gone.contains(node.id.value); });
-  return withNodesReplaced(scene, std::move(nodes));
+  Edited edited = withNodesReplaced(scene, std::move(nodes));
+  std::vector<Section> sections = scene.sections();
+  const auto cutNothing = [&gone](const Section& section) {
+    return section.scope != rootId && gone.contains(section.scope.value);
+  };
+  if (edited.changed && std::erase_if(sections, cutNothing) > 0)
+    edited.scene.setSections(std::move(sections));
+  return edited;
 }
 
 Edited moved(const Scene& scene, std::span<const NodeId> ids, NodeId group) {

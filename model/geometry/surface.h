@@ -22,6 +22,9 @@ struct Surface {
   float filigreeSize = 0.0f;  ///< F_c = min(F, median of 1/max(|κ1|, |κ2|)), mm (METHOD §1)
   float meanEdge = 0.0f;      ///< mm
   bool closed = false;        ///< every edge has two triangles
+  /// Closed but for specks, the rims of its holes being shorter than F/2 together: its section is
+  /// filled (METHOD §7).
+  bool solid = false;
 };
 using SurfacePtr = std::shared_ptr<const Surface>;
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <glm/geometric.hpp>
 #include <numeric>
 
 #include "model/base/parallel.h"
@@ -63,6 +64,22 @@ EdgeCount countEdges(const Mesh& mesh, const VertexFaces& vertexFaces) {
     nonManifold += nonManifoldHere;
   });
   return {.open = open, .nonManifold = nonManifold};
+}
+
+double rimLength(const Mesh& mesh, const VertexFaces& vertexFaces) {
+  double length = 0.0;
+  std::vector<Neighbour> neighbours;
+  for (std::uint32_t v = 0; v < mesh.vertexCount(); ++v) {
+    neighbours.clear();
+    for (const std::uint32_t f : vertexFaces[v])
+      for (const std::uint32_t w : mesh.triangles()[f])
+        if (w > v)
+          countNeighbour(neighbours, w);
+    for (const Neighbour& n : neighbours)
+      if (n.uses % 2 != 0)
+        length += double(glm::distance(mesh.positions()[v], mesh.positions()[n.vertex]));
+  }
+  return length;
 }
 
 Components connectedComponents(const Mesh& mesh) {

@@ -30,6 +30,8 @@ struct EdgeCount {
   bool closed() const { return open == 0 && nonManifold == 0; }
 };
 EdgeCount countEdges(const Mesh& mesh, const VertexFaces& vertexFaces);
+/// Length of all edges that an odd number of triangles share, mm: the rims of holes.
+double rimLength(const Mesh& mesh, const VertexFaces& vertexFaces);
 
 /// Connected components over shared vertices.
 struct Components {

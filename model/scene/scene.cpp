@@ -115,12 +115,21 @@ std::vector<NodeId> Scene::named(std::string_view name) const {
   return ids;
 }
 
-Box Scene::visibleBounds() const {
+Box Scene::visibleBounds(NodeId id) const {
   Box bounds;
-  for (const Node& node : m_nodes)
+  forEachBelow(m_nodes, id, [&](std::size_t, const Node& node) {
     if (!node.isGroup() && !node.mesh->bounds().empty() && resolve(node.id).visible)
       bounds.add(node.mesh->bounds());
+  });
   return bounds;
+}
+
+std::vector<Section> Scene::sectionsOf(NodeId id) const {
+  std::vector<Section> cutting;
+  for (const Section& section : m_sections)
+    if (section.enabled && isBelow(id, section.scope))
+      cutting.push_back(section);
+  return cutting;
 }
 
 NodeId Scene::append(Node node) {
@@ -140,6 +149,22 @@ void Scene::setNodes(std::vector<Node> nodes) {
   m_nodes = std::move(nodes);
   for (const Node& node : m_nodes)
     m_lastId = std::max(m_lastId, node.id.value);
+}
+
+SectionId Scene::appendSection(Section section) {
+  assert(!planeFault(section.plane));
+  section.id = SectionId{++m_lastSectionId};
+  m_sections.push_back(std::move(section));
+  return m_sections.back().id;
+}
+
+void Scene::setSections(std::vector<Section> sections) {
+  m_sections = std::move(sections);
+  [[maybe_unused]] IdSet seen;
+  for (const Section& section : m_sections) {
+    assert(!planeFault(section.plane) && seen.insert(section.id.value).second);
+    m_lastSectionId = std::max(m_lastSectionId, section.id.value);
+  }
 }
 
 std::string normalisedName(std::string_view name) {

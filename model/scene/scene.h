@@ -4,7 +4,6 @@
 // previous value; whoever draws or saves takes a copy and needs no lock.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,16 +11,11 @@
 
 #include "model/geometry/mesh.h"
 #include "model/scene/camera.h"
+#include "model/scene/node_id.h"
+#include "model/scene/section.h"
 #include "model/scene/style.h"
 
 namespace sline::model {
-
-/// Names a node for as long as the scene lives, through every edit and through undo.
-struct NodeId {
-  std::uint64_t value = 0;  ///< 0 is the invisible root
-  auto operator<=>(const NodeId&) const = default;
-};
-inline constexpr NodeId rootId{};
 
 /// Where a structure came from and what import did to it.
 struct Provenance {
@@ -52,6 +46,7 @@ struct Node {
 struct View {
   std::string name;
   Camera camera;
+  std::optional<std::vector<Section>> sections;  ///< absent: the view leaves the scene's own
   bool operator==(const View&) const = default;
 };
 
@@ -60,6 +55,7 @@ class Scene {
  public:
   const std::vector<Node>& nodes() const { return m_nodes; }
   const std::vector<View>& views() const { return m_views; }
+  const std::vector<Section>& sections() const { return m_sections; }
 
   /// Null where there is no such node (or for the root).
   const Node* find(NodeId id) const;
@@ -76,21 +72,29 @@ class Scene {
   /// Structures and groups of that name (case and the difference between space, '_' and '-' are
   /// ignored).
   std::vector<NodeId> named(std::string_view name) const;
-  /// Of all visible structures; empty where there are none.
-  Box visibleBounds() const;
+  /// Of all visible structures at or below the node; empty where there are none.
+  Box visibleBounds(NodeId id = rootId) const;
+  /// The enabled sections that cut the node, its own and those of the groups above it.
+  std::vector<Section> sectionsOf(NodeId id) const;
 
   /// Appends a node after the last descendant of its parent and gives it a fresh id.
   NodeId append(Node node);
   /// Replaces the nodes; asserts that ids are unique and parents come first.
   void setNodes(std::vector<Node> nodes);
   void setViews(std::vector<View> views) { m_views = std::move(views); }
+  /// Appends a section and gives it a fresh id.
+  SectionId appendSection(Section section);
+  /// Replaces the sections; asserts that ids are unique and planes without fault.
+  void setSections(std::vector<Section> sections);
 
   bool operator==(const Scene&) const = default;
 
  private:
   std::vector<Node> m_nodes;
   std::vector<View> m_views;
+  std::vector<Section> m_sections;
   std::uint64_t m_lastId = 0;
+  std::uint64_t m_lastSectionId = 0;
 };
 
 /// Lower case, '_' and '-' as spaces, runs of spaces as one: how names are compared.

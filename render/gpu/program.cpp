@@ -170,6 +170,12 @@ void Program::set(std::string_view name, const glm::vec4& value) const {
   glUniform4fv(slot(name, UniformType::vec4).location, 1, glm::value_ptr(value));
 }
 
+void Program::set(std::string_view name, std::span<const glm::vec4> values) const {
+  const int location = slot(name, UniformType::vec4).location;
+  if (!values.empty())
+    glUniform4fv(location, GLsizei(values.size()), glm::value_ptr(values.front()));
+}
+
 void Program::set(std::string_view name, const glm::mat4& value) const {
   glUniformMatrix4fv(slot(name, UniformType::mat4).location, 1, GL_FALSE, glm::value_ptr(value));
 }

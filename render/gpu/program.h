@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "render/gpu/shader_source.h"
@@ -44,6 +45,8 @@ class Program {
   void set(std::string_view name, const glm::vec2& value) const;
   void set(std::string_view name, const glm::vec3& value) const;
   void set(std::string_view name, const glm::vec4& value) const;
+  /// The first elements of an array, which is declared as "name[0]".
+  void set(std::string_view name, std::span<const glm::vec4> values) const;
   void set(std::string_view name, const glm::mat4& value) const;
   void set(std::string_view name, int value) const;
   void set(std::string_view name, const glm::ivec2& value) const;

@@ -106,6 +106,7 @@ Segment inOrder(const Segment& s, bool reversed) {
   std::swap(turned.a, turned.b);
   std::swap(turned.normalA, turned.normalB);
   std::swap(turned.opacityA, turned.opacityB);
+  std::swap(turned.entryA, turned.entryB);
   return turned;
 }
 
@@ -131,6 +132,7 @@ class Joiner {
       m_joint.b = s.b;
       m_joint.normalB = s.normalB;
       m_joint.opacityB = s.opacityB;
+      m_joint.entryB = s.entryB;
       return;
     }
     finish();

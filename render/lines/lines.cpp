@@ -67,6 +67,15 @@ float zero(float va, float vb) {
   return std::clamp(va / (va - vb), 0.0f, 1.0f);
 }
 
+/// The least T_SC whose thresholds (S eq. 9) hold for Dκr·F² and nv.
+float entry(float derivative, float nv) {
+  constexpr float rightAngle = 1.57079632679f;
+  const float byDerivative = 2.0f - derivative / defaultMinimumDerivative;
+  const float byAngle =
+      (rightAngle - std::acos(std::clamp(nv, 0.0f, 1.0f))) / (rightAngle - defaultMinimumAngle);
+  return std::clamp(std::max(byDerivative, byAngle), 0.0f, 1.0f);
+}
+
 class Extractor {
  public:
   Extractor(const Surface& surface, const model::EyePoint& eye, const LineRequest& request)
@@ -259,6 +268,10 @@ class Extractor {
                    .normalB = side * glm::normalize(mix(c[0].normal, c[1].normal, high)),
                    .opacityA = opacity(low),
                    .opacityB = opacity(high),
+                   .entryA = entry(side * mix(c[0].derivative, c[1].derivative, low),
+                                   side * mix(c[0].nv, c[1].nv, low)),
+                   .entryB = entry(side * mix(c[0].derivative, c[1].derivative, high),
+                                   side * mix(c[0].nv, c[1].nv, high)),
                    .triangle = m_surface.clusters.triangles[slot]});
   }
 

@@ -21,6 +21,8 @@ struct Segment {
   glm::vec3 normalB{0.0f};
   float opacityA = 1.0f;  ///< 0 … 1: lines fade towards their thresholds
   float opacityB = 1.0f;
+  float entryA = 0.0f;  ///< suggestive contours: the T_SC at which S eq. 9 lets the point in, 0 … 1
+  float entryB = 0.0f;
   std::uint32_t triangle = 0;
   bool concave = false;  ///< contours only: radial curvature < 0, hidden on any closed surface
 };
@@ -48,6 +50,7 @@ struct LineRequest {
 struct LineSet {
   std::vector<Segment> contours;
   std::vector<Segment> suggestive;
+  std::vector<Segment> section;  ///< outlines of cut faces (cut_faces.h), no matter from where seen
 };
 
 /// Contours: zero crossings of nv (METHOD §4). Suggestive contours: zero crossings of κr with

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/lines/visibility.h"
 
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -23,6 +24,61 @@ float longestEdge(const model::Mesh& mesh, std::uint32_t triangle) {
       {glm::distance(p[a], p[b]), glm::distance(p[b], p[c]), glm::distance(p[c], p[a])});
 }
 
+/// True where the point of the face's plane lies in one of its triangles.
+bool onCap(const CutFace& face, const glm::dvec3& p) {
+  const glm::dvec3 normal(face.plane.normal);
+  for (std::size_t i = 0; i + 2 < face.cap.size(); i += 3) {
+    const std::array<glm::dvec3, 3> corners{face.cap[i], face.cap[i + 1], face.cap[i + 2]};
+    const auto leftOf = [&](std::size_t k) {
+      const glm::dvec3& a = corners[k];
+      return glm::dot(glm::cross(corners[(k + 1) % 3] - a, p - a), normal) >= 0.0;
+    };
+    if (leftOf(0) && leftOf(1) && leftOf(2))
+      return true;
+  }
+  return false;
+}
+
+/// What lies in the way of rays: the surface where it is kept, and the faces of its cuts.
+class Obstacles {
+ public:
+  Obstacles(const model::Bvh& bvh, std::span<const CutFace> faces) : m_bvh(bvh), m_faces(faces) {}
+
+  bool block(const model::Ray& ray) const {
+    double nearest = ray.nearest;
+    double farthest = ray.farthest;
+    const CutFace* entered = nullptr;
+    const CutFace* left = nullptr;
+    for (const CutFace& face : m_faces) {
+      const double from = face.plane.distance(ray.origin);
+      const double slope = glm::dot(glm::dvec3(face.plane.normal), glm::dvec3(ray.direction));
+      if (slope == 0.0 && from > 0.0)
+        return false;
+      if (slope > 0.0 && -from / slope < farthest) {
+        farthest = -from / slope;
+        left = &face;
+      } else if (slope < 0.0 && -from / slope > nearest) {
+        nearest = -from / slope;
+        entered = &face;
+      }
+    }
+    if (!(nearest < farthest))
+      return false;
+    const auto at = [&ray](double t) {
+      return glm::dvec3(ray.origin) + t * glm::dvec3(ray.direction);
+    };
+    model::Ray kept = ray;
+    kept.nearest = float(nearest);
+    kept.farthest = float(farthest);
+    return m_bvh.blocked(kept) || (entered && onCap(*entered, at(nearest))) ||
+           (left && onCap(*left, at(farthest)));
+  }
+
+ private:
+  const model::Bvh& m_bvh;
+  std::span<const CutFace> m_faces;
+};
+
 /// Calls test(segment index, middle of the segment, unit normal there, edge length) in parallel.
 template <class Test>
 std::vector<bool> tested(const model::Surface& surface, const std::vector<Segment>& segments,
@@ -38,25 +94,28 @@ std::vector<bool> tested(const model::Surface& surface, const std::vector<Segmen
 }  // namespace
 
 std::vector<bool> visibleSegments(const model::Surface& surface, const model::Bvh& bvh,
-                                  const model::Camera& camera,
-                                  const std::vector<Segment>& segments) {
+                                  const model::Camera& camera, const std::vector<Segment>& segments,
+                                  std::span<const CutFace> faces) {
   const model::EyePoint eye = eyeOf(camera);
+  const Obstacles obstacles(bvh, faces);
   return tested(surface, segments, [&](const glm::vec3& p, const glm::vec3& n, float edge) {
     const glm::vec3 origin = p + liftInEdges * edge * n;
     const glm::vec3 direction = directionTo(eye, origin);
     const float distance =
         eye.atInfinity ? std::numeric_limits<float>::infinity() : glm::distance(eye.value, origin);
-    return !bvh.blocked({.origin = origin,
-                         .direction = direction,
-                         .nearest = overlookedInEdges * edge,
-                         .farthest = distance});
+    return !obstacles.block({.origin = origin,
+                             .direction = direction,
+                             .nearest = overlookedInEdges * edge,
+                             .farthest = distance});
   });
 }
 
 std::vector<bool> silhouetteSegments(const model::Surface& surface, const model::Bvh& bvh,
                                      const model::Camera& camera,
-                                     const std::vector<Segment>& contours) {
+                                     const std::vector<Segment>& contours,
+                                     std::span<const CutFace> faces) {
   const model::EyePoint eye = eyeOf(camera);
+  const Obstacles obstacles(bvh, faces);
   return tested(surface, contours, [&](const glm::vec3& p, const glm::vec3& n, float edge) {
     const glm::vec3 beside = p + 2.0f * liftInEdges * edge * n;
     const glm::vec3 direction = directionTo(eye, beside);
@@ -65,7 +124,7 @@ std::vector<bool> silhouetteSegments(const model::Surface& surface, const model:
       ray.nearest = -std::numeric_limits<float>::max();
     else
       ray = {.origin = eye.value, .direction = -direction};
-    return !bvh.blocked(ray);
+    return !obstacles.block(ray);
   });
 }
 

@@ -6,19 +6,22 @@
 #include <vector>
 
 #include "model/geometry/bvh.h"
+#include "render/lines/cut_faces.h"
 #include "render/lines/lines.h"
 
 namespace sline::render {
 
-/// One entry per segment: true where the middle of the segment can be seen.
+/// One entry per segment: true where the middle of the segment can be seen. What the planes of
+/// `faces` take away hides nothing; the faces themselves do.
 std::vector<bool> visibleSegments(const model::Surface& surface, const model::Bvh& bvh,
-                                  const model::Camera& camera,
-                                  const std::vector<Segment>& segments);
+                                  const model::Camera& camera, const std::vector<Segment>& segments,
+                                  std::span<const CutFace> faces = {});
 
 /// One entry per contour segment: true where it borders the surface's own mask, that is where the
 /// line of sight that passes just outside of it meets nothing (Γ = 0, S §3.2).
 std::vector<bool> silhouetteSegments(const model::Surface& surface, const model::Bvh& bvh,
                                      const model::Camera& camera,
-                                     const std::vector<Segment>& contours);
+                                     const std::vector<Segment>& contours,
+                                     std::span<const CutFace> faces = {});
 
 }  // namespace sline::render

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/base/parallel.h"
+#include "render/picture/printed_hatching.h"
 #include "render/picture/transitions.h"
 
 namespace sline::render {
@@ -44,7 +45,8 @@ gpu::Rect unite(const gpu::Rect& a, const gpu::Rect& b) {
 void markSurface(const Shown& shown, const PictureView& view, TileMask& mask) {
   const bool cull = cullsBack(shown, view);
   for (const model::Cluster& cluster : shown.surface().clusters.items)
-    if (!cull || model::facing(cluster, view.eye()) != model::Facing::back)
+    if ((!cull || model::facing(cluster, view.eye()) != model::Facing::back) &&
+        !takenAway(shown, cluster.bounds))
       mask.mark(gpu::grown(view.bounds(cluster.bounds), edgeMargin));
 }
 
@@ -93,6 +95,7 @@ passes::SurfaceFill surfaceFill(const Shown& shown, const PictureView& view,
   fill.complete = t.complete;
   fill.opacity = style.opacity.value();
   fill.filigree = shown.surface().filigreeSize;
+  fill.glaze = background == Background::dark ? 0.0f : 1.0f;
   fill.twoSided = !cullsBack(shown, view);
   if (style.fill == model::Fill::paper) {
     // A picture without background is meant for white paper.
@@ -140,9 +143,11 @@ Coverage coverage(const Shown& shown, const PictureView& view, const gpu::Rect& 
   Coverage found;
   const bool cull = cullsBack(shown, view);
   const int around = margin(shown, view);
-  const gpu::Rect within = gpu::grown(region, around);
+  const int aside = shown.printedHatching ? std::max(around, printedHatchingReach(view)) : around;
+  const gpu::Rect within = gpu::grown(region, aside);
   for (const model::Cluster& cluster : shown.surface().clusters.items) {
-    if (cull && model::facing(cluster, view.eye()) == model::Facing::back)
+    if ((cull && model::facing(cluster, view.eye()) == model::Facing::back) ||
+        takenAway(shown, cluster.bounds))
       continue;
     const gpu::Rect seen =
         gpu::intersection(gpu::grown(view.bounds(cluster.bounds), around), within);
@@ -154,11 +159,14 @@ Coverage coverage(const Shown& shown, const PictureView& view, const gpu::Rect& 
     else
       appendRange(cluster, found.ranges);
   }
+  if (shown.cut)
+    found.area =
+        unite(found.area, gpu::intersection(gpu::grown(sectionArea(shown, view), around), within));
   return found;
 }
 
 std::vector<Layer> planLayers(std::span<const Shown> shown, const PictureView& view,
-                              const gpu::Rect& region) {
+                              const gpu::Rect& region, const PictureParts& parts) {
   std::vector<Coverage> found(shown.size());
   parallelFor(shown.size(), 1, [&](std::size_t i) { found[i] = coverage(shown[i], view, region); });
   // The layer of all opaque structures comes first: its depths win ties.
@@ -166,14 +174,16 @@ std::vector<Layer> planLayers(std::span<const Shown> shown, const PictureView& v
   for (std::size_t i = 0; i < shown.size(); ++i) {
     if (found[i].area.empty())
       continue;
-    const bool opaque = isOpaque(shown[i].style);
+    // Cut faces have outlines, so what is cut has a layer of its own.
+    const bool opaque = isOpaque(shown[i].style) && !shown[i].cut;
     if (!opaque)
       layers.emplace_back();
     Layer& layer = opaque ? layers.front() : layers.back();
     layer.area = unite(layer.area, found[i].area);
     layer.members.push_back(shown[i]);
     layer.coverage.push_back(std::move(found[i]));
-    layer.filled = hasFill(shown[i].style);
+    layer.parts = parts;
+    layer.filled = parts.fills && (hasFill(shown[i].style) || hasCaps(shown[i]));
   }
   if (layers.front().members.empty())
     layers.erase(layers.begin());
@@ -181,21 +191,28 @@ std::vector<Layer> planLayers(std::span<const Shown> shown, const PictureView& v
 }
 
 void completeLayer(Layer& layer, const PictureView& view, const gpu::Rect& region,
-                   const std::map<model::NodeId, LineSet>& lines) {
+                   const std::map<model::NodeId, StructureLines>& lines) {
   layer.mask = TileMask(region);
   layer.edges.resize(layer.members.size());
   for (std::size_t i = 0; i < layer.members.size(); ++i) {
     const Shown& member = layer.members[i];
-    if (layer.filled)
+    if ((layer.parts.fills && hasFill(member.style)) || member.printedHatching)
       markSurface(member, view, layer.mask);
-    if (showsEdges(member.style))
-      layer.edges[i] = edges(member.surface(), view, lines.at(member.id), layer.area);
+    if (layer.parts.fills && hasCaps(member))
+      markCaps(member, view, layer.mask);
+    if (layer.parts.fills && showsEdges(member.style))
+      layer.edges[i] = edges(member.surface(), view, lines.at(member.id).lines, layer.area);
   }
   const Shown& first = layer.members.front();
-  if (!showsLines(first.style))
+  layer.inked = first.printedHatching;
+  const PictureParts& parts = layer.parts;
+  if (!(parts.lines || parts.hatching) || !(showsLines(first.style) || first.cut))
     return;
-  layer.strokes = strokes(first.surface(), view, first.style, lines.at(first.id), layer.area);
-  layer.inked = !layer.strokes.empty();
+  const StructureLines& drawn = lines.at(first.id);
+  layer.strokes =
+      strokes(first.surface(), view, first.style,
+              parts.lines ? drawn : StructureLines{.hatching = drawn.hatching}, layer.area);
+  layer.inked = layer.inked || !layer.strokes.empty();
   for (const passes::InkSegment& stroke : layer.strokes)
     layer.mask.mark(strokeBounds(stroke));
 }

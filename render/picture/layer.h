@@ -8,6 +8,7 @@
 #include "model/scene/scene.h"
 #include "render/passes/surface/pass.h"
 #include "render/picture/layer_lines.h"
+#include "render/picture/layer_sections.h"
 #include "render/picture/picture.h"
 #include "render/picture/surface_cache.h"
 #include "render/picture/tile_lists.h"
@@ -20,9 +21,13 @@ struct Shown {
   model::MeshPtr mesh;
   model::ResolvedStyle style;
   CachedSurface* cached = nullptr;
+  bool printedHatching = false;           ///< hatched as S prints it
+  std::vector<model::Section> sections;   ///< that cut it
+  std::shared_ptr<SectionedSurface> cut;  ///< by these; null where there are none
 
   bool operator==(const Shown& other) const {
-    return id == other.id && mesh == other.mesh && style == other.style;
+    return id == other.id && mesh == other.mesh && style == other.style &&
+           printedHatching == other.printedHatching && alike(sections, other.sections);
   }
   const model::Surface& surface() const { return *cached->surface; }
 };
@@ -40,6 +45,7 @@ struct Layer {
   std::vector<Coverage> coverage;
   gpu::Rect area;  ///< in pixels of the whole picture
   gpu::Rect slot;  ///< in the atlas
+  PictureParts parts;
   TileMask mask;
   std::vector<passes::InkSegment> strokes;
   std::vector<std::vector<passes::InkSegment>> edges;  ///< of each member
@@ -67,12 +73,12 @@ passes::SurfaceFill surfaceFill(const Shown& shown, const PictureView& view, Bac
 Coverage coverage(const Shown& shown, const PictureView& view, const gpu::Rect& region);
 
 /// Layers of the structures (sorted by id) within the region, those outside of it left out: areas
-/// and ranges are known, strokes and masks are not yet.
+/// and ranges are known, strokes and masks are not yet. Only `parts` of them will show.
 std::vector<Layer> planLayers(std::span<const Shown> shown, const PictureView& view,
-                              const gpu::Rect& region);
+                              const gpu::Rect& region, const PictureParts& parts);
 /// Makes the layer's strokes and edges and finds its tiles. `lines` has an entry for each member
 /// that shows any.
 void completeLayer(Layer& layer, const PictureView& view, const gpu::Rect& region,
-                   const std::map<model::NodeId, LineSet>& lines);
+                   const std::map<model::NodeId, StructureLines>& lines);
 
 }  // namespace sline::render

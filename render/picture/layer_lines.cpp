@@ -8,7 +8,10 @@
 
 #include "model/base/parallel.h"
 #include "render/lines/chains.h"
+#include "render/lines/clipping.h"
 #include "render/lines/view_fields.h"
+#include "render/picture/entrance.h"
+#include "render/picture/layer_sections.h"
 #include "render/picture/transitions.h"
 
 namespace sline::render {
@@ -27,6 +30,9 @@ constexpr float wideStep = 2.5f;
 // line, to strokes of at most that many.
 constexpr float simplification = 0.12f;
 constexpr float longestStroke = 16.0f;
+// Likewise for hatching, in λ and in points.
+constexpr float chordError = 0.12f;
+constexpr std::size_t longestChord = 8;
 
 struct Pen {
   float width;    ///< px
@@ -65,34 +71,104 @@ class StrokeMaker {
     return std::move(m_strokes);
   }
 
-  void contour(const Segment& s, float width, float opacity) {
+  /// `t` is T_C, by which the parts within the structure's own mask enter.
+  void contour(const Segment& s, float width, float opacity, float t) {
     passes::InkSegment stroke;
-    if (!place(s, stroke))
+    if (!place(s.a, s.b, stroke))
       return;
     stroke.outwardA = m_view.projectedDirection(s.a, s.normalA);
     stroke.outwardB = m_view.projectedDirection(s.b, s.normalB);
-    stroke.contour = 1.0f;
+    stroke.contour = 1.0f + entered(t, 0.5f * (s.entryA + s.entryB));
     stroke.tolerance = 0.5f * m_surface.meanEdge + 1e-3f * m_surface.filigreeSize;
     finish(stroke, devicePen(width, s.opacityA * opacity), devicePen(width, s.opacityB * opacity));
   }
 
-  void surfaceLine(const Segment& s, float width, float opacity) {
+  /// Around a cut face: centred on the line, in front of the faces that it borders.
+  void outline(const Segment& s, float width, float opacity) {
     passes::InkSegment stroke;
-    if (!place(s, stroke))
+    if (!place(s.a, s.b, stroke))
+      return;
+    stroke.depthA -= outlineLift;
+    stroke.depthB -= outlineLift;
+    stroke.tolerance = 0.1f * m_surface.meanEdge + 1e-4f * m_surface.featureSize +
+                       3.0f * m_view.millimetresPerPixel(s.a);
+    finish(stroke, devicePen(width, opacity), devicePen(width, opacity));
+  }
+
+  /// `t` is T_SC.
+  void surfaceLine(const Segment& s, float width, float opacity, float t) {
+    passes::InkSegment stroke;
+    if (!place(s.a, s.b, stroke))
       return;
     stroke.tolerance = 0.1f * m_surface.meanEdge + 1e-4f * m_surface.featureSize +
                        1.5f * m_view.millimetresPerPixel(s.a) *
                            std::max(slope(s.a, s.normalA), slope(s.b, s.normalB));
-    const auto pen = [&](float fade) {
-      return devicePen(width * (0.45f + 0.55f * fade), opacity * std::sqrt(fade));
+    const auto pen = [&](float fade, float rank) {
+      const float share = entered(t, rank);
+      const float full = width * (0.45f + 0.55f * fade);
+      return devicePen(full * std::min(1.0f, 0.35f + 0.65f * share),
+                       opacity * std::sqrt(fade) * std::min(1.0f, 2.0f * share));
     };
-    finish(stroke, pen(s.opacityA), pen(s.opacityB));
+    finish(stroke, pen(s.opacityA, s.entryA), pen(s.opacityB, s.entryB));
+  }
+
+  /// A stroke of hatching as few capsules as its curve allows.
+  void hatching(std::span<const HatchPoint> points, float width, float opacity) {
+    const float unit = m_view.outputUnit();
+    for (std::size_t from = 0; from + 1 < points.size();) {
+      const std::size_t to = farthestChord(points, from);
+      passes::InkSegment stroke;
+      const HatchPoint& a = points[from];
+      const HatchPoint& b = points[to];
+      if (place(a.position, b.position, stroke)) {
+        stroke.tolerance = surfaceTolerance(a, b);
+        finish(stroke, devicePen(2.0f * a.halfWidth * unit * width, opacity),
+               devicePen(2.0f * b.halfWidth * unit * width, opacity));
+      }
+      from = to;
+    }
+    if (points.size() == 1) {
+      passes::InkSegment dot;
+      const HatchPoint& at = points.front();
+      if (place(at.position, at.position, dot)) {
+        dot.tolerance = surfaceTolerance(at, at);
+        const Pen pen = devicePen(2.0f * at.halfWidth * unit * width, opacity);
+        finish(dot, pen, pen);
+      }
+    }
   }
 
  private:
-  bool place(const Segment& s, passes::InkSegment& stroke) const {
-    const PictureView::Point a = m_view.project(s.a);
-    const PictureView::Point b = m_view.project(s.b);
+  float surfaceTolerance(const HatchPoint& a, const HatchPoint& b) const {
+    return 0.1f * m_surface.meanEdge + 1e-4f * m_surface.featureSize +
+           1.5f * m_view.millimetresPerPixel(a.position) *
+               std::max(slope(a.position, a.normal), slope(b.position, b.normal));
+  }
+
+  /// The last point to which one capsule from `from` stays true to the stroke's course and width.
+  std::size_t farthestChord(std::span<const HatchPoint> points, std::size_t from) const {
+    const float unit = m_view.outputUnit();
+    const glm::vec2 start = m_view.project(points[from].position).pixel / unit;
+    std::size_t to = from + 1;
+    for (std::size_t end = from + 2; end < points.size() && end - from <= longestChord; ++end) {
+      const glm::vec2 chord = m_view.project(points[end].position).pixel / unit - start;
+      const float length2 = std::max(glm::dot(chord, chord), 1e-12f);
+      for (std::size_t i = from + 1; i < end; ++i) {
+        const glm::vec2 d = m_view.project(points[i].position).pixel / unit - start;
+        const float t = std::clamp(glm::dot(d, chord) / length2, 0.0f, 1.0f);
+        const float width = glm::mix(points[from].halfWidth, points[end].halfWidth, t);
+        if (glm::length(d - t * chord) > chordError ||
+            std::abs(points[i].halfWidth - width) > chordError)
+          return to;
+      }
+      to = end;
+    }
+    return to;
+  }
+
+  bool place(const glm::vec3& from, const glm::vec3& to, passes::InkSegment& stroke) const {
+    const PictureView::Point a = m_view.project(from);
+    const PictureView::Point b = m_view.project(to);
     if (a.w <= 0.0f || b.w <= 0.0f || a.depth < 0.0f || b.depth < 0.0f)
       return false;
     stroke.a = a.pixel;
@@ -131,6 +207,10 @@ bool showsLines(const model::ResolvedStyle& style) {
   return transitions(style.gamma).lines > 0.0f && style.penWeight > 0.0f;
 }
 
+bool showsHatching(const model::ResolvedStyle& style) {
+  return showsLines(style) && transitions(style.gamma).hatching > 0.0f;
+}
+
 bool showsEdges(const model::ResolvedStyle& style) {
   return transitions(style.gamma).complete > 0.0f && style.opacity.value() > 0.0f;
 }
@@ -147,11 +227,28 @@ LineSet styledLines(const model::Surface& surface, const PictureView& view,
       surface, view.camera(),
       {.contours = true,
        .suggestive = showsLines(style) && transitions(style.gamma).suggestive > 0.0f,
-       .thresholds = suggestiveThresholds(style.gamma),
+       .thresholds = {},
        .twoSided = needsTwoSides(surface, view.camera())});
 }
 
-void joinLines(const model::Surface& surface, const PictureView& view, LineSet& lines) {
+Hatching styledHatching(const model::Surface& surface, const model::FaceNeighbours& neighbours,
+                        const PictureView& view, const model::ResolvedStyle& style) {
+  return extractHatching(surface, neighbours, view.camera(),
+                         {.entered = transitions(style.gamma).hatching,
+                          .aspect = view.size().x / view.size().y,
+                          .twoSided = needsTwoSides(surface, view.camera())});
+}
+
+void cutLines(const SectionedSurface& cut, StructureLines& drawn) {
+  clip(drawn.lines.contours, cut.planes);
+  clip(drawn.lines.suggestive, cut.planes);
+  clip(drawn.hatching, cut.planes);
+  for (const CutFace& face : cut.faces)
+    drawn.lines.section.insert(drawn.lines.section.end(), face.outline.begin(), face.outline.end());
+}
+
+void joinLines(const model::Surface& surface, const PictureView& view,
+               const model::ResolvedStyle& style, LineSet& lines) {
   if (!needsTwoSides(surface, view.camera()))
     std::erase_if(lines.contours, [](const Segment& s) { return s.concave; });
   const float pixel = view.millimetresPerPixel(surface.boundingSphere.centre);
@@ -160,11 +257,16 @@ void joinLines(const model::Surface& surface, const PictureView& view, LineSet& 
   const auto join = [pixel](std::vector<Segment>& segments, const Chains& chains) {
     segments = simplified(segments, chains, simplification * pixel, longestStroke * pixel);
   };
-  parallelFor(2, 1, [&](std::size_t kind) {
-    if (kind == 0) {
-      join(lines.contours, connectedChains(lines.contours));
+  parallelFor(3, 1, [&](std::size_t kind) {
+    if (kind < 2) {
+      std::vector<Segment>& whole = kind == 0 ? lines.contours : lines.section;
+      const float t = transitions(style.gamma).contours;
+      if (kind == 0 && t > 0.0f && t < 1.0f)
+        rankContours(whole, surface, view.camera());
+      join(whole, connectedChains(whole));
       return;
     }
+    rankSuggestive(lines.suggestive);
     const Chains chains = connectedChains(lines.suggestive);
     const float unit = view.outputUnit() * pixel;
     fadeShortChains(lines.suggestive, chains, speckLength * unit, wholeLineLength * unit);
@@ -175,8 +277,7 @@ void joinLines(const model::Surface& surface, const PictureView& view, LineSet& 
 ContourProbes contourProbes(const model::Surface& surface, const PictureView& view,
                             const model::ResolvedStyle& style) {
   const float error = outlineError(surface, view);
-  return {.inner = transitions(style.gamma).contours,
-          .probe = penWidth(surface, view, style.penWeight) + 1.0f + error,
+  return {.probe = penWidth(surface, view, style.penWeight) + 1.0f + error,
           .reach = {1.0f + 0.5f * error, 2.0f + wideStep * view.outputUnit()},
           .sheet = 6.0f * surface.meanEdge +
                    wideStep * view.outputUnit() *
@@ -184,16 +285,22 @@ ContourProbes contourProbes(const model::Surface& surface, const PictureView& vi
 }
 
 std::vector<passes::InkSegment> strokes(const model::Surface& surface, const PictureView& view,
-                                        const model::ResolvedStyle& style, const LineSet& lines,
-                                        const gpu::Rect& area) {
+                                        const model::ResolvedStyle& style,
+                                        const StructureLines& drawn, const gpu::Rect& area) {
   StrokeMaker maker(surface, view, area);
+  const LineSet& lines = drawn.lines;
   const Transitions t = transitions(style.gamma);
   const float width = penWidth(surface, view, style.penWeight) * t.lines;
   for (const Segment& s : lines.contours)
-    maker.contour(s, width, t.lines);
-  const float entered = std::sqrt(t.suggestive);
+    maker.contour(s, width, t.lines, t.contours);
   for (const Segment& s : lines.suggestive)
-    maker.surfaceLine(s, width * entered, t.lines * entered);
+    maker.surfaceLine(s, width, t.lines, t.suggestive);
+  for (const HatchStroke& s : drawn.hatching.strokes)
+    maker.hatching(std::span(drawn.hatching.points).subspan(s.first, s.count), t.lines, t.lines);
+  // What is cut stays outlined where other lines leave: half as wide.
+  const float outline = penWidth(surface, view, style.penWeight) * (0.5f + 0.5f * t.lines);
+  for (const Segment& s : lines.section)
+    maker.outline(s, outline, style.penWeight > 0.0f ? 1.0f : 0.0f);
   return maker.take();
 }
 
@@ -201,7 +308,7 @@ std::vector<passes::InkSegment> edges(const model::Surface& surface, const Pictu
                                       const LineSet& lines, const gpu::Rect& area) {
   StrokeMaker maker(surface, view, area);
   for (const Segment& s : lines.contours)
-    maker.contour(s, 1.0f, 1.0f);
+    maker.contour(s, 1.0f, 1.0f, 1.0f);
   return maker.take();
 }
 

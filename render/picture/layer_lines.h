@@ -6,14 +6,23 @@
 #include <vector>
 
 #include "model/scene/style.h"
+#include "render/lines/hatching.h"
 #include "render/lines/lines.h"
 #include "render/passes/ink/pass.h"
 #include "render/picture/picture_view.h"
 
 namespace sline::render {
 
+/// All that a pen draws of one structure.
+struct StructureLines {
+  LineSet lines;
+  Hatching hatching;
+};
+struct SectionedSurface;
+
 /// True where a structure of that style shows any line.
 bool showsLines(const model::ResolvedStyle& style);
+bool showsHatching(const model::ResolvedStyle& style);
 /// True where lines leave and the fill needs a soft edge of its own.
 bool showsEdges(const model::ResolvedStyle& style);
 /// Width of the pen in pixels for this structure, before Γ thins it (METHOD §4 ▲).
@@ -22,13 +31,18 @@ float penWidth(const model::Surface& surface, const PictureView& view, float pen
 /// The segments that the style's lines and edges ask for, in the patient's frame.
 LineSet styledLines(const model::Surface& surface, const PictureView& view,
                     const model::ResolvedStyle& style);
-/// Joins them to the strokes a pen would set: pieces of a line become one, specks fade, and what
-/// its own closed surface always hides goes.
-void joinLines(const model::Surface& surface, const PictureView& view, LineSet& lines);
+/// The hatching that the style asks for.
+Hatching styledHatching(const model::Surface& surface, const model::FaceNeighbours& neighbours,
+                        const PictureView& view, const model::ResolvedStyle& style);
+/// Ends them at the section planes and adds the outlines of the cut faces.
+void cutLines(const SectionedSurface& cut, StructureLines& drawn);
+/// Finds when each enters its stage and joins them to the strokes a pen would set: pieces of a line
+/// become one, specks fade, and what its own closed surface always hides goes.
+void joinLines(const model::Surface& surface, const PictureView& view,
+               const model::ResolvedStyle& style, LineSet& lines);
 
 /// How contours are looked at in the picture; see InkDraw.
 struct ContourProbes {
-  float inner = 1.0f;
   float probe = 3.0f;
   glm::vec2 reach{1.0f, 4.0f};
   float sheet = 0.0f;
@@ -38,8 +52,8 @@ ContourProbes contourProbes(const model::Surface& surface, const PictureView& vi
 
 /// The strokes within `area`, farthest first.
 std::vector<passes::InkSegment> strokes(const model::Surface& surface, const PictureView& view,
-                                        const model::ResolvedStyle& style, const LineSet& lines,
-                                        const gpu::Rect& area);
+                                        const model::ResolvedStyle& style,
+                                        const StructureLines& drawn, const gpu::Rect& area);
 
 /// The contours within `area` as strokes of one pixel that soften a fill's edge, farthest first.
 std::vector<passes::InkSegment> edges(const model::Surface& surface, const PictureView& view,

@@ -2,6 +2,7 @@
 #include "render/picture/layer_painter.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <numeric>
 
 #include "model/base/parallel.h"
@@ -10,27 +11,54 @@ namespace sline::render {
 
 namespace {
 
+/// Towards the key light, in the camera's frame: over the draughtsman's left shoulder, as plates of
+/// anatomy are lit.
+glm::vec3 keyLight(const PictureInput& input) {
+  return input.keyLight ? glm::normalize(glm::vec3(-0.55f, 0.62f, 0.6f)) : glm::vec3(0.0f);
+}
+
+bool needsLines(const PictureInput& input, const Shown& shown) {
+  return ((input.parts.lines || input.parts.hatching) && showsLines(shown.style)) ||
+         (input.parts.fills && showsEdges(shown.style)) || (input.parts.lines && shown.cut);
+}
+
+passes::SurfaceFill shownFill(const PictureInput& input, const Shown& shown) {
+  return input.parts.fills ? surfaceFill(shown, input.view, input.background)
+                           : passes::SurfaceFill{};
+}
+
+bool hatches(const PictureInput& input, const Shown& shown) {
+  return input.parts.hatching && !shown.printedHatching && showsHatching(shown.style);
+}
+
 /// Finds the lines of all changed layers that have none in `lines` yet.
 void findLines(const PictureInput& input, std::span<const Layer> layers,
-               std::span<const std::size_t> changed, std::map<model::NodeId, LineSet>& lines,
+               std::span<const std::size_t> changed, std::map<model::NodeId, StructureLines>& lines,
                Stopwatch& stopwatch) {
   struct Absent {
     const Shown* shown;
-    LineSet* lines;
+    StructureLines* lines;
   };
   std::vector<Absent> absent;
   for (const std::size_t i : changed)
     for (const Shown& shown : layers[i].members)
-      if (showsLines(shown.style) || showsEdges(shown.style))
+      if (needsLines(input, shown))
         if (const auto [it, fresh] = lines.try_emplace(shown.id); fresh)
           absent.push_back({&shown, &it->second});
   parallelFor(absent.size(), 1, [&](std::size_t i) {
     const Shown& shown = *absent[i].shown;
-    *absent[i].lines = styledLines(shown.surface(), input.view, shown.style);
+    absent[i].lines->lines = styledLines(shown.surface(), input.view, shown.style);
   });
   stopwatch.lines();
   parallelFor(absent.size(), 1, [&](std::size_t i) {
-    joinLines(absent[i].shown->surface(), input.view, *absent[i].lines);
+    const Shown& shown = *absent[i].shown;
+    StructureLines& drawn = *absent[i].lines;
+    if (hatches(input, shown))
+      drawn.hatching =
+          styledHatching(shown.surface(), *shown.cached->neighbours, input.view, shown.style);
+    if (shown.cut)
+      cutLines(*shown.cut, drawn);
+    joinLines(shown.surface(), input.view, shown.style, drawn.lines);
   });
 }
 
@@ -42,6 +70,9 @@ Result<std::unique_ptr<LayerPainter>> LayerPainter::create(const gpu::Device& de
   auto surface = passes::SurfacePass::create(device.dialect());
   if (!surface)
     return surface.error();
+  auto cap = passes::CapPass::create(device.dialect());
+  if (!cap)
+    return cap.error();
   auto ink = passes::InkPass::create(device.dialect());
   if (!ink)
     return ink.error();
@@ -49,6 +80,7 @@ Result<std::unique_ptr<LayerPainter>> LayerPainter::create(const gpu::Device& de
   if (!resolve)
     return resolve.error();
   painter->m_surfacePass = std::move(*surface);
+  painter->m_capPass = std::move(*cap);
   painter->m_inkPass = std::move(*ink);
   painter->m_resolvePass = std::move(*resolve);
   return painter;
@@ -129,19 +161,34 @@ void LayerPainter::drawSurface(gpu::Device& device, const PictureInput& input, c
                                DrawQueue& queue) const {
   const passes::SurfaceView view{.viewProjection = input.view.viewProjection(),
                                  .eye = input.view.eyeVector(),
-                                 .pictureSize = input.view.size()};
+                                 .pictureSize = input.view.size(),
+                                 .key = input.view.toPatient(keyLight(input))};
   for (std::size_t i = 0; i < layer.members.size(); ++i) {
     const Shown& shown = layer.members[i];
+    const std::vector<glm::vec4> sections =
+        shown.cut ? sectionVectors(shown.cut->planes) : std::vector<glm::vec4>();
     const passes::SurfaceDraw draw{.surface = *shown.cached->geometry,
                                    .ranges = layer.coverage[i].ranges,
                                    .visible = layer.coverage[i].visible,
                                    .layer = layer.area,
                                    .slot = layer.slot,
-                                   .fill = surfaceFill(shown, input.view, input.background)};
+                                   .fill = shownFill(input, shown),
+                                   .sections = sections};
     m_surfacePass->draw(device, m_atlas.surfaceTarget(), view, draw);
     for (const gpu::DrawRange& range : draw.ranges)
       queue.add(device, range.count);
     queue.add(device, std::uint32_t(draw.visible.size()));
+  }
+}
+
+void LayerPainter::drawCaps(gpu::Device& device, const PictureInput& input,
+                            const Layer& layer) const {
+  for (const Shown& shown : layer.members) {
+    if (!hasCaps(shown))
+      continue;
+    const CapDraws caps = capDraws(shown, input.view, input.background, layer.area, layer.slot);
+    for (const passes::CapDraw& draw : caps.draws)
+      m_capPass->draw(device, m_atlas.surfaceTarget(), draw);
   }
 }
 
@@ -150,8 +197,10 @@ void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
                                 std::span<const std::size_t> changed) const {
   DrawQueue queue;
   for (const std::size_t i : changed)
-    if (layers[i].shows())
+    if (layers[i].shows()) {
       drawSurface(device, input, layers[i], queue);
+      drawCaps(device, input, layers[i]);
+    }
   // Where a layer has a fill, it lies as deep as its surface; else only its ink counts. All copies
   // after all surfaces: a software driver starts anew at each change of target.
   for (const std::size_t i : changed)
@@ -165,7 +214,6 @@ passes::InkDraw LayerPainter::inkDraw(const PictureInput& input, const Layer& la
   return {.layer = layer.area,
           .slot = layer.slot,
           .projection = input.view.depthTerms(),
-          .inner = probes.inner,
           .probe = probes.probe,
           .reach = probes.reach,
           .sheet = probes.sheet};
@@ -187,9 +235,9 @@ void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
       passes::InkDraw draw = inkDraw(input, layers[i], shown);
       draw.first = all.size();
       draw.count = layers[i].edges[k].size();
-      draw.inner = 1.0f;
-      const passes::SurfaceFill fill = surfaceFill(shown, input.view, input.background);
+      const passes::SurfaceFill fill = shownFill(input, shown);
       draw.edge = glm::vec4(fill.colour, fill.complete * fill.opacity);
+      draw.key = keyLight(input);
       append(layers[i].edges[k]);
       edges.push_back(draw);
     }
@@ -267,12 +315,13 @@ void LayerPainter::letGo(gpu::Device& device) {
 Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const PictureInput& input,
                                                   const gpu::Rect& region,
                                                   const gpu::Target& target, Stopwatch& stopwatch) {
-  std::vector<Layer> layers = planLayers(input.shown, input.view, region);
+  std::vector<Layer> layers = planLayers(input.shown, input.view, region, input.parts);
   model::Box bounds;
   for (const Shown& shown : input.shown)
     bounds.add(shown.mesh->bounds());
   std::vector<std::size_t> changed =
-      reuse(layers, {input.view.camera(), bounds, input.view.size(), input.background, region});
+      reuse(layers, {input.view.camera(), bounds, input.view.size(), input.background,
+                     input.keyLight, input.parts, region});
   if (!place(layers, changed))
     return Outcome::tooLarge;
   if (m_atlas.outgrown()) {
@@ -284,16 +333,18 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   for (const std::size_t i : changed)
     for (std::size_t k = 0; k < layers[i].members.size(); ++k) {
       const Shown& shown = layers[i].members[k];
-      const float shading = surfaceFill(shown, input.view, input.background).shading;
-      if (shading > 0.0f && shading < 1.0f)
+      const float shading = shownFill(input, shown).shading;
+      if ((shading > 0.0f && shading < 1.0f) || shown.printedHatching)
         shown.cached->needShape();
+      if (hatches(input, shown))
+        shown.cached->needNeighbours();
       if (!layers[i].coverage[k].ranges.empty())
         shown.cached->needWhole();
     }
   stopwatch.pass(device, "plan");
 
-  std::map<model::NodeId, LineSet> own;
-  std::map<model::NodeId, LineSet>& lines = input.lines ? *input.lines : own;
+  std::map<model::NodeId, StructureLines> own;
+  std::map<model::NodeId, StructureLines>& lines = input.lines ? *input.lines : own;
   findLines(input, layers, changed, lines, stopwatch);
   parallelFor(changed.size(), 1,
               [&](std::size_t i) { completeLayer(layers[changed[i]], input.view, region, lines); });
@@ -303,6 +354,9 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   clear(device, layers, changed);
   drawSurfaces(device, input, layers, changed);
   stopwatch.pass(device, "surface");
+  // Hatching before lines, which lie on it.
+  if (Status s = m_printedHatching.draw(device, input.view, m_atlas, layers, changed); !s)
+    return s.error();
   drawInk(device, input, layers, changed);
   stopwatch.pass(device, "ink");
   resolve(device, input, region, target, layers);

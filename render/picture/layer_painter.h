@@ -5,12 +5,14 @@
 #include <functional>
 #include <map>
 
+#include "render/passes/cap/pass.h"
 #include "render/passes/ink/pass.h"
 #include "render/passes/resolve/pass.h"
 #include "render/passes/surface/pass.h"
 #include "render/picture/atlas.h"
 #include "render/picture/draw_queue.h"
 #include "render/picture/layer.h"
+#include "render/picture/printed_hatching.h"
 #include "render/picture/stopwatch.h"
 
 namespace sline::render {
@@ -20,8 +22,10 @@ struct PictureInput {
   const PictureView& view;
   std::span<const Shown> shown;  ///< sorted by id
   Background background = Background::white;
+  bool keyLight = false;
+  PictureParts parts;
   /// Where lines are kept between the regions of one picture, by structure; null to keep none.
-  std::map<model::NodeId, LineSet>* lines = nullptr;
+  std::map<model::NodeId, StructureLines>* lines = nullptr;
 };
 
 class LayerPainter {
@@ -45,6 +49,8 @@ class LayerPainter {
     model::Box bounds;
     glm::vec2 size{0.0f};
     Background background = Background::white;
+    bool keyLight = false;
+    PictureParts parts;
     gpu::Rect region;
     bool operator==(const Key&) const = default;
   };
@@ -57,6 +63,7 @@ class LayerPainter {
              std::span<const std::size_t> changed) const;
   void drawSurface(gpu::Device& device, const PictureInput& input, const Layer& layer,
                    DrawQueue& queue) const;
+  void drawCaps(gpu::Device& device, const PictureInput& input, const Layer& layer) const;
   void drawSurfaces(gpu::Device& device, const PictureInput& input, std::span<const Layer> layers,
                     std::span<const std::size_t> changed) const;
   static passes::InkDraw inkDraw(const PictureInput& input, const Layer& layer, const Shown& shown);
@@ -67,8 +74,10 @@ class LayerPainter {
 
   Atlas m_atlas;
   std::unique_ptr<passes::SurfacePass> m_surfacePass;
+  std::unique_ptr<passes::CapPass> m_capPass;
   std::unique_ptr<passes::InkPass> m_inkPass;
   std::unique_ptr<passes::ResolvePass> m_resolvePass;
+  PrintedHatching m_printedHatching;
   Key m_key;
   std::vector<Layer> m_kept;
   bool m_freshAtlas = true;

@@ -68,6 +68,7 @@ struct Picture::Data {
   std::unique_ptr<passes::PlainPhongPass> plainPhong;
   PictureOptions options;
   SurfaceCache surfaces;
+  SectionCache sections;
   Canvas canvas;
   Canvas plainCanvas;
   PictureTimings timings;
@@ -89,10 +90,16 @@ std::vector<Shown> Picture::Data::shown(const model::Scene& scene) {
       continue;
     meshes.push_back(node.mesh);
     const model::ResolvedStyle style = scene.resolve(node.id);
-    if (style.visible && node.mesh->triangleCount() > 0)
-      visible.push_back({node.id, node.mesh, style, &surfaces.at(node.mesh, node.provenance)});
+    if (!style.visible || node.mesh->triangleCount() == 0)
+      continue;
+    Shown& shown = visible.emplace_back(
+        Shown{node.id, node.mesh, style, &surfaces.at(node.mesh, node.provenance), {}, {}});
+    shown.sections = sectionsThatCut(scene.sectionsOf(node.id), node.mesh->bounds());
+    if (!shown.sections.empty())
+      shown.cut = sections.at(shown.cached->surface, shown.sections);
   }
   surfaces.keepOnly(meshes);
+  sections.forgetUnused();
   std::sort(visible.begin(), visible.end(),
             [](const Shown& a, const Shown& b) { return a.id < b.id; });
   return visible;
@@ -147,18 +154,22 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
                               const PictureSettings& settings, Image* image) {
   if (Status s = checkRequest(camera, settings); !s)
     return s;
-  const std::vector<Shown> visible = shown(scene);
+  std::vector<Shown> visible = shown(scene);
   model::Box bounds;
-  for (const Shown& s : visible)
+  for (Shown& s : visible) {
+    s.printedHatching = showsPrintedHatching(s.style, settings);
     bounds.add(s.mesh->bounds());
+  }
   Stopwatch stopwatch;
   const PictureView view(camera, bounds, settings.width, settings.height);
-  std::map<model::NodeId, LineSet> lines;
+  std::map<model::NodeId, StructureLines> lines;
   const bool whole = std::max(settings.width, settings.height) <= regionSide();
   layersDrawn = 0;
   Status done = paint({.view = view,
                        .shown = visible,
                        .background = settings.background,
+                       .keyLight = settings.keyLight,
+                       .parts = settings.parts,
                        .lines = whole ? nullptr : &lines},
                       view.whole(), stopwatch, image);
   timings = stopwatch.done();

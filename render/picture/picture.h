@@ -17,8 +17,8 @@ namespace sline::render {
 
 enum class Background { white, paper, dark, transparent };
 
-/// How hatching is made: strokes along curves (ours), or S §3.4 as printed, which is grey and of one
-/// scale: a yardstick for measures.
+/// How hatching is made: strokes along curves (ours), or S §3.4 as printed, which is grey and of
+/// one scale: a yardstick for measures.
 enum class HatchingMethod { strokes, asPrinted };
 
 /// What of a picture is drawn; measures look at one part alone.
@@ -34,6 +34,7 @@ struct PictureSettings {
   int height = 720;
   Background background = Background::white;
   HatchingMethod hatching = HatchingMethod::strokes;
+  bool keyLight = false;  ///< shading has a light from the upper left besides the headlight
   PictureParts parts;
 };
 

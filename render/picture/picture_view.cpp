@@ -11,6 +11,7 @@ namespace sline::render {
 PictureView::PictureView(const model::Camera& camera, const model::Box& bounds, int width,
                          int height)
     : m_camera(camera),
+      m_bounds(bounds),
       m_eye(eyeOf(camera)),
       m_view(model::viewMatrix(camera)),
       m_size(float(width), float(height)) {

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <algorithm>
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
@@ -20,6 +22,7 @@ class PictureView {
   PictureView(const model::Camera& camera, const model::Box& bounds, int width, int height);
 
   const model::Camera& camera() const { return m_camera; }
+  const model::Box& bounds() const { return m_bounds; }
   const model::EyePoint& eye() const { return m_eye; }
   /// Position and 1, or for a parallel projection direction and 0.
   glm::vec4 eyeVector() const { return {m_eye.value, m_eye.atInfinity ? 0.0f : 1.0f}; }
@@ -48,11 +51,16 @@ class PictureView {
   /// The direction in the picture into which a point of the surface moves along its normal; zero
   /// where it moves straight towards the eye.
   glm::vec2 projectedDirection(const glm::vec3& p, const glm::vec3& normal) const;
+  /// A direction in the camera's frame (right, up, back) in the patient's.
+  glm::vec3 toPatient(const glm::vec3& direction) const {
+    return glm::transpose(glm::mat3(m_view)) * direction;
+  }
   /// Pixels that the sphere can touch; the whole picture where it reaches behind the eye.
   gpu::Rect bounds(const model::Sphere& sphere) const;
 
  private:
   model::Camera m_camera;
+  model::Box m_bounds;
   model::EyePoint m_eye;
   glm::mat4 m_view;
   glm::mat4 m_viewProjection;

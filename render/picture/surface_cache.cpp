@@ -56,6 +56,11 @@ void CachedSurface::needWhole() {
   geometry->addWhole(indices);
 }
 
+void CachedSurface::needNeighbours() {
+  if (!neighbours)
+    neighbours = std::make_unique<model::FaceNeighbours>(*surface->mesh);
+}
+
 CachedSurface& SurfaceCache::at(const model::MeshPtr& mesh, const model::Provenance& provenance) {
   CachedSurface& cached = m_surfaces[mesh];
   if (!cached.surface) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 
+#include "model/geometry/face_neighbours.h"
 #include "model/geometry/surface.h"
 #include "model/scene/scene.h"
 #include "render/passes/surface_geometry.h"
@@ -15,11 +16,14 @@ namespace sline::render {
 struct CachedSurface {
   model::SurfacePtr surface;
   std::unique_ptr<passes::SurfaceGeometry> geometry;
+  std::unique_ptr<model::FaceNeighbours> neighbours;  ///< null until some hatching needs it
 
   /// Uploads the curvature that fills at 3 < Γ < 4 need, once.
   void needShape();
   /// Uploads all triangles in the order of the clusters, for drawing without culling, once.
   void needWhole();
+  /// Finds which triangles are neighbours, which hatching needs, once.
+  void needNeighbours();
 };
 
 class SurfaceCache {

@@ -7,3 +7,15 @@ vec3 phong(vec3 colour, float facing) {
   float highlight = 0.16 * pow(facing, 36.0);
   return mix(shadow, colour * 1.02, light) + highlight;
 }
+
+// The same with a key light besides: `lit` is ⟨n, l⟩, `glint` ⟨n, h⟩ with h halfway between light and
+// view direction. The key light reaches a little around the form, and the headlight keeps what lies
+// in its shadow readable.
+vec3 phongWithKey(vec3 colour, float facing, float lit, float glint) {
+  vec3 shadow = colour * colour * 0.42 + colour * 0.08;
+  float key = max((lit + 0.3) / 1.3, 0.0);
+  float head = facing * (1.3 - 0.3 * facing);
+  float light = 0.22 * head + sqrt(head) * key;
+  float highlight = 0.16 * pow(max(glint, 0.0), 36.0);
+  return mix(shadow, colour * 1.02, min(light, 1.0)) + highlight;
+}

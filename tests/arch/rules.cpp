@@ -41,7 +41,7 @@ const std::vector<Room>& rooms() {
       {"model/geometry", {"model/base"}},
       {"model/scene", {"model/base", "model/geometry"}},
       {"model/edit", {"model/base", "model/geometry", "model/scene"}},
-      {"model/demo", {"model/base", "model/geometry", "model/scene"}},
+      {"model/demo", {"model/base", "model/files", "model/geometry", "model/scene"}},
       {"model/import", {"model/base", "model/geometry", "model/scene"}},
       {"model/files", {"model/base", "model/geometry", "model/scene"}},
       {"render/lines", {"model/base", "model/geometry", "model/scene"}},
@@ -50,6 +50,9 @@ const std::vector<Room>& rooms() {
       {"render/picture",
        {"model/base", "model/geometry", "model/scene", "render/lines", "render/gpu",
         "render/passes"}},
+      {"render/measures",
+       {"model/base", "model/geometry", "model/scene", "model/edit", "render/lines", "render/gpu",
+        "render/picture"}},
       {"render", {"model", "render"}},
       {"widgets", {"model", "render", "widgets"}},
       {"app/cli", {"model", "render"}},
@@ -199,6 +202,8 @@ Complaints checkLinks(const File& file) {
        std::regex(R"(Qt6|VTK|OpenMesh|TBB|OpenImageIO|sline_(import|demo|cli)\b)")},
       {"render/picture",
        std::regex(R"(Qt6|VTK|OpenMesh|TBB|OpenImageIO|sline_(import|demo|cli)\b)")},
+      {"render/measures",
+       std::regex(R"(Qt6|VTK|OpenMesh|TBB|OpenImageIO|sline_(import|demo|cli|headless)\b)")},
       {"app/cli", std::regex("Qt6|VTK|OpenMesh")},
   };
   Complaints out;

@@ -63,6 +63,11 @@ void ExitCodesTest::answers_data() {
   QTest::newRow("colour without name") << render + "|--color|#ff0000" << 2 << "NAME";
   QTest::newRow("unknown fill") << render + "|--fill|water" << 2 << "water|tint";
   QTest::newRow("unknown background") << render + "|--background|pink" << 2 << "pink|transparent";
+  QTest::newRow("unknown hatching") << render + "|--hatching|grey" << 2 << "grey|as-printed";
+  QTest::newRow("unknown ink") << render + "|--ink-colour|kidney=blue" << 2 << "blue|#rrggbb";
+  QTest::newRow("ink of nothing") << render + "|--ink-color|kidny=#0000ff" << 2 << "kidny";
+  QTest::newRow("black and white on dark") << render + "|--bw|--background|dark" << 2 << "--bw";
+  QTest::newRow("black and white in blue") << render + "|--ink-color|#0000ff|--bw" << 2 << "--bw";
   QTest::newRow("unknown view") << render + "|--view|front" << 2 << "front|anterior|superior";
   QTest::newRow("view and camera") << render + "|--view|left|--camera|DIR/front.json" << 2 << "";
   QTest::newRow("absent camera") << render + "|--camera|DIR/none.json" << 2 << "none.json";

@@ -22,6 +22,9 @@ class RenderTest : public QObject {
   void sidesStaySides_data();
   void sidesStaySides();
   void cameraFileIsFollowed();
+  void inkHasItsColour();
+  void blackAndWhite();
+  void keyLight();
   void demo();
 
  private:
@@ -164,6 +167,50 @@ void RenderTest::cameraFileIsFollowed() {
                                           "--camera", m_folder.filePath("parallel.json")}));
   QVERIFY2(std::abs((box.bottom - box.top + 1) - 240) <= 4,
            qPrintable(QString::number(box.bottom - box.top)));
+}
+
+void RenderTest::inkHasItsColour() {
+  const QStringList base{"--size", "400x200", "--gamma", "1"};
+  QCOMPARE(tinted(rendered(base), 0).count, 0);
+  const Pixels one = rendered(base + QStringList{"--ink-colour", "renal artery=#ff0000"});
+  QVERIFY(tinted(one, 0).count > 40);
+  QVERIFY(tinted(one, 0).column > 300.0);
+  const Pixels all =
+      rendered(base + QStringList{"--ink-color", "#0000ff", "--ink-color", "Vessels=#ff0000"});
+  QVERIFY(tinted(all, 2).count > 100);
+  QVERIFY(std::abs(tinted(all, 0).column - 199.5) < 3.0);
+}
+
+void RenderTest::blackAndWhite() {
+  // Shaded balls in colour become outlines in black; the kidney still hides the ball behind it.
+  writeFile(m_folder.filePath("side.json"),
+            R"({"projection":"orthographic","eye":[-400,0,0],"target":[0,0,0],"up":[0,0,1],)"
+            R"("height_mm":100})");
+  const QStringList base{"--size",  "200x200",       "--camera", m_folder.filePath("side.json"),
+                         "--gamma", "kidney=5",      "--gamma",  "Vessels=4.5",
+                         "--only",  "kidney",        "--only",   "renal artery",
+                         "--color", "kidney=#ff0000"};
+  QVERIFY(tinted(rendered(base), 0).count > 3000);
+  const Pixels printed = rendered(base + QStringList{"--bw"});
+  QCOMPARE(tinted(printed, 0).count, 0);
+  const auto inkWithin = [&](int radius) {
+    int dark = 0;
+    for (int y = 0; y < 200; ++y)
+      for (int x = 0; x < 200; ++x)
+        dark += std::hypot(x - 99.5, y - 99.5) < radius && printed.at(x, y)[0] < 250;
+    return dark;
+  };
+  QCOMPARE(inkWithin(50), 0);
+  QVERIFY(inkWithin(70) > 200);
+}
+
+void RenderTest::keyLight() {
+  const QStringList base{"--size", "200x200", "--only", "kidney", "--gamma", "5"};
+  const auto difference = [](const Pixels& p) {
+    return int(p.at(70, 70)[0]) - int(p.at(130, 130)[0]);
+  };
+  QVERIFY(std::abs(difference(rendered(base))) <= 2);
+  QVERIFY(difference(rendered(base + QStringList{"--key-light"})) > 30);
 }
 
 void RenderTest::demo() {

@@ -89,6 +89,12 @@ void ValuesTest::parses_data() {
   QTest::newRow("smoothing, endless") << "smoothing"
                                       << "1001"
                                       << "";
+  QTest::newRow("hatching") << "hatching"
+                            << "As-Printed"
+                            << "1";
+  QTest::newRow("hatching, other") << "hatching"
+                                   << "printed"
+                                   << "";
   QTest::newRow("named") << "named"
                          << "left=right=3"
                          << "left=right 3";
@@ -113,6 +119,8 @@ void ValuesTest::parses() {
     found = QString::fromStdString(std::string(frameName(*frame)));
   if (const auto smoothing = parseSmoothing(input); kind == "smoothing" && smoothing.ok())
     found = QString("%1 %2").arg(int(smoothing->mode)).arg(smoothing->steps);
+  if (const auto hatching = parseHatching(input); kind == "hatching" && hatching.ok())
+    found = QString::number(int(*hatching));
   if (const auto named = splitNamed(input); kind == "named" && named)
     found = QString::fromStdString(named->name + " " + named->value);
   QCOMPARE(found, value);

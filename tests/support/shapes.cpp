@@ -172,6 +172,16 @@ MeshPtr mirrored(const Mesh& mesh) {
   return build(std::move(positions), std::move(triangles));
 }
 
+MeshPtr together(const Mesh& a, const Mesh& b) {
+  std::vector<glm::vec3> positions(a.positions().begin(), a.positions().end());
+  positions.insert(positions.end(), b.positions().begin(), b.positions().end());
+  std::vector<Triangle> triangles(a.triangles().begin(), a.triangles().end());
+  const auto first = std::uint32_t(a.vertexCount());
+  for (const Triangle& t : b.triangles())
+    triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+  return build(std::move(positions), std::move(triangles));
+}
+
 MeshPtr moved(const Mesh& mesh, float scale, const glm::vec3& offset) {
   std::vector<glm::vec3> positions(mesh.positions().begin(), mesh.positions().end());
   for (glm::vec3& p : positions)

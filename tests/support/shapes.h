@@ -22,6 +22,8 @@ model::MeshPtr jittered(const model::Mesh& mesh, float fraction, std::uint32_t s
                         glm::vec3 (*project)(const glm::vec3&));
 /// Mirrored at x = 0, triangles turned so that normals stay outward.
 model::MeshPtr mirrored(const model::Mesh& mesh);
+/// Both in one mesh, nothing joined.
+model::MeshPtr together(const model::Mesh& a, const model::Mesh& b);
 model::MeshPtr moved(const model::Mesh& mesh, float scale, const glm::vec3& offset);
 
 }  // namespace sline::test

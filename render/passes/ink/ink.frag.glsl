@@ -14,12 +14,12 @@ uniform sampler2D surfaceDepth;
 uniform ivec4 slot;        // of the layer in the atlas: first and last pixel
 uniform ivec2 toAtlas;     // from picture pixels to atlas pixels
 uniform vec4 projection;   // see depth.glsl
-uniform float inner;       // T_C: how much of a contour is left within the surface's own mask
 uniform float probe;       // how far outside (px) the own mask means an inner contour
 uniform vec2 reach;        // px at which a contour's far side is looked for: a step, a wide one
 uniform float sheet;       // mm by which a surface may hide a line of its own sheet
 uniform int edges;         // 1: soft edges of a fill in its own colour instead of ink
 uniform vec4 paint;        // the fill's colour and opacity; for edges only
+uniform vec3 key;          // towards the key light, x and y in the picture; 0: there is none
 
 out vec4 fragment;
 
@@ -72,15 +72,16 @@ void main() {
     float wide;
     if (!contourVisible(c, outward, depth, wide))
       discard;
+    float inner = lineDepths.w - 1.0;  // how much is left within the surface's own mask
     if (inner < 1.0) {
       bool within = depthAt(c + (wide + probe) * outward) < 1.0 ||
           (depthAt(pixel) < 1.0 && length(pixel - c) > 1.0);
       if (within) {
         // Thinner strokes keep one pixel and lose opacity instead.
         float thin = halfWidth * inner;
-        opacity *= inner * min(1.0, thin * 2.0);
+        opacity *= min(1.0, thin * 2.0);
         halfWidth = max(thin, 0.5);
-        distance = length(pixel - c);
+        distance = length(pixel - c - outward * (halfWidth - 0.5));
       }
     }
   } else if (!surfaceLineVisible(c, depth)) {
@@ -94,7 +95,12 @@ void main() {
     if (depthAt(pixel) <= depth)
       discard;
     coverage *= paint.a;
-    fragment = vec4(min(phong(paint.rgb, 0.1), 1.0) * coverage, coverage);
+    // At its contour a surface's normal lies in the picture, across the line.
+    vec2 normal = normalize(mix(lineOutwards.xy, lineOutwards.zw, t) + vec2(1e-6, 0.0));
+    vec3 shaded = key != vec3(0.0)
+        ? phongWithKey(paint.rgb, 0.1, dot(normal, key.xy) + 0.1 * key.z, 0.0)
+        : phong(paint.rgb, 0.1);
+    fragment = vec4(min(shaded, 1.0) * coverage, coverage);
   } else {
     fragment = vec4(coverage);
   }

@@ -2,7 +2,7 @@
 // One capsule per segment, all in pixels of the whole picture.
 #include "place.glsl"
 layout(location = 0) in vec4 ends;      // the line itself: a, b
-layout(location = 1) in vec4 depths;    // window depth at a and b, tolerance in mm, 1 for contours
+layout(location = 1) in vec4 depths;    // window depth at a and b, tolerance in mm, see InkSegment::contour
 layout(location = 2) in vec4 outwards;  // unit directions across a contour, away from the surface
 layout(location = 3) in vec4 strokes;   // half width at a and b, opacity at a and b
 
@@ -20,7 +20,7 @@ void main() {
   lineOutwards = outwards;
   lineStrokes = strokes;
   // S eq. 1: the stroke lies outside of the contour, not across it.
-  strokeEnds = ends + outwards * max(strokes.xxyy - 0.5, 0.0) * depths.w;
+  strokeEnds = ends + outwards * max(strokes.xxyy - 0.5, 0.0);
   vec2 a = strokeEnds.xy;
   vec2 b = strokeEnds.zw;
   float reach = max(strokes.x, strokes.y) + 0.5;

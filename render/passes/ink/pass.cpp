@@ -19,12 +19,12 @@ gpu::ProgramRecipe recipe() {
                        {"slot", UniformType::ivec4},
                        {"toAtlas", UniformType::ivec2},
                        {"projection", UniformType::vec4},
-                       {"inner", UniformType::real},
                        {"probe", UniformType::real},
                        {"reach", UniformType::vec2},
                        {"sheet", UniformType::real},
                        {"edges", UniformType::integer},
-                       {"paint", UniformType::vec4}}};
+                       {"paint", UniformType::vec4},
+                       {"key", UniformType::vec3}}};
 }
 
 std::vector<gpu::Stream> streams(const gpu::Buffer& buffer) {
@@ -68,12 +68,12 @@ void InkPass::draw(gpu::Device& device, const gpu::Target& target, const gpu::Te
                  glm::ivec4(draw.slot.x, draw.slot.y, draw.slot.right() - 1, draw.slot.top() - 1));
   m_program->set("toAtlas", glm::ivec2(draw.slot.x - draw.layer.x, draw.slot.y - draw.layer.y));
   m_program->set("projection", draw.projection);
-  m_program->set("inner", draw.inner);
   m_program->set("probe", draw.probe);
   m_program->set("reach", draw.reach);
   m_program->set("sheet", draw.sheet);
   m_program->set("edges", draw.edge ? 1 : 0);
   m_program->set("paint", draw.edge.value_or(glm::vec4(0.0f)));
+  m_program->set("key", draw.key);
   m_geometry.startInstancesAt(draw.first);
   // Segments come farthest first, so the depth that stays is the nearest line's although every
   // coverage counts.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
 #include <optional>
@@ -20,8 +21,9 @@ struct InkSegment {
   float depthA = 0.0f;  ///< window depth, 0 … 1
   float depthB = 0.0f;
   float tolerance = 0.0f;  ///< mm that its own surface may lie before it
-  float contour = 0.0f;    ///< 1: a contour, its stroke lies outside of the line; 0: a line on the
-                           ///< surface, its stroke is centred
+  float contour = 0.0f;    ///< 0: a line on the surface, its stroke is centred; else a contour, its
+                           ///< stroke lies outside of the line, and 1 … 2: 1 + the share of it
+                           ///< that is left within the surface's own mask
   glm::vec2 outwardA{0.0f};
   glm::vec2 outwardB{0.0f};
   float halfWidthA = 1.0f;  ///< px, at least 0.5
@@ -36,11 +38,11 @@ struct InkDraw {
   gpu::Rect layer;  ///< as in SurfaceDraw
   gpu::Rect slot;
   glm::vec4 projection{0.0f};  ///< projection matrix [2][2], [3][2], [2][3], [3][3]
-  float inner = 1.0f;          ///< T_C for contours within the surface's own mask
   float probe = 3.0f;          ///< px outside a contour at which its own mask makes it an inner one
   glm::vec2 reach{1.0f, 4.0f};    ///< px outside a contour at which the surface has fallen away
   std::optional<glm::vec4> edge;  ///< a fill's colour and opacity: draws edges instead of ink
-  float sheet = 0.0f;  ///< mm in front of a contour within which its own sheet may lie (see .glsl)
+  glm::vec3 key{0.0f};  ///< the surfaces' key light in the camera's frame, for edges; 0: none
+  float sheet = 0.0f;   ///< mm in front of a contour within which its own sheet may lie (see .glsl)
 };
 
 class InkPass {

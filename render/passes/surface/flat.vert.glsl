@@ -7,6 +7,13 @@ uniform mat4 viewProjection;
 uniform vec2 pictureSize;
 uniform vec4 layer;
 
+#ifdef SECTIONED
+out vec3 place;
+#endif
+
 void main() {
   gl_Position = layerClip(viewProjection * vec4(position, 1.0), pictureSize, layer);
+#ifdef SECTIONED
+  place = position;
+#endif
 }

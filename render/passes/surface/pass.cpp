@@ -32,21 +32,39 @@ gpu::ProgramRecipe phongRecipe() {
                        {"colour", UniformType::vec3},
                        {"wash", UniformType::vec4},
                        {"transition", UniformType::vec3},
-                       {"twoSided", UniformType::integer}}};
+                       {"twoSided", UniformType::integer},
+                       {"glaze", UniformType::real},
+                       {"key", UniformType::vec3}}};
+}
+
+/// The same program, leaving out what sections cut away.
+gpu::ProgramRecipe sectioned(gpu::ProgramRecipe recipe) {
+  const bool flat = recipe.fragmentFile == "flat.frag.glsl";
+  recipe.name = flat ? "cut flat surface" : "cut shaded surface";
+  recipe.vertexFile = flat ? "flat_cut.vert.glsl" : "surface_cut.vert.glsl";
+  recipe.fragmentFile = flat ? "flat_cut.frag.glsl" : "surface_cut.frag.glsl";
+  recipe.uniforms.push_back({"sections[0]", UniformType::vec4});
+  recipe.uniforms.push_back({"sectionCount", UniformType::integer});
+  return recipe;
 }
 
 }  // namespace
 
 Result<std::unique_ptr<SurfacePass>> SurfacePass::create(gpu::Dialect dialect) {
   std::unique_ptr<SurfacePass> pass(new SurfacePass);
-  auto flat = gpu::Program::create(shaderFiles(), dialect, flatRecipe());
-  if (!flat)
-    return flat.error();
-  auto phong = gpu::Program::create(shaderFiles(), dialect, phongRecipe());
-  if (!phong)
-    return phong.error();
-  pass->m_flat = std::move(*flat);
-  pass->m_phong = std::move(*phong);
+  const auto make = [dialect](std::unique_ptr<gpu::Program>& program,
+                              const gpu::ProgramRecipe& recipe) -> Status {
+    auto made = gpu::Program::create(shaderFiles(), dialect, recipe);
+    if (!made)
+      return made.error();
+    program = std::move(*made);
+    return Unit{};
+  };
+  for (const Status& status : {make(pass->m_flat, flatRecipe()), make(pass->m_phong, phongRecipe()),
+                               make(pass->m_flatCut, sectioned(flatRecipe())),
+                               make(pass->m_phongCut, sectioned(phongRecipe()))})
+    if (!status)
+      return status.error();
   return pass;
 }
 
@@ -54,7 +72,13 @@ void SurfacePass::draw(gpu::Device& device, const gpu::Target& target, const Sur
                        const SurfaceDraw& draw) const {
   const SurfaceFill& fill = draw.fill;
   const bool shaded = fill.kind == SurfaceFill::Kind::phong;
-  const gpu::Program& program = shaded ? *m_phong : *m_flat;
+  const bool cut = !draw.sections.empty();
+  const gpu::Program& program =
+      cut ? (shaded ? *m_phongCut : *m_flatCut) : (shaded ? *m_phong : *m_flat);
+  if (cut) {
+    program.set("sections[0]", draw.sections);
+    program.set("sectionCount", int(draw.sections.size()));
+  }
   program.set("viewProjection", view.viewProjection);
   program.set("pictureSize", view.pictureSize);
   program.set("layer", glm::vec4(float(draw.layer.x), float(draw.layer.y), float(draw.layer.width),
@@ -67,6 +91,8 @@ void SurfacePass::draw(gpu::Device& device, const gpu::Target& target, const Sur
     program.set("wash", fill.wash);
     program.set("transition", glm::vec3(fill.shading, fill.complete, fill.opacity));
     program.set("twoSided", fill.twoSided ? 1 : 0);
+    program.set("glaze", fill.glaze);
+    program.set("key", view.key);
   } else {
     program.set("colour", fill.wash);
   }

@@ -16,6 +16,7 @@ struct SurfaceView {
   glm::mat4 viewProjection{1.0f};
   glm::vec4 eye{0.0f};  ///< position and 1, or for a parallel projection direction and 0
   glm::vec2 pictureSize{1.0f};
+  glm::vec3 key{0.0f};  ///< unit, towards a key light besides the headlight; 0: there is none
 };
 
 /// How the surface's pixels look.
@@ -28,6 +29,9 @@ struct SurfaceFill {
   float complete = 0.0f;  ///< clamp01(Γ − 4): mixes the opacity with 1
   float opacity = 1.0f;   ///< the style's
   float filigree = 1.0f;  ///< F_c in mm
+  /// 1: a thin fill shows the colour itself, and shadows deepen as it closes; they would grey white
+  /// paper. 0: shadows from the start; on a dark ground colour would lighten them first.
+  float glaze = 0.0f;
   bool twoSided = false;  ///< normals turn towards the eye
 };
 
@@ -38,6 +42,7 @@ struct SurfaceDraw {
   gpu::Rect layer;                         ///< in picture pixels, y upwards
   gpu::Rect slot;                          ///< the layer's place in the target, of the same size
   SurfaceFill fill;
+  std::span<const glm::vec4> sections;  ///< as in sections.glsl; at most 8
 };
 
 class SurfacePass {
@@ -50,6 +55,9 @@ class SurfacePass {
   SurfacePass() = default;
   std::unique_ptr<gpu::Program> m_flat;
   std::unique_ptr<gpu::Program> m_phong;
+  // Their own programs, so that what is not cut pays nothing: `discard` costs early depth tests.
+  std::unique_ptr<gpu::Program> m_flatCut;
+  std::unique_ptr<gpu::Program> m_phongCut;
 };
 
 }  // namespace sline::render::passes

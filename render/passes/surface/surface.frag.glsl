@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "phong.glsl"
+#ifdef SECTIONED
+#include "sections.glsl"
+in vec3 place;
+#endif
 in vec3 surfaceNormal;
 in vec3 towardsEye;
 in float gradient;
@@ -8,12 +12,18 @@ uniform vec3 colour;
 uniform vec4 wash;           // premultiplied, lies under the shading
 uniform vec3 transition;     // T_P, clamp01(Γ − 4), the style's opacity
 uniform int twoSided;
+uniform float glaze;         // share of shadow that a thin fill leaves out
+uniform vec3 key;            // unit, towards the key light; 0: there is none
 
 out vec4 fragment;
 
 const float quarterTurn = 1.5707963268;
 
 void main() {
+#ifdef SECTIONED
+  if (cutAway(place))
+    discard;
+#endif
   float nv = dot(normalize(surfaceNormal), normalize(towardsEye));
   float side = twoSided != 0 && nv < 0.0 ? -1.0 : 1.0;
   nv = clamp(nv * side, 0.0, 1.0);
@@ -23,6 +33,16 @@ void main() {
   float byAngle = shading > 0.0
       ? clamp((acos(nv) - threshold) / max(quarterTurn - threshold, 1e-4), 0.0, 1.0) : 0.0;
   float byLight = clamp(gradient * side, 0.0, 1.0) * (1.0 - shading) + shading;
-  float opacity = mix(byAngle * byLight, 1.0, transition.y) * transition.z;
-  fragment = vec4(min(phong(colour, nv), 1.0) * opacity, opacity) + wash * (1.0 - opacity);
+  float entered = mix(byAngle * byLight, 1.0, transition.y);
+  float opacity = entered * transition.z;
+  vec3 shaded;
+  if (key != vec3(0.0)) {
+    vec3 n = normalize(surfaceNormal) * side;
+    vec3 h = normalize(key + normalize(towardsEye));
+    shaded = phongWithKey(colour, nv, dot(n, key), dot(n, h));
+  } else {
+    shaded = phong(colour, nv);
+  }
+  shaded = mix(shaded, max(shaded, colour), glaze * (1.0 - entered));
+  fragment = vec4(min(shaded, 1.0) * opacity, opacity) + wash * (1.0 - opacity);
 }

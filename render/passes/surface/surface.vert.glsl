@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "light_gradient.glsl"
 #include "place.glsl"
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 normal;
@@ -14,21 +15,24 @@ uniform float filigree;    // F_c in mm
 
 out vec3 surfaceNormal;
 out vec3 towardsEye;
+#ifdef SECTIONED
+out vec3 place;
+#endif
 out float gradient;  // ⟨k, v̂⟩·F_c
 
 void main() {
   gl_Position = layerClip(viewProjection * vec4(position, 1.0), pictureSize, layer);
+#ifdef SECTIONED
+  place = position;
+#endif
   vec3 toEye = eye.xyz - eye.w * position;
   float away = eye.w / max(length(toEye), 1e-20);
   vec3 v = normalize(toEye);
   vec3 n = normalize(normal.xyz);
   float nv = dot(n, v);
   vec3 w = v - nv * n;
-  // METHOD §3: k = S w + (nv/d)·w.
-  vec3 sw = shapeScale * vec3(shapeA.x * w.x + shapeA.w * w.y + shapeB.x * w.z,
-                              shapeA.w * w.x + shapeA.y * w.y + shapeB.y * w.z,
-                              shapeB.x * w.x + shapeB.y * w.y + shapeA.z * w.z);
-  gradient = dot(sw, w) + filigree * nv * away * dot(w, w);
+  gradient =
+      dot(lightGradient(shapeScale * shapeA, shapeScale * shapeB, w, filigree * nv * away), w);
   surfaceNormal = n;
   towardsEye = v;
 }

@@ -81,6 +81,8 @@ class EditTest : public QObject {
   void showsOnly_data();
   void showsOnly();
   void showsOnlyAfterHiding();
+  void inkAlone_data();
+  void inkAlone();
 };
 
 void EditTest::treeEdits_data() {
@@ -164,7 +166,8 @@ void EditTest::treeEdits() {
   QCOMPARE(written(edited.scene), result);
   QCOMPARE(edited.changed, result != before);
   QCOMPARE(edited.changed, !(edited.scene == s.scene));
-  QCOMPARE(written(s.scene), before);  // the value that came in is untouched
+  // The value that came in is untouched.
+  QCOMPARE(written(s.scene), before);
 }
 
 void EditTest::rename() {
@@ -239,6 +242,52 @@ void EditTest::showsOnlyAfterHiding() {
   QCOMPARE(visibleNames(dark), QString());
   QCOMPARE(visibleNames(withOnlyVisible(dark, s.ids("b1")).scene), QString("b1"));
   QCOMPARE(visibleNames(withOnlyVisible(dark, s.ids("root")).scene), QString("b1 b2 a d"));
+}
+
+void EditTest::inkAlone_data() {
+  QTest::addColumn<float>("gamma");
+  QTest::addColumn<int>("fill");
+  QTest::addColumn<float>("opacity");
+  QTest::addColumn<float>("newGamma");
+  QTest::addColumn<int>("newFill");
+  const int none = int(Fill::none);
+  const int paper = int(Fill::paper);
+  const int tint = int(Fill::tint);
+  QTest::newRow("lines stay") << 1.5f << none << 1.0f << 1.5f << none;
+  QTest::newRow("hatching stays") << 3.0f << none << 1.0f << 3.0f << none;
+  QTest::newRow("paper stays") << 1.0f << paper << 1.0f << 1.0f << paper;
+  QTest::newRow("a wash hides") << 1.0f << tint << 1.0f << 1.0f << paper;
+  QTest::newRow("shading hides") << 5.0f << none << 1.0f << 3.0f << paper;
+  QTest::newRow("some shading hides") << 3.2f << tint << 0.6f << 3.0f << paper;
+  QTest::newRow("a veil hides nothing") << 5.0f << tint << 0.3f << 3.0f << none;
+}
+
+void EditTest::inkAlone() {
+  QFETCH(float, gamma);
+  QFETCH(int, fill);
+  QFETCH(float, opacity);
+  QFETCH(float, newGamma);
+  QFETCH(int, newFill);
+  Sample s;
+  Style style;
+  style.gamma = Gamma::clamped(gamma);
+  style.fill = Fill(fill);
+  style.opacity = Opacity::clamped(opacity);
+  style.inkColour = Colour{10, 20, 200};
+  // What a group says holds for what is in it.
+  const Scene scene = withStyle(s.scene, s.ids("A"), style).scene;
+  const Edited edited = withInkAlone(scene);
+  QVERIFY(edited.changed);
+  for (const NodeId id : s.ids("b1 a")) {
+    const ResolvedStyle drawn = edited.scene.resolve(id);
+    QCOMPARE(drawn.gamma.value(), newGamma);
+    QCOMPARE(int(drawn.fill), newFill);
+    QCOMPARE(*drawn.inkColour, (Colour{0, 0, 0}));
+    if (newFill != int(Fill::none))
+      QCOMPARE(drawn.opacity.value(), 1.0f);
+  }
+  QCOMPARE(edited.scene.resolve(s.id("d")).gamma, scene.resolve(s.id("d")).gamma);
+  QVERIFY(!withInkAlone(edited.scene).changed);
 }
 
 }  // namespace sline::model

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "render/gpu/headless/context.h"
+#include "render/passes/hatching/pass.h"
 #include "render/passes/ink/pass.h"
 #include "render/passes/plain_phong/pass.h"
 #include "render/passes/resolve/pass.h"
@@ -140,6 +141,7 @@ void PassesTest::shadersSpeakBothDialects() {
     QVERIFY2(pass.ok(), pass.ok() ? "" : pass.error().text().c_str());
   };
   check(passes::SurfacePass::create(d));
+  check(passes::HatchingPass::create(d));
   check(passes::InkPass::create(d));
   check(ResolvePass::create(d));
   check(passes::PlainPhongPass::create(d));

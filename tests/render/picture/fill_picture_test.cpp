@@ -21,9 +21,14 @@ class FillPictureTest : public QObject {
   void opacityOfTheStyle();
   void seenFromWithin();
   void lightFallsFromTheEye();
+  void keyLightFallsFromTheUpperLeft();
+  void keyLightTurnsWithTheCamera();
+  void closesWithoutTurningBack_data();
+  void closesWithoutTurningBack();
 
  private:
-  Image picture(const model::Scene& scene, const model::Camera& camera, Background background);
+  Image picture(const model::Scene& scene, const model::Camera& camera, Background background,
+                bool keyLight = false);
   Studio m_studio;
 };
 
@@ -35,9 +40,9 @@ void FillPictureTest::initTestCase() {
 }
 
 Image FillPictureTest::picture(const model::Scene& scene, const model::Camera& camera,
-                               Background background) {
-  auto image = m_studio.picture->render(scene, camera,
-                                        {.width = 400, .height = 300, .background = background});
+                               Background background, bool keyLight) {
+  auto image = m_studio.picture->render(
+      scene, camera, {.width = 400, .height = 300, .background = background, .keyLight = keyLight});
   if (!image)
     qFatal("%s", image.error().text().c_str());
   return std::move(*image);
@@ -163,6 +168,67 @@ void FillPictureTest::lightFallsFromTheEye() {
     last = grey;
   }
   QVERIFY(pixelAt(image, 200, 150).grey() > 1.4 * last);
+}
+
+void FillPictureTest::keyLightFallsFromTheUpperLeft() {
+  model::Scene scene;
+  add(scene, sphere(50.0f, 5), gammaStyle(5.0f));
+  const auto corner = [](const Image& image, int right, int down) {
+    return pixelAt(image, 200 + 50 * right, 150 + 50 * down).grey();
+  };
+  const Image head = picture(scene, frontal(150.0f), Background::white);
+  const Image key = picture(scene, frontal(150.0f), Background::white, true);
+  QVERIFY(std::abs(corner(head, -1, -1) - corner(head, 1, 1)) <= 2);
+  QVERIFY2(corner(key, -1, -1) > 1.4 * corner(key, 1, 1),
+           qPrintable(QString("%1, %2").arg(corner(key, -1, -1)).arg(corner(key, 1, 1))));
+  QVERIFY(corner(key, 1, -1) > corner(key, 1, 1) && corner(key, 1, -1) < corner(key, -1, -1));
+  // What was drawn is drawn anew for another light.
+  QCOMPARE(difference(picture(scene, frontal(150.0f), Background::white), head).largest, 0);
+}
+
+void FillPictureTest::keyLightTurnsWithTheCamera() {
+  model::Scene scene;
+  add(scene, sphere(50.0f, 5), gammaStyle(5.0f));
+  const Image front = picture(scene, frontal(150.0f), Background::white, true);
+  model::Camera above = frontal(150.0f);
+  above.eye = {300.0f, 500.0f, 800.0f};
+  above.up = {1.0f, 0.3f, 0.0f};
+  const Difference d = difference(front, picture(scene, above, Background::white, true));
+  QVERIFY2(d.mean < 0.5, qPrintable(QString::number(d.mean)));
+}
+
+void FillPictureTest::closesWithoutTurningBack_data() {
+  QTest::addColumn<int>("background");
+  QTest::addColumn<bool>("keyLight");
+  QTest::newRow("white") << int(Background::white) << false;
+  QTest::newRow("white, key light") << int(Background::white) << true;
+  QTest::newRow("dark") << int(Background::dark) << false;
+  QTest::newRow("dark, key light") << int(Background::dark) << true;
+}
+
+void FillPictureTest::closesWithoutTurningBack() {
+  QFETCH(int, background);
+  QFETCH(bool, keyLight);
+  // Each pixel goes from the ground's colour to the surface's, and turns back by at most 2 %
+  // (METHOD §7).
+  std::vector<Image> images;
+  for (const float gamma : {3.0f, 3.3f, 3.6f, 3.9f, 4.0f, 4.4f, 4.8f, 4.95f, 4.999f}) {
+    model::Style style = gammaStyle(gamma);
+    style.penWeight = 0.0f;
+    style.colour = Colour{230, 120, 60};
+    model::Scene scene;
+    add(scene, sphere(50.0f, 5), style);
+    images.push_back(picture(scene, frontal(150.0f), Background(background), keyLight));
+  }
+  const Image& last = images.back();
+  int turned = 0;
+  for (std::size_t i = 1; i < images.size(); ++i)
+    for (std::size_t k = 0; k < last.rgba.size(); ++k) {
+      const auto [low, high] = std::minmax(images[i - 1].rgba[k], last.rgba[k]);
+      const int now = images[i].rgba[k];
+      turned = std::max({turned, low - now, now - high});
+    }
+  QVERIFY2(turned <= 5, qPrintable(QString("by %1 of 255").arg(turned)));
 }
 
 QTEST_GUILESS_MAIN(FillPictureTest)

@@ -18,6 +18,8 @@ class LayersPictureTest : public QObject {
   void orderOfStructuresChangesNothing();
   void keepsWhatDidNotChange();
   void keptLayersGiveTheSamePicture();
+  void partsAlone_data();
+  void partsAlone();
   void piecesGiveTheSamePicture_data();
   void piecesGiveTheSamePicture();
   void drawsWhatIsLeftOfNothing();
@@ -143,6 +145,50 @@ void LayersPictureTest::keptLayersGiveTheSamePicture() {
     // Another place in the atlas may round shading otherwise.
     QVERIFY2(d.largest <= 2, qPrintable(QString("%1, %2 of pixels").arg(d.largest).arg(d.share)));
   }
+}
+
+void LayersPictureTest::partsAlone_data() {
+  QTest::addColumn<float>("gamma");
+  QTest::addColumn<bool>("lines");
+  QTest::addColumn<bool>("fills");
+  QTest::addColumn<bool>("drawsInk");
+  QTest::addColumn<bool>("drawsColour");
+  QTest::newRow("lines of a drawing") << 2.0f << true << false << true << false;
+  QTest::newRow("fills of a drawing: none") << 2.0f << false << true << false << false;
+  QTest::newRow("lines while the fill closes") << 4.5f << true << false << true << false;
+  QTest::newRow("fills while lines leave") << 4.5f << false << true << false << true;
+  QTest::newRow("lines of a shaded surface: none") << 5.0f << true << false << false << false;
+  QTest::newRow("fills of a shaded surface") << 5.0f << false << true << false << true;
+  QTest::newRow("nothing") << 4.5f << false << false << false << false;
+}
+
+void LayersPictureTest::partsAlone() {
+  QFETCH(float, gamma);
+  QFETCH(bool, lines);
+  QFETCH(bool, fills);
+  model::Scene scene;
+  model::Style style = gammaStyle(gamma);
+  style.colour = Colour{250, 60, 60};
+  add(scene, torus(30.0f, 12.0f, 96, 48), style);
+  PictureSettings asked = settings;
+  // The whole picture first: nothing kept from it may show in the parts.
+  const auto whole = m_studio.picture->render(scene, camera(), asked);
+  QVERIFY(whole.ok());
+  asked.parts = {.lines = lines, .hatching = false, .fills = fills};
+  const auto part = m_studio.picture->render(scene, camera(), asked);
+  QVERIFY(part.ok());
+  std::size_t ink = 0;
+  std::size_t colour = 0;
+  for (std::size_t i = 0; i < part->rgba.size(); i += 4) {
+    const int red = part->rgba[i];
+    const int blue = part->rgba[i + 2];
+    ink += red == blue && red < 230;
+    colour += red > blue + 40;
+  }
+  QTEST(ink > 100, "drawsInk");
+  QTEST(colour > 1000, "drawsColour");
+  if (!lines && !fills)
+    QCOMPARE(ink + colour, std::size_t(0));
 }
 
 void LayersPictureTest::piecesGiveTheSamePicture_data() {

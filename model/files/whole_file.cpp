@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/text_file.h"
+#include "model/files/whole_file.h"
 
 #include <unistd.h>
 
@@ -7,7 +7,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace sline::cli {
+namespace sline::model {
 
 namespace fs = std::filesystem;
 
@@ -75,4 +75,4 @@ Result<std::string> readText(const fs::path& file, std::size_t limit) {
   return text;
 }
 
-}  // namespace sline::cli
+}  // namespace sline::model

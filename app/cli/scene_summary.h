@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is in a scene, for people and for programs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/json_values.h"
+#include "model/scene/scene.h"
+
+namespace sline::cli {
+
+struct StructureInfo {
+  std::string name;
+  std::string group;
+  model::MeshPtr mesh;
+  bool closed = false;
+  std::size_t components = 0;
+};
+
+struct SceneSummary {
+  std::size_t triangles = 0;
+  std::size_t vertices = 0;
+  model::Box bounds;
+  std::vector<StructureInfo> structures;
+};
+
+SceneSummary summaryOf(const model::Scene& scene);
+
+/// "triangles", "vertices", "bounds_mm", "frame", "structures".
+Json summaryJson(const SceneSummary& summary, const std::string& frame);
+/// One line per structure and one for all; `frame` as it shall be read there.
+void printSummary(const SceneSummary& summary, const std::string& frame);
+
+}  // namespace sline::cli

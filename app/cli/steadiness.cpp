@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+// `sline steadiness`: does hatching stay on the surface while the camera turns?
+#include "render/measures/steadiness.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "app/cli/json_values.h"
+#include "app/cli/measure_options.h"
+
+namespace sline::cli {
+
+namespace {
+
+struct SteadinessFlags {
+  MeasureFlags measure;
+  std::string gamma = "3";
+  int frames = 10;
+};
+
+struct MeasuredSteadiness {
+  std::string name;
+  std::string group;
+  render::Steadiness steadiness;
+  std::vector<std::string> faults;
+};
+
+Json optionalNumber(const std::optional<double>& value) {
+  return value ? jsonNumber(float(*value)) : Json(nullptr);
+}
+
+Json flickerJson(const render::Flicker& flicker) {
+  return {{"over_surface", jsonNumber(float(flicker.overSurface))},
+          {"over_hatching", jsonNumber(float(flicker.overHatching))},
+          {"hatched_share", jsonNumber(float(flicker.hatchedShare))},
+          {"mid_tones", jsonNumber(float(flicker.midTones))},
+          {"mid_tones_doubled", jsonNumber(float(flicker.midTonesDoubled))}};
+}
+
+Json steadinessJson(const MeasuredSteadiness& measured) {
+  return {{"name", measured.name},
+          {"group", measured.group},
+          {"strokes", flickerJson(measured.steadiness.strokes)},
+          {"as_printed", flickerJson(measured.steadiness.asPrinted)},
+          {"ratio", optionalNumber(measured.steadiness.ratio())},
+          {"ratio_over_hatching", optionalNumber(measured.steadiness.hatchedRatio())},
+          {"faults", measured.faults}};
+}
+
+void printFlicker(const char* name, const render::Flicker& flicker) {
+  std::printf("  %-11s %8.4f %9.4f %8.1f %%  %7.1f %% %7.1f %%\n", name, flicker.overSurface,
+              flicker.overHatching, 100.0 * flicker.hatchedShare, 100.0 * flicker.midTones,
+              100.0 * flicker.midTonesDoubled);
+}
+
+void printSteadiness(const MeasuredSteadiness& measured) {
+  std::printf("%s\n  %-11s  surface  hatching  hatched  mid-tones  doubled\n",
+              measured.name.c_str(), "change of");
+  printFlicker("strokes", measured.steadiness.strokes);
+  printFlicker("as printed", measured.steadiness.asPrinted);
+  const auto ratio = measured.steadiness.ratio();
+  const auto hatched = measured.steadiness.hatchedRatio();
+  if (ratio && hatched)
+    std::printf("  ratio       %8.2f %9.2f\n", *ratio, *hatched);
+  for (const std::string& fault : measured.faults)
+    std::printf("  ✗ %s\n", fault.c_str());
+  std::printf("\n");
+}
+
+Result<MeasuredSteadiness> measure(render::Picture& picture, const render::Subject& subject,
+                                   Gamma gamma, int frames) {
+  const std::array<render::HatchingPicture, 2> ways{
+      hatchingPicture(picture, subject, gamma, render::HatchingMethod::strokes),
+      hatchingPicture(picture, subject, gamma, render::HatchingMethod::asPrinted)};
+  const auto flickers = render::measureFlicker({.mesh = subject.structure().mesh,
+                                                .camera = subject.camera,
+                                                .width = subject.width,
+                                                .height = subject.height,
+                                                .frames = frames},
+                                               ways);
+  if (!flickers.ok()) {
+    Error error = flickers.error();
+    error.where = subject.structure().name;
+    return error;
+  }
+  MeasuredSteadiness measured{
+      .name = subject.structure().name,
+      .steadiness = {.strokes = flickers->front(), .asPrinted = flickers->back()}};
+  measured.faults = render::faults(measured.steadiness);
+  return measured;
+}
+
+Exit runSteadiness(const SteadinessFlags& flags) {
+  const Result<Gamma> gamma = parseGamma(flags.gamma);
+  if (!gamma.ok())
+    return complain(gamma.error(), Exit::wrongUse);
+  Progress progress;
+  bool wrongUse = false;
+  const Result<MeasureOrder> order = measureOrder(flags.measure, progress, wrongUse);
+  if (!order.ok())
+    return complain(order.error(), wrongUse ? Exit::wrongUse : Exit::failed);
+  const Result<Studio> studio = openStudio();
+  if (!studio.ok())
+    return complain(studio.error(), Exit::failed);
+  Json list = Json::array();
+  bool passes = true;
+  std::size_t done = 0;
+  for (const model::NodeId id : order->structures) {
+    progress.show(double(done++) / double(order->structures.size()), order->scene.find(id)->name);
+    const Result<render::Subject> subject = subjectOf(*order, id);
+    if (!subject.ok())
+      return complain(subject.error(), Exit::wrongUse);
+    Result<MeasuredSteadiness> measured = measure(*studio->picture, *subject, *gamma, flags.frames);
+    progress.wipe();
+    if (!measured.ok())
+      return complain(measured.error(), Exit::failed);
+    measured->group = order->scene.groupPath(id);
+    passes = passes && measured->faults.empty();
+    if (flags.measure.json)
+      list.push_back(steadinessJson(*measured));
+    else
+      printSteadiness(*measured);
+  }
+  if (flags.measure.json)
+    std::printf("%s\n", jsonText({{"structures", list}, {"passes", passes}}, 2).c_str());
+  if (std::fflush(stdout) != 0)
+    return Exit::failed;
+  return flags.measure.check && !passes ? Exit::failed : Exit::done;
+}
+
+void declareSteadiness(CLI::App& command, SteadinessFlags& flags) {
+  addMeasureOptions(command, flags.measure);
+  command.add_option("--gamma", flags.gamma, "At which gamma the structure is hatched")
+      ->type_name("G")
+      ->capture_default_str();
+  command.add_option("--frames", flags.frames, "Turns of half a degree, 1 to 360")
+      ->check(CLI::Range(1, 360))
+      ->capture_default_str();
+  command.footer(
+      "Turns the camera about the structure's middle in steps of half a degree, hatching alone, "
+      "and\n"
+      "moves each picture onto the next by depth and camera: what differs then, on average over "
+      "the\n"
+      "surface that both see, has not stayed on the surface. Strokes may change half as much as\n"
+      "hatching as the paper prints it; of their pixels at most 25 % may be mid-tones (ink "
+      "between\n"
+      "0.2 and 0.8), at this size and at twice it.");
+}
+
+}  // namespace
+
+void addSteadiness(CLI::App& program, Exit& exit) {
+  addCommand<SteadinessFlags>(program, exit,
+                              {"steadiness", "Measure how steady hatching is as the camera turns"},
+                              declareSteadiness, runSteadiness);
+}
+
+}  // namespace sline::cli

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "model/demo/demo_structure.h"
+
+namespace sline::model {
+
+/// The structures of the demo abdomen before they are meshed.
+std::vector<DemoStructure> abdomenStructures(Sex sex);
+
+/// The organs of the abdomen before the lumbar column, modelled by the program: some fifty closed
+/// surfaces in groups by system, patient frame LPS, millimetres. No organ here differs between the
+/// sexes in kind; the female body is the male one at 0.93 of its size, the ratio of mean statures.
+/// Saved views: "Overview", "Behind the stomach", "Posterior abdominal wall", "Visceral surface of
+/// the liver".
+Scene abdomenDemo(Sex sex);
+
+}  // namespace sline::model

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// Liver, gallbladder and bile ducts, pancreas, spleen, adrenal glands.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "model/demo/abdomen_parts.h"
+#include "model/demo/swept.h"
+
+namespace sline::model {
+
+namespace {
+constexpr Colour liverColour{138, 69, 38};
+constexpr Colour bileColour{60, 130, 90};
+constexpr Colour pancreasColour{216, 180, 94};
+constexpr Colour spleenColour{125, 74, 115};
+constexpr Colour adrenalColour{224, 176, 60};
+
+DemoStructure gland(std::string name, const char* group, Colour colour, float gamma, Field field,
+                    Box box) {
+  return {.name = std::move(name),
+          .groups = {group},
+          .colour = colour,
+          .gamma = Gamma::clamped(gamma),
+          .field = std::move(field),
+          .box = box};
+}
+
+DemoStructure liver() {
+  DemoStructure s = gland("liver", "Digestive system", liverColour, 4.4f, liverField(),
+                          {{-150, -104, -75}, {96, 88, 122}});
+  s.edge = 2.5f;
+  s.rounding = 4.0f;
+  return s;
+}
+
+std::shared_ptr<const Swept> gallbladderTube() {
+  return std::make_shared<Swept>(std::array<SweptPoint, 8>{{{{-63, -86, -38}, 11.0f},
+                                                            {{-62, -79, -31}, 15.0f},
+                                                            {{-58, -64, -17}, 15.5f},
+                                                            {{-53, -50, -3}, 12.0f},
+                                                            {{-48, -41, 9}, 7.5f},
+                                                            {{-44, -36, 17}, 4.6f},
+                                                            {{-42, -31, 22}, 2.8f},
+                                                            {{-38, -28, 21}, 2.3f}}},
+                                 glm::vec3(0, -1, 0));
+}
+
+DemoStructure gallbladder() {
+  const auto tube = gallbladderTube();
+  const Field field = [tube](const glm::vec3& p) {
+    const SweptPlace at = tube->place(p);
+    // The spiral fold twists the neck.
+    const float neck = std::clamp((at.along - 58.0f) / 10.0f, 0.0f, 1.0f);
+    return at.distance + neck * 0.5f * std::sin(at.along * 1.25f + at.angle);
+  };
+  DemoStructure s =
+      gland("gallbladder", "Biliary system", bileColour, 5.0f, field, grown(tube->bounds(), 3.0f));
+  s.edge = 1.7f;
+  return s;
+}
+
+DemoStructure bileDucts() {
+  const auto common = std::make_shared<Swept>(std::array<SweptPoint, 8>{{{{-36, -27, 44}, 2.6f},
+                                                                         {{-34, -26, 34}, 3.1f},
+                                                                         {{-34, -25.5f, 20}, 3.3f},
+                                                                         {{-35, -24, 6}, 3.5f},
+                                                                         {{-37, -20, -8}, 3.4f},
+                                                                         {{-41, -15, -22}, 3.2f},
+                                                                         {{-45, -12, -31}, 3.0f},
+                                                                         {{-50, -11, -36}, 2.6f}}},
+                                              glm::vec3(0, -1, 0));
+  const auto right = std::make_shared<Swept>(
+      std::array<SweptPoint, 3>{
+          {{{-35, -26, 34}, 2.4f}, {{-44, -26, 42}, 2.3f}, {{-56, -24, 47}, 1.9f}}},
+      glm::vec3(0, -1, 0));
+  const auto left = std::make_shared<Swept>(
+      std::array<SweptPoint, 3>{
+          {{{-34, -26, 34}, 2.4f}, {{-27, -28, 43}, 2.3f}, {{-14, -31, 50}, 1.9f}}},
+      glm::vec3(0, -1, 0));
+  const auto cystic = std::make_shared<Swept>(
+      std::array<SweptPoint, 3>{
+          {{{-38, -28, 21}, 2.2f}, {{-36, -26.5f, 17}, 2.2f}, {{-34.5f, -25.5f, 10}, 2.6f}}},
+      glm::vec3(0, -1, 0));
+  const Field field = [=](const glm::vec3& p) {
+    float d = blendedUnion(common->distance(p), right->distance(p), 2.5f);
+    d = blendedUnion(d, left->distance(p), 2.5f);
+    return blendedUnion(d, cystic->distance(p), 2.0f);
+  };
+  Box box = common->bounds();
+  for (const auto& branch : {right, left, cystic})
+    box.add(branch->bounds());
+  DemoStructure s = gland("bile duct", "Biliary system", bileColour, 5.0f, field, grown(box, 3.0f));
+  s.edge = 1.2f;
+  s.gap = 0.3f;
+  return s;
+}
+
+/// Lobules: hills and furrows some 7 mm wide.
+float lobules(const glm::vec3& p) {
+  const glm::vec3 q = 0.50f * p + 0.9f * glm::vec3(std::sin(0.21f * p.z + 1.0f),
+                                                   std::sin(0.19f * p.x), std::sin(0.23f * p.y));
+  return std::sin(q.x) * std::sin(q.y + 0.7f) + std::sin(q.y) * std::sin(q.z + 1.9f) +
+         std::sin(q.z) * std::sin(q.x + 0.4f);
+}
+
+DemoStructure pancreas() {
+  const auto body =
+      std::make_shared<Swept>(std::array<SweptPoint, 9>{{{{-35, -27, -40}, 15, 0.80f},
+                                                         {{-34, -29, -22}, 17, 0.75f},
+                                                         {{-25, -37, -9}, 14, 0.75f},
+                                                         {{-7, -47, -2}, 9.5f, 0.80f},
+                                                         {{12, -45, 4}, 11, 0.75f},
+                                                         {{34, -25, 10}, 12.5f, 0.70f},
+                                                         {{58, -3, 17}, 12, 0.70f},
+                                                         {{80, 12, 26}, 10.5f, 0.75f},
+                                                         {{97, 20, 34}, 7.5f, 0.85f}}},
+                              glm::vec3(0, -1, 0));
+  const auto uncinate =
+      std::make_shared<Swept>(std::array<SweptPoint, 3>{{{{-33, -26, -44}, 12, 0.8f},
+                                                         {{-20, -26, -49}, 9.5f, 0.8f},
+                                                         {{-7, -28, -50}, 5.5f, 0.8f}}},
+                              glm::vec3(0, -1, 0));
+  const Field field = [=](const glm::vec3& p) {
+    const float d = blendedUnion(body->distance(p), uncinate->distance(p), 8.0f);
+    return d > 6.0f ? d - 2.0f : d + 0.40f * lobules(p);
+  };
+  Box box = body->bounds();
+  box.add(uncinate->bounds());
+  DemoStructure s =
+      gland("pancreas", "Digestive system", pancreasColour, 4.8f, field, grown(box, 4.0f));
+  s.edge = 1.8f;
+  s.rounding = 2.0f;
+  return s;
+}
+
+/// Columns: where the spleen's length, width and thickness point. It lies along the tenth rib.
+glm::mat3 spleenAxes() {
+  const glm::vec3 length = glm::normalize(glm::vec3(0.42f, -0.62f, -0.66f));
+  const glm::vec3 outward = glm::normalize(glm::vec3(0.80f, 0.60f, 0.0f));
+  const glm::vec3 thickness = glm::normalize(outward - glm::dot(outward, length) * length);
+  return {length, glm::cross(thickness, length), thickness};
+}
+
+DemoStructure spleen() {
+  const glm::vec3 middle(104, 42, 50);
+  const glm::mat3 axes = spleenAxes();
+  const Field field = [=](const glm::vec3& p) {
+    // x along its length (down and forward), y across, z out towards the ribs.
+    const glm::vec3 q = (p - middle) * axes;
+    glm::vec3 bent = q;
+    bent.z += 0.0045f * q.x * q.x + 0.0060f * q.y * q.y;
+    float d = ellipsoid(bent, {58.0f, 37.0f, 19.0f});
+    // Gastric and renal faces are hollow; the hilum is a groove on the ridge between them.
+    const float gastric = glm::length(q - glm::vec3(4, 30, -74)) - 64.0f;
+    const float renal = glm::length(q - glm::vec3(-8, -36, -72)) - 60.0f;
+    d = blendedDifference(d, gastric, 9.0f);
+    d = blendedDifference(d, renal, 9.0f);
+    d = blendedDifference(d, ellipsoid(q - glm::vec3(0, -1, -17), {26.0f, 4.0f, 7.0f}), 4.0f);
+    // Notches of the upper border.
+    for (const auto& [along, size] : {std::pair{6.0f, 4.2f}, {23.0f, 5.0f}, {38.0f, 3.6f}}) {
+      const glm::vec3 n = q - glm::vec3(along, 41.0f - 0.011f * along * along, -8.0f);
+      d = blendedDifference(d, ellipsoid(n, {size * 0.7f, 2.6f * size, 22.0f}), 5.0f);
+    }
+    return d;
+  };
+  DemoStructure s = gland("spleen", "Glands and spleen", spleenColour, 4.3f, field,
+                          {{40, -20, -20}, {162, 104, 120}});
+  s.edge = 2.4f;
+  s.rounding = 4.0f;
+  return s;
+}
+
+/// A thin cap on the kidney's upper pole: a ridge with two or three wings.
+DemoStructure adrenal(const char* name, const glm::vec3& apex, float side, bool crescent) {
+  const auto wing = [&](std::array<glm::vec3, 3> at) {
+    std::array<SweptPoint, 3> points{};
+    constexpr std::array<float, 3> radius{2.6f, 3.4f, 2.2f};
+    constexpr std::array<float, 3> depth{2.2f, 2.6f, 1.8f};
+    for (std::size_t i = 0; i < 3; ++i)
+      points[i] = {apex + glm::vec3(side, 1, 1) * at[i], radius[i], depth[i]};
+    return std::make_shared<Swept>(points, glm::vec3(0, -0.35f, 1));
+  };
+  const float drop = crescent ? -30.0f : -20.0f;
+  const auto medial = wing({{{0, 0, 0}, {-4, -1, -10}, {-9, 2, drop}}});
+  const auto lateral = wing({{{0, 0, 0}, {9, -1, -8}, {20, 2, drop + 4.0f}}});
+  const auto crest = wing({{{1, 3, 0}, {2, -4, -7}, {3, -8, -15}}});
+  const Field field = [=](const glm::vec3& p) {
+    float d = blendedUnion(medial->distance(p), lateral->distance(p), 4.0f);
+    d = blendedUnion(d, crest->distance(p), 5.0f);
+    return d + 0.25f * std::sin(0.8f * p.x + 0.5f) * std::sin(0.7f * p.z);
+  };
+  Box box = medial->bounds();
+  box.add(lateral->bounds());
+  box.add(crest->bounds());
+  DemoStructure s = gland(name, "Glands and spleen", adrenalColour, 4.0f, field, grown(box, 3.0f));
+  s.edge = 1.4f;
+  return s;
+}
+}  // namespace
+
+std::vector<DemoStructure> abdomenGlands() {
+  return {gallbladder(), bileDucts(), adrenal("right adrenal gland", {-42, 28, 46}, -1.0f, false),
+          adrenal("left adrenal gland", {40, 24, 60}, 1.0f, true), pancreas()};
+}
+
+std::vector<DemoStructure> abdomenSpleenAndLiver() {
+  return {spleen(), liver()};
+}
+
+}  // namespace sline::model

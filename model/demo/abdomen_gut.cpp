@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+// The alimentary canal: swept walls, folded where the organ is.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "model/demo/abdomen_parts.h"
+#include "model/demo/swept.h"
+
+namespace sline::model {
+
+namespace {
+constexpr Colour stomachColour{217, 143, 134};
+constexpr Colour bowelColour{217, 160, 124};
+constexpr Colour colonColour{191, 138, 99};
+constexpr float pi = 3.14159265f;
+
+DemoStructure organ(std::string name, Colour colour, float gamma, Field field, Box box) {
+  return {.name = std::move(name),
+          .groups = {"Digestive system"},
+          .colour = colour,
+          .gamma = Gamma::clamped(gamma),
+          .field = std::move(field),
+          .box = box};
+}
+
+DemoStructure stomach() {
+  const auto body =
+      std::make_shared<Swept>(std::array<SweptPoint, 9>{{{{60, 8, 80}, 31, 1.0f},
+                                                         {{66, -4, 60}, 37, 0.95f},
+                                                         {{66, -26, 34}, 38, 0.88f},
+                                                         {{58, -50, 6}, 37, 0.80f},
+                                                         {{40, -66, -17}, 32, 0.82f},
+                                                         {{14, -73, -24}, 25, 0.90f},
+                                                         {{-9, -69, -16}, 18, 0.95f},
+                                                         {{-25, -62, -6}, 12.5f, 1.0f},
+                                                         {{-32, -56, 0}, 10.5f, 1.0f}}},
+                              glm::vec3(0, -1, 0));
+  const auto gullet = std::make_shared<Swept>(std::array<SweptPoint, 5>{{{{17, -19, 132}, 8.5f},
+                                                                         {{17, -20, 106}, 8.5f},
+                                                                         {{22, -16, 91}, 9.0f},
+                                                                         {{35, -8, 78}, 14.0f},
+                                                                         {{48, -2, 68}, 18.0f}}},
+                                              glm::vec3(0, -1, 0));
+  const Field field = [body, gullet](const glm::vec3& p) {
+    const SweptPlace at = body->place(p);
+    // Peristalsis narrows the antrum; the pylorus is a ring of muscle.
+    const float towardsPylorus = at.along - body->length();
+    const float wave =
+        0.7f * std::sin(towardsPylorus * 2.0f * pi / 34.0f) * std::exp(towardsPylorus / 45.0f);
+    const float ring = 2.0f * std::exp(-0.5f * std::pow((towardsPylorus + 2.0f) / 5.0f, 2.0f));
+    const float fundus = ellipsoid(p - glm::vec3(59, 13, 83), {38.0f, 33.0f, 33.0f});
+    const float d = blendedUnion(at.distance + wave - ring, fundus, 46.0f);
+    return blendedUnion(d, gullet->distance(p), 9.0f);
+  };
+  Box box = grown(body->bounds(), 5.0f);
+  box.add(gullet->bounds());
+  box.add({{20, -22, 50}, {100, 50, 120}});
+  DemoStructure s = organ("stomach", stomachColour, 4.4f, field, grown(box, 3.0f));
+  s.edge = 2.6f;
+  s.rounding = 3.0f;
+  return s;
+}
+
+DemoStructure duodenum() {
+  const auto tube = std::make_shared<Swept>(std::array<SweptPoint, 15>{{{{-34, -54, 2}, 11},
+                                                                        {{-44, -45, 7}, 15},
+                                                                        {{-55, -28, 8}, 14},
+                                                                        {{-60, -16, -2}, 13.5f},
+                                                                        {{-61, -10, -20}, 13.5f},
+                                                                        {{-59, -9, -40}, 13.5f},
+                                                                        {{-53, -16, -58}, 14},
+                                                                        {{-40, -26, -69}, 13.5f},
+                                                                        {{-20, -36, -72}, 13},
+                                                                        {{0, -40, -71}, 12.5f},
+                                                                        {{19, -36, -64}, 12.5f},
+                                                                        {{29, -29, -48}, 12.5f},
+                                                                        {{32, -28, -32}, 12.5f},
+                                                                        {{38, -35, -22}, 12.5f},
+                                                                        {{46, -44, -28}, 11.0f}}},
+                                            glm::vec3(0, -1, 0));
+  const Field field = [tube](const glm::vec3& p) {
+    const SweptPlace at = tube->place(p);
+    // The superior part is smooth; further on the circular folds show faintly through the wall.
+    const float folds = std::min(std::max((at.along - 30.0f) / 30.0f, 0.0f), 1.0f);
+    return at.distance +
+           folds * 0.55f * std::sin(at.along * 2.0f * pi / 9.0f + 0.8f * std::sin(at.angle));
+  };
+  DemoStructure s = organ("duodenum", bowelColour, 4.2f, field, grown(tube->bounds(), 4.0f));
+  s.edge = 2.2f;
+  s.rounding = 2.0f;
+  return s;
+}
+
+/// Three bands of muscle, the taeniae, gather the wall into sacs.
+float haustrated(const SweptPlace& at) {
+  if (at.distance > 10.0f)
+    return at.distance - 2.0f;
+  const float across = std::sin(1.5f * at.angle);
+  const float band = across * across;
+  const float sac = std::sqrt(band + 0.01f);
+  // Folds are a little longer here, shorter there, and staggered between the bands.
+  const float phase =
+      2.75f * at.widths + 0.5f * std::sin(0.83f * at.widths) + 0.9f * std::sin(at.angle + 0.6f);
+  const float wave = std::sin(phase);
+  const float swell = std::sqrt(std::sqrt(wave * wave + 0.004f));
+  const float end = std::clamp(1.3f * at.widths, 0.0f, 1.0f);
+  const float hollow = 0.20f * (1.0f - swell) * sac + 0.10f * (1.0f - sac);
+  const float taenia = 0.035f * std::exp(-band / 0.02f);
+  return at.distance + at.radius * (hollow * (0.3f + 0.7f * end) - taenia * end);
+}
+
+/// The whole colon; its parts are cut from it.
+std::shared_ptr<const Swept> colonTube() {
+  return std::make_shared<Swept>(
+      std::array<SweptPoint, 32>{
+          {{{-82, -44, -160}, 25},   {{-92, -34, -142}, 31},   {{-101, -20, -114}, 28},
+           {{-106, -4, -86}, 26},    {{-106, 4, -60}, 26},     {{-99, -6, -40}, 25},
+           {{-89, -28, -40}, 24},    {{-82, -52, -52}, 23.5f}, {{-68, -70, -68}, 24},
+           {{-44, -80, -80}, 24},    {{-14, -86, -88}, 23},    {{18, -87, -88}, 22},
+           {{50, -82, -76}, 22},     {{78, -68, -54}, 21},     {{97, -46, -24}, 21},
+           {{109, -22, 2}, 20},      {{115, 2, 20}, 19},       {{119, 24, 20}, 18},
+           {{121, 36, 2}, 17.5f},    {{120, 38, -24}, 18},     {{117, 32, -54}, 17.5f},
+           {{113, 22, -86}, 17},     {{107, 8, -116}, 16.5f},  {{98, -8, -144}, 16},
+           {{86, -22, -168}, 15.5f}, {{66, -30, -187}, 16.5f}, {{42, -36, -192}, 17},
+           {{18, -34, -184}, 17},    {{-8, -22, -182}, 17},    {{-22, -2, -192}, 17},
+           {{-16, 18, -210}, 16.5f}, {{-2, 36, -240}, 16}}},
+      glm::vec3(0, -1, 0));
+}
+
+/// A stretch of a tube: where it begins and ends along it, absent where the tube itself does.
+struct Stretch {
+  std::optional<float> from;
+  std::optional<float> to;
+};
+
+/// The wall closed where the stretch begins and ends, its rims slightly rounded.
+float within(const Swept& tube, const Stretch& stretch, const glm::vec3& p, const SweptPlace& at,
+             float wall) {
+  float d = wall;
+  if (stretch.from)
+    d = -blendedUnion(-d, tube.beyond(*stretch.from, p, at), 3.0f);
+  if (stretch.to)
+    d = -blendedUnion(-d, -tube.beyond(*stretch.to, p, at), 3.0f);
+  return d;
+}
+
+DemoStructure colonPart(const char* name, const std::shared_ptr<const Swept>& tube,
+                        const Stretch& stretch) {
+  const Field field = [tube, stretch](const glm::vec3& p) {
+    const SweptPlace at = tube->place(p);
+    return within(*tube, stretch, p, at, haustrated(at));
+  };
+  const Box box = tube->bounds(stretch.from.value_or(0.0f), stretch.to.value_or(tube->length()));
+  DemoStructure s = organ(name, colonColour, 3.0f, field, grown(box, 4.0f));
+  s.edge = 2.6f;
+  s.rounding = 2.0f;
+  return s;
+}
+
+DemoStructure appendix() {
+  const auto tube = std::make_shared<Swept>(std::array<SweptPoint, 6>{{{{-84, -32, -164}, 4.2f},
+                                                                       {{-76, -26, -178}, 4.0f},
+                                                                       {{-66, -20, -190}, 3.8f},
+                                                                       {{-52, -20, -196}, 3.6f},
+                                                                       {{-42, -28, -194}, 3.5f},
+                                                                       {{-38, -38, -186}, 3.3f}}},
+                                            glm::vec3(0, -1, 0));
+  DemoStructure s = organ(
+      "vermiform appendix", colonColour, 4.2f,
+      [tube](const glm::vec3& p) { return tube->distance(p); }, grown(tube->bounds(), 3.0f));
+  s.edge = 1.5f;
+  return s;
+}
+
+std::vector<DemoStructure> colons() {
+  const auto tube = colonTube();
+  constexpr float gap = 0.3f;
+  const float hepatic = tube->alongNearest({-92, -20, -38});
+  const float splenic = tube->alongNearest({119, 26, 18});
+  const float brim = tube->alongNearest({90, -18, -162});
+  return {colonPart("ascending colon", tube, {.to = hepatic - gap}),
+          colonPart("transverse colon", tube, {hepatic + gap, splenic - gap}),
+          colonPart("descending colon", tube, {splenic + gap, brim - gap}),
+          colonPart("sigmoid colon", tube, {.from = brim + gap}), appendix()};
+}
+}  // namespace
+
+std::vector<DemoStructure> abdomenGut() {
+  std::vector<DemoStructure> gut{duodenum(), stomach()};
+  for (DemoStructure& s : colons())
+    gut.push_back(std::move(s));
+  return gut;
+}
+
+}  // namespace sline::model

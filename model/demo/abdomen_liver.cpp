@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+// The liver as a wedge: a dome that fits under the diaphragm, cut from below by the visceral
+// surface, a height field over the horizontal plane that falls to a sharp margin in front and is
+// marked by the fissures around the quadrate and caudate lobes. Neighbours press in later.
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include "model/demo/abdomen_parts.h"
+
+namespace sline::model {
+
+namespace {
+
+/// A smooth hill of height 1 with the given half widths, turned by `angle` about the vertical.
+float hill(const glm::vec2& p, const glm::vec2& centre, const glm::vec2& width,
+           float angle = 0.0f) {
+  const glm::vec2 d = p - centre;
+  const glm::vec2 q(std::cos(angle) * d.x + std::sin(angle) * d.y,
+                    std::cos(angle) * d.y - std::sin(angle) * d.x);
+  return std::exp(-0.5f * glm::dot(q / width, q / width));
+}
+
+float ramp(float low, float high, float x) {
+  const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
+  return t * t * t * (10.0f + t * (6.0f * t - 15.0f));
+}
+
+float blendedIntersection(float a, float b, float radius) {
+  return -blendedUnion(-a, -b, radius);
+}
+
+/// About the signed distance to a body between an ellipsoid and a box (exponent 2.35).
+float rounded(const glm::vec3& p, const glm::vec3& semiAxes) {
+  constexpr float exponent = 2.35f;
+  const glm::vec3 q = glm::max(glm::abs(p / semiAxes), glm::vec3(1e-4f));
+  const glm::vec3 powers = glm::pow(q, glm::vec3(exponent));
+  const float k = std::pow(powers.x + powers.y + powers.z, 1.0f / exponent);
+  const glm::vec3 gradient = powers / q / semiAxes * std::pow(k, 1.0f - exponent);
+  return (k - 1.0f) / glm::length(gradient);
+}
+
+/// What the diaphragm moulds: a high right dome, a flat left lobe that thins to its tip, and the
+/// hollow behind where the spine and the crura stand.
+float domeField(const glm::vec3& p) {
+  // Fuller below than an ellipsoid: the flank falls steeply to the inferior margin.
+  glm::vec3 r = p - glm::vec3(-66, -10, 20);
+  r.z *= 0.80f + 0.20f * std::tanh(r.z / 30.0f);
+  const float right = rounded(r, {76.0f, 84.0f, 89.0f});
+  glm::vec3 l = p - glm::vec3(4, -40, 62);
+  l.z += 0.0012f * l.x * l.x - 0.10f * l.x;
+  l.y -= 0.0016f * l.x * l.x;
+  const float left = ellipsoid(l, {86.0f, 46.0f, 36.0f});
+  float d = blendedUnion(right, left, 46.0f);
+  const float spine = glm::length(glm::vec2(p.x - 12.0f, p.y - 34.0f)) - 50.0f;
+  d = blendedDifference(d, spine, 22.0f);
+  const float heart = glm::length(p - glm::vec3(22, -48, 196)) - 100.0f;
+  return blendedDifference(d, heart, 24.0f);
+}
+
+/// Height of the visceral surface above (x, y).
+float visceralHeight(const glm::vec2& p) {
+  // The inferior margin climbs from the right flank to the left; from it the surface rises to the
+  // porta and stays high behind.
+  const float flank = std::max(-104.0f - p.x, 0.0f);
+  const float margin = -58.0f + 0.54f * (p.x + 120.0f) + 0.016f * flank * flank;
+  float z = margin + (24.0f + 26.0f * ramp(-120.0f, -30.0f, p.x)) * ramp(-95.0f, -18.0f, p.y);
+  z += 34.0f * hill(p, {-48, 46}, {26, 28});            // right kidney
+  z += 12.0f * hill(p, {-104, -34}, {24, 26}, 0.5f);    // colic flexure
+  z += 12.0f * hill(p, {46, -34}, {34, 20}, 0.3f);      // stomach
+  z -= 13.0f * hill(p, {-29, -58}, {10, 17}, -0.15f);   // quadrate lobe
+  z -= 20.0f * hill(p, {-22, -10}, {13, 9}, 0.2f);      // caudate lobe
+  z += 17.0f * hill(p, {-31, -31}, {20, 5.0f}, 0.12f);  // porta
+  z += 22.0f * hill(p, {-5, -62}, {3.2f, 26}, -0.12f);  // fissure of the round ligament
+  z += 16.0f * hill(p, {-2, -18}, {4.0f, 12}, -0.5f);   // fissure of the venous ligament
+  return z;
+}
+
+float visceralField(const glm::vec3& p) {
+  const glm::vec2 q(p.x, p.y);
+  const float z = visceralHeight(q);
+  constexpr float h = 0.5f;
+  const float dx = (visceralHeight(q + glm::vec2(h, 0)) - z) / h;
+  const float dy = (visceralHeight(q + glm::vec2(0, h)) - z) / h;
+  return (z - p.z) / std::sqrt(1.0f + dx * dx + dy * dy);
+}
+}  // namespace
+
+Field liverField() {
+  return [](const glm::vec3& p) {
+    const float dome = domeField(p);
+    constexpr float farAway = 30.0f;
+    if (dome > farAway)
+      return dome;
+    // A faint furrow under the falciform ligament parts the lobes in front.
+    const float furrow = 1.6f * hill({p.x, p.z}, {-2.0f, 52}, {4.5f, 60}) * ramp(-20, -60, p.y);
+    return blendedIntersection(dome + furrow, visceralField(p), 7.0f);
+  };
+}
+
+}  // namespace sline::model

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/demo/demo.h"
+
+#include <algorithm>
+
+#include "model/demo/abdomen.h"
+#include "model/demo/kidney.h"
+#include "model/demo/pelvis.h"
+#include "model/files/scene_store.h"
+
+namespace sline::model {
+
+namespace {
+/// Raise it with every change to a demo's shapes, styles or views, and to how they are meshed.
+constexpr int modellingVersion = 1;
+
+Scene modelled(DemoName name, Sex sex) {
+  switch (name) {
+    case DemoName::pelvis:
+      return pelvisDemo(sex);
+    case DemoName::abdomen:
+      return abdomenDemo(sex);
+    case DemoName::kidney:
+      break;
+  }
+  return kidneyDemo();
+}
+
+std::string keyOf(DemoName name, Sex sex) {
+  const std::string scene(demoNames[std::size_t(name)]);
+  const std::string version = "-v" + std::to_string(modellingVersion);
+  return name == DemoName::kidney ? scene + version
+                                  : scene + "-" + std::string(sexName(sex)) + version;
+}
+}  // namespace
+
+std::optional<DemoName> demoNamed(std::string_view name) {
+  const auto at = std::find(demoNames.begin(), demoNames.end(), name);
+  if (at == demoNames.end())
+    return std::nullopt;
+  return DemoName(at - demoNames.begin());
+}
+
+std::string_view sexName(Sex sex) {
+  return sex == Sex::female ? "female" : "male";
+}
+
+std::string demoCacheFile(DemoName name, Sex sex) {
+  return keyOf(name, sex) + ".scene";
+}
+
+Scene demo(DemoName name, Sex sex, const std::filesystem::path& cacheFolder) {
+  if (cacheFolder.empty())
+    return modelled(name, sex);
+  const std::filesystem::path file = cacheFolder / demoCacheFile(name, sex);
+  const std::string key = keyOf(name, sex);
+  if (Result<Scene> kept = readSceneStore(file, key); kept.ok())
+    return std::move(kept).value();
+  Scene scene = modelled(name, sex);
+  // Without a place to keep it, it is modelled again next time.
+  static_cast<void>(writeSceneStore(file, scene, key).ok());
+  return scene;
+}
+
+}  // namespace sline::model

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/measures/subject.h"
+
+#include <array>
+#include <cassert>
+
+#include "model/edit/style.h"
+
+namespace sline::render {
+
+model::Scene alone(const model::Scene& scene, model::NodeId structure) {
+  const model::Node* found = scene.find(structure);
+  assert(found && !found->isGroup());
+  const model::ResolvedStyle style = scene.resolve(structure);
+  model::Node node = *found;
+  node.parent = model::rootId;
+  node.style = {.colour = style.colour,
+                .inkColour = style.inkColour,
+                .gamma = style.gamma,
+                .opacity = Opacity::clamped(1.0f),
+                .fill = model::Fill::none,
+                .visible = true,
+                .penWeight = style.penWeight};
+  model::Scene result;
+  result.append(std::move(node));
+  return result;
+}
+
+model::Scene Subject::at(Gamma gamma) const {
+  model::Style patch;
+  patch.gamma = gamma;
+  return model::withStyle(scene, std::array{structure().id}, patch).scene;
+}
+
+RampPictures rampPictures(Picture& picture, const Subject& subject,
+                          std::function<void(Gamma, const Image&)> look) {
+  RampPictures pictures;
+  pictures.whole = [&picture, &subject, look = std::move(look)](Gamma gamma) {
+    Result<Image> image = picture.render(subject.at(gamma), subject.camera,
+                                         {.width = subject.width, .height = subject.height});
+    if (image.ok() && look)
+      look(gamma, *image);
+    return image;
+  };
+  pictures.fill = [&picture, &subject](Gamma gamma) {
+    return picture.render(subject.at(gamma), subject.camera,
+                          {.width = subject.width,
+                           .height = subject.height,
+                           .background = Background::transparent,
+                           .parts = {.lines = false, .hatching = false, .fills = true}});
+  };
+  return pictures;
+}
+
+HatchingPicture hatchingPicture(Picture& picture, const Subject& subject, Gamma gamma,
+                                HatchingMethod method) {
+  model::Style patch;
+  patch.gamma = gamma;
+  patch.inkColour = Colour{0, 0, 0};
+  const model::Scene scene =
+      model::withStyle(subject.scene, std::array{subject.structure().id}, patch).scene;
+  return [&picture, scene, method](const model::Camera& camera, int width, int height) {
+    return picture.render(scene, camera,
+                          {.width = width,
+                           .height = height,
+                           .hatching = method,
+                           .parts = {.lines = false, .hatching = true, .fills = false}});
+  };
+}
+
+}  // namespace sline::render

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// One structure of a scene by itself, drawn for measures.
+#pragma once
+
+#include <functional>
+
+#include "model/scene/scene.h"
+#include "render/measures/ramp.h"
+#include "render/measures/steadiness.h"
+#include "render/picture/picture.h"
+
+namespace sline::render {
+
+/// A structure alone in a scene with the look it has there, but neither see-through nor with a wash
+/// behind its lines; from where and how large it is looked at.
+struct Subject {
+  model::Scene scene;  ///< it alone
+  model::Camera camera;
+  int width = 0;
+  int height = 0;
+
+  const model::Node& structure() const { return scene.nodes().front(); }
+  /// The scene with the structure at that Γ.
+  model::Scene at(Gamma gamma) const;
+};
+
+/// The node must be a structure.
+model::Scene alone(const model::Scene& scene, model::NodeId structure);
+
+/// The subject's ramp as `picture` draws it. Both must live as long as the result; each picture of
+/// the whole structure is also shown to `look`, where there is one.
+RampPictures rampPictures(Picture& picture, const Subject& subject,
+                          std::function<void(Gamma, const Image&)> look = {});
+
+/// The subject's hatching alone at that Γ, black on white, made that way.
+HatchingPicture hatchingPicture(Picture& picture, const Subject& subject, Gamma gamma,
+                                HatchingMethod method);
+
+}  // namespace sline::render

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// What measures read of a picture's pixels. Rows count from the top, as in `Image`.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/gpu/rect.h"
+#include "render/picture/image.h"
+
+namespace sline::render {
+
+/// A number at each pixel of a rectangle, row by row.
+struct PixelValues {
+  int width = 0;
+  int height = 0;
+  std::vector<float> values;
+
+  float at(int x, int y) const { return values[std::size_t(y) * std::size_t(width) + x]; }
+};
+
+/// Mean absolute difference of two pictures of one size over a rectangle within them: over the
+/// three colour channels of every pixel, as display values in [0, 1].
+double meanDifference(const Image& a, const Image& b, const gpu::Rect& area);
+
+/// Relative luminance Y of linear light (Rec. 709 weights, IEC 61966-2-1 transfer): 0 black … 1
+/// white. The picture is opaque.
+PixelValues luminance(const Image& image, const gpu::Rect& area);
+
+/// 1 − grey of display values: 0 white paper … 1 black ink. The picture is opaque.
+PixelValues ink(const Image& image);
+
+/// Opacity, 0 … 1.
+PixelValues opacity(const Image& image, const gpu::Rect& area);
+
+/// Pixels of the rectangle that count.
+struct PixelMask {
+  gpu::Rect area;
+  std::vector<std::uint8_t> inside;  ///< 0 or 1 for each pixel of `area`
+
+  std::size_t count() const;
+};
+
+/// The smallest rectangle that holds every pixel that is not white; empty where all are.
+gpu::Rect inkedArea(const Image& image);
+/// The smallest rectangle that holds every pixel at least half opaque.
+gpu::Rect coveredArea(const Image& image);
+/// The pixels of the rectangle that are at least half opaque.
+PixelMask coveredMask(const Image& image, const gpu::Rect& area);
+/// Those of them that lie at least `pixels` within.
+PixelMask shrunk(const PixelMask& mask, int pixels);
+double mean(const PixelValues& values, const PixelMask& mask);
+
+/// Averages within a mask over a neighbourhood: a box applied twice, so that a pixel's weight falls
+/// off evenly to the sides. What lies outside of the mask does not count.
+class MaskedBlur {
+ public:
+  /// `radius`: of the box, in pixels.
+  MaskedBlur(const PixelMask& mask, int radius);
+  PixelValues operator()(const PixelValues& values) const;
+
+ private:
+  void box(std::vector<float>& values) const;
+
+  const PixelMask& m_mask;
+  int m_radius;
+  std::vector<float> m_weight;
+};
+
+}  // namespace sline::render

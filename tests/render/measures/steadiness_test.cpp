@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: Apache-2.0
+// Textures whose steadiness is known: glued to the surface, fixed to the picture, hidden and shown.
+#include "render/measures/steadiness.h"
+
+#include <QtTest>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "model/geometry/spatial_order.h"
+#include "render/measures/warp.h"
+#include "tests/render/measures/pictures.h"
+#include "tests/support/shapes.h"
+
+using namespace sline;
+using namespace sline::test;
+using render::Image;
+using render::PixelValues;
+
+namespace {
+
+using Pixel = std::array<int, 4>;
+
+model::Camera front(model::Projection projection) {
+  return {.projection = projection,
+          .eye = {0.0f, -300.0f, 40.0f},
+          .target = {0.0f, 0.0f, 0.0f},
+          .up = {0.0f, 0.0f, 1.0f},
+          .fovyDegrees = 20.0f,
+          .heightMm = 100.0f};
+}
+
+render::Turntable turntable(const model::MeshPtr& mesh, model::Projection projection) {
+  return {.mesh = mesh, .camera = front(projection), .width = 240, .height = 180, .frames = 3};
+}
+
+/// A picture of the surface whose ink is a function of the point.
+template <class Ink>
+render::HatchingPicture glued(const model::MeshPtr& mesh, const Ink& ink) {
+  const auto bvh = std::make_shared<model::Bvh>(mesh, model::spatialOrder(*mesh));
+  return [=](const model::Camera& camera, int width, int height) {
+    const render::SeenSurface seen =
+        render::seenSurface(*bvh, render::PictureView(camera, mesh->bounds(), width, height));
+    return Result<Image>(painted(width, height, [&](int x, int y) {
+      const std::size_t i = seen.index(x, y);
+      const int grey = seen.seen[i] ? 255 - int(std::lround(255.0f * ink(seen.points[i]))) : 255;
+      return Pixel{grey, grey, grey, 255};
+    }));
+  };
+}
+
+float waves(const glm::vec3& p) {
+  return 0.5f + 0.4f * std::sin(0.7f * p.x + 0.2f * p.y) * std::cos(0.6f * p.z);
+}
+
+render::HatchingPicture fixedToThePicture() {
+  return [](const model::Camera&, int width, int height) {
+    return Result<Image>(painted(width, height, [](int x, int y) {
+      const int grey = (x / 3 + y / 40) % 2 ? 255 : 0;
+      return Pixel{grey, grey, grey, 255};
+    }));
+  };
+}
+
+/// Two plates, the near one in front of the left half of the far one.
+model::MeshPtr plates() {
+  std::vector<glm::vec3> positions;
+  for (const auto& [y, low, high] : {std::array{-25.0f, -30.0f, 0.0f}, {25.0f, -30.0f, 30.0f}})
+    for (const auto& [x, z] : {std::pair{low, -30.0f}, {high, -30.0f}, {high, 30.0f}, {low, 30.0f}})
+      positions.emplace_back(x, y, z);
+  auto mesh = model::Mesh::create(positions, {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}});
+  return std::make_shared<const model::Mesh>(std::move(*mesh));
+}
+
+render::Flicker flickerOf(const render::Turntable& table, const render::HatchingPicture& way) {
+  const auto flickers = render::measureFlicker(table, std::array{way});
+  return flickers.ok() ? flickers->front() : render::Flicker{.overSurface = -1.0};
+}
+
+}  // namespace
+
+Q_DECLARE_METATYPE(model::Projection)
+
+class SteadinessTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void gluedIsSteady_data();
+  void gluedIsSteady();
+  void fixedToThePictureIsNot();
+  void drawnAnewEachTimeIsWorse();
+  void onlyWhatBothSeeCounts();
+  void turnedCamera();
+  void warpFindsTheSamePoint();
+  void samplesBetweenPixels();
+  void midTones_data();
+  void midTones();
+  void rules_data();
+  void rules();
+  void refusesWhatShowsNothing();
+};
+
+void SteadinessTest::gluedIsSteady_data() {
+  QTest::addColumn<model::Projection>("projection");
+  QTest::newRow("perspective") << model::Projection::perspective;
+  QTest::newRow("orthographic") << model::Projection::orthographic;
+}
+
+void SteadinessTest::gluedIsSteady() {
+  QFETCH(model::Projection, projection);
+  const model::MeshPtr ball = sphere(40.0f, 5);
+  const render::Flicker flicker = flickerOf(turntable(ball, projection), glued(ball, waves));
+  // What is left is rounding to 8 bits and interpolation.
+  QVERIFY2(flicker.overSurface >= 0.0 && flicker.overSurface < 0.004,
+           qPrintable(QString::number(flicker.overSurface)));
+  QVERIFY(flicker.hatchedShare > 0.99);
+}
+
+void SteadinessTest::fixedToThePictureIsNot() {
+  const model::MeshPtr ball = sphere(40.0f, 5);
+  const render::Turntable table = turntable(ball, model::Projection::orthographic);
+  const render::Flicker flicker = flickerOf(table, fixedToThePicture());
+  // The surface moves by up to 40 mm · 0.5°, that is 0.63 pixels, under stripes with an edge every
+  // 3 pixels; over a ball's disc by two thirds of that on average.
+  const double expected = 40.0 * std::numbers::pi / 360.0 * 180.0 / 100.0 * (2.0 / 3.0) / 3.0;
+  QVERIFY2(std::abs(flicker.overSurface / expected - 1.0) < 0.15,
+           qPrintable(QString("%1, not %2").arg(flicker.overSurface).arg(expected)));
+  QVERIFY(flicker.overHatching > flicker.overSurface);
+}
+
+void SteadinessTest::drawnAnewEachTimeIsWorse() {
+  const model::MeshPtr ball = sphere(40.0f, 5);
+  int phase = 0;
+  const render::HatchingPicture anew = [&](const model::Camera&, int width, int height) {
+    ++phase;
+    return Result<Image>(painted(width, height, [&](int x, int) {
+      const int grey = (x / 6 + phase) % 2 ? 255 : 0;
+      return Pixel{grey, grey, grey, 255};
+    }));
+  };
+  const render::Flicker flicker = flickerOf(turntable(ball, model::Projection::perspective), anew);
+  QVERIFY2(flicker.overSurface > 0.85, qPrintable(QString::number(flicker.overSurface)));
+  QVERIFY(flicker.overHatching > 0.85);
+}
+
+void SteadinessTest::onlyWhatBothSeeCounts() {
+  const model::MeshPtr mesh = plates();
+  // Black in front, white behind: any pixel warped from the wrong plate would differ by 1.
+  const auto twoTones = glued(mesh, [](const glm::vec3& p) { return p.y < 0.0f ? 1.0f : 0.0f; });
+  render::Turntable table = turntable(mesh, model::Projection::perspective);
+  table.frames = 12;
+  const render::Flicker flicker = flickerOf(table, twoTones);
+  QVERIFY2(flicker.overSurface >= 0.0 && flicker.overSurface < 1e-6,
+           qPrintable(QString::number(flicker.overSurface)));
+  QVERIFY(flicker.hatchedShare > 0.3 && flicker.hatchedShare < 0.7);
+}
+
+void SteadinessTest::turnedCamera() {
+  const model::Camera camera = front(model::Projection::perspective);
+  const glm::vec3 middle{5.0f, 2.0f, -3.0f};
+  const model::Camera quarter = render::turned(camera, middle, 90.0f);
+  const auto close = [](float a, float b) { return std::abs(a - b) < 1e-3f; };
+  QVERIFY(close(glm::distance(camera.eye, middle), glm::distance(quarter.eye, middle)));
+  QVERIFY(
+      close(glm::distance(camera.eye, camera.target), glm::distance(quarter.eye, quarter.target)));
+  // What was to the right now lies ahead or behind; the vertical stays.
+  const model::CameraFrame before = model::cameraFrame(camera);
+  const model::CameraFrame after = model::cameraFrame(quarter);
+  QVERIFY(close(glm::dot(before.up, after.up), 1.0f));
+  QVERIFY(close(glm::dot(before.right, after.right), 0.0f));
+  QVERIFY(close(std::abs(glm::dot(before.right, after.back)), 1.0f));
+  // A full turn in half degrees comes back.
+  model::Camera round = camera;
+  for (int i = 0; i < 720; ++i)
+    round = render::turned(round, middle, 0.5f);
+  QVERIFY(glm::distance(round.eye, camera.eye) < 0.1f);
+}
+
+void SteadinessTest::warpFindsTheSamePoint() {
+  const model::MeshPtr ring = torus(30.0f, 10.0f, 96, 48);
+  const model::Bvh bvh(ring, model::spatialOrder(*ring));
+  const model::Camera camera = front(model::Projection::perspective);
+  const render::PictureView before(camera, ring->bounds(), 160, 120);
+  const render::PictureView after(render::turned(camera, glm::vec3(0.0f), 2.0f), ring->bounds(),
+                                  160, 120);
+  const render::SeenSurface seenBefore = render::seenSurface(bvh, before);
+  const render::SeenSurface seenAfter = render::seenSurface(bvh, after);
+  const auto warped = render::warp(seenAfter, seenBefore, before);
+  std::size_t shown = 0;
+  for (const std::uint8_t seen : seenAfter.seen)
+    shown += seen;
+  QVERIFY(warped.size() > shown / 2 && warped.size() <= shown);
+  for (const render::WarpedPixel& w : warped) {
+    const glm::vec3& point = seenAfter.points[w.pixel];
+    const auto again = seenBefore.points[seenBefore.index(int(w.from.x), int(w.from.y))];
+    QVERIFY(glm::distance(point, again) < 12.0f * before.millimetresPerPixel(point));
+  }
+}
+
+void SteadinessTest::samplesBetweenPixels() {
+  PixelValues ramp{.width = 8, .height = 6, .values = {}};
+  for (int y = 0; y < 6; ++y)
+    for (int x = 0; x < 8; ++x)
+      ramp.values.push_back(0.1f * float(x) + 0.03f * float(y));
+  for (const glm::vec2 place : {glm::vec2(3.5f, 2.5f), {4.0f, 3.0f}, {5.25f, 2.6f}}) {
+    const float expected = 0.1f * (place.x - 0.5f) + 0.03f * (place.y - 0.5f);
+    QVERIFY(std::abs(render::sample(ramp, place) - expected) < 1e-5f);
+  }
+  PixelValues edge{.width = 8, .height = 4, .values = {}};
+  for (int i = 0; i < 32; ++i)
+    edge.values.push_back(i % 8 < 4 ? 0.0f : 1.0f);
+  for (float x = 2.0f; x < 6.0f; x += 0.1f) {
+    const float value = render::sample(edge, {x, 2.0f});
+    QVERIFY(value >= 0.0f && value <= 1.0f);
+  }
+}
+
+void SteadinessTest::midTones_data() {
+  QTest::addColumn<int>("dark");
+  QTest::addColumn<int>("middle");
+  QTest::addColumn<int>("light");
+  QTest::addColumn<double>("share");
+  QTest::newRow("blank") << 0 << 0 << 0 << 0.0;
+  QTest::newRow("black and white") << 50 << 0 << 0 << 0.0;
+  QTest::newRow("a quarter") << 30 << 20 << 30 << 0.25;
+  QTest::newRow("grey") << 0 << 40 << 0 << 1.0;
+}
+
+void SteadinessTest::midTones() {
+  QFETCH(int, dark);
+  QFETCH(int, middle);
+  QFETCH(int, light);
+  const Image image = painted(100, 1, [&](int x, int) {
+    const int grey = x < dark                    ? 40
+                     : x < dark + middle         ? 128
+                     : x < dark + middle + light ? 220
+                                                 : 255;
+    return Pixel{grey, grey, grey, 255};
+  });
+  QTEST(render::midToneShare(image), "share");
+}
+
+void SteadinessTest::rules_data() {
+  QTest::addColumn<double>("strokes");
+  QTest::addColumn<double>("printed");
+  QTest::addColumn<double>("middle");
+  QTest::addColumn<double>("middleDoubled");
+  QTest::addColumn<QStringList>("faults");
+  QTest::newRow("as it should be") << 0.01 << 0.03 << 0.24 << 0.1 << QStringList{};
+  QTest::newRow("restless") << 0.02 << 0.03 << 0.24 << 0.1
+                            << QStringList{
+                                   "strokes: change 67 % as much as hatching as printed, "
+                                   "not at most 50 %"};
+  QTest::newRow("smeared") << 0.01 << 0.03 << 0.30 << 0.26
+                           << QStringList{
+                                  "strokes: 30 % of hatched pixels are mid-tones, not at most 25 %",
+                                  "strokes: 26 % of hatched pixels are mid-tones at twice the "
+                                  "size, not at most 25 %"};
+}
+
+void SteadinessTest::rules() {
+  QFETCH(double, strokes);
+  QFETCH(double, printed);
+  QFETCH(double, middle);
+  QFETCH(double, middleDoubled);
+  QFETCH(QStringList, faults);
+  const render::Steadiness steadiness{
+      .strokes = {.overSurface = strokes,
+                  .overHatching = 2.0 * strokes,
+                  .hatchedShare = 0.5,
+                  .midTones = middle,
+                  .midTonesDoubled = middleDoubled},
+      .asPrinted = {.overSurface = printed, .overHatching = printed, .hatchedShare = 0.5}};
+  QStringList found;
+  for (const std::string& fault : render::faults(steadiness))
+    found.append(QString::fromStdString(fault));
+  QCOMPARE(found, faults);
+  QCOMPARE(*steadiness.ratio(), strokes / printed);
+  QCOMPARE(*steadiness.hatchedRatio(), 2.0 * strokes / printed);
+}
+
+void SteadinessTest::refusesWhatShowsNothing() {
+  // Blank pictures are no steady hatching.
+  const model::MeshPtr ball = sphere(40.0f, 4);
+  const render::Turntable table = turntable(ball, model::Projection::perspective);
+  const render::Flicker blank =
+      flickerOf(table, glued(ball, [](const glm::vec3&) { return 0.0f; }));
+  QVERIFY(!blank.anyHatching());
+  const render::Steadiness steadiness{.strokes = blank, .asPrinted = blank};
+  QVERIFY(!steadiness.ratio().has_value());
+  QCOMPARE(render::faults(steadiness).size(), std::size_t(2));
+  // A camera that looks away sees nothing in common.
+  render::Turntable away = table;
+  away.camera.target = {0.0f, -600.0f, 40.0f};
+  const auto flickers = render::measureFlicker(away, std::array{fixedToThePicture()});
+  QVERIFY(!flickers.ok());
+  QVERIFY(flickers.error().reason.find("no surface in common") != std::string::npos);
+}
+
+QTEST_GUILESS_MAIN(SteadinessTest)
+#include "steadiness_test.moc"
