@@ -139,10 +139,10 @@ Shape psoasMajor() {
 /// The fan in the iliac fossa, narrowing beside the psoas over the hip joint.
 Shape iliacus() {
   return shapeOf(
-      Lamina({{{78, -65, 1013}, 2.5f},     {{96, -77, 1025}, 2.5f},   {{115, -95, 1024}, 2.5f},
-              {{130, -112, 1011}, 2.2f},   {{69, -66, 1000}, 4},      {{92, -80, 1000}, 5.5f},
-              {{112, -94, 1000}, 5.5f},    {{128, -118, 996}, 3},     {{68, -74, 980}, 4.5f},
-              {{88, -84, 980}, 7},         {{105, -97, 980}, 7},      {{122, -119, 978}, 3.5f},
+      Lamina({{{78, -65, 1013}, 3.2f},     {{96, -77, 1025}, 3.2f},   {{115, -95, 1024}, 3.2f},
+              {{130, -112, 1011}, 3},      {{70, -67, 1000}, 4.5f},   {{92, -80, 1000}, 5.5f},
+              {{112, -94, 1000}, 5.5f},    {{127, -118, 996}, 4},     {{68, -74, 980}, 4.5f},
+              {{88, -84, 980}, 7},         {{105, -97, 980}, 7},      {{121, -119, 978}, 4.2f},
               {{72, -84, 960}, 5},         {{86, -91, 960}, 7.5f},    {{101, -105, 960}, 7.5f},
               {{115, -122, 958}, 4},       {{79, -96, 938}, 5},       {{88, -103, 938}, 7.5f},
               {{97, -112, 938}, 7.5f},     {{107, -122, 938}, 4.5f},  {{87, -113, 914}, 5},
@@ -182,8 +182,10 @@ std::vector<DemoStructure> pelvisMuscles() {
   addPair(list, musclePalette, "psoas major", psoasMajor());
   addPair(list, musclePalette, "iliacus", iliacus());
   for (DemoStructure& s : list)
-    if (s.name.ends_with("iliacus"))
+    if (s.name.ends_with("iliacus")) {
       s.rounding = 3.0f;  // a soft furrow beside the psoas
+      s.edge = 2.0f;
+    }
 
   list.push_back(structure(musclePalette, "external anal sphincter", analSphincter()));
   return list;

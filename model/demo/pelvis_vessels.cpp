@@ -238,28 +238,18 @@ std::vector<DemoStructure> pelvisVeins() {
   list.push_back(vein("right common iliac vein", rightCommonVein()));
   list.push_back(vein("left external iliac vein", leftExternalVein()));
   list.push_back(vein("right external iliac vein", rightExternalVein()));
-  list.push_back(vein("left internal iliac vein", branching({Tube{{{21.5f, -96, 981}, 4.2f},
-                                                                  {{20.5f, -90, 972}, 4.4f},
-                                                                  {{21, -75, 962}, 4.2f},
-                                                                  {{23.5f, -57, 952}, 3.8f},
-                                                                  {{27, -38, 940}, 3.2f},
-                                                                  {{29.5f, -25, 928}, 2.6f}},
-                                                             Tube{{{22, -66, 956}, 2.6f},
-                                                                  {{35.5f, -60, 938}, 2.5f},
-                                                                  {{47, -67, 920}, 2.3f},
-                                                                  {{51, -79, 903}, 2}}},
-                                                            3.0f)));
-  list.push_back(vein("right internal iliac vein", branching({Tube{{{-33.5f, -107, 981}, 4.2f},
-                                                                   {{-31, -99, 971}, 4.4f},
-                                                                   {{-28.5f, -82, 961}, 4.2f},
-                                                                   {{-28, -61, 951}, 3.8f},
-                                                                   {{-30, -41, 939}, 3.2f},
-                                                                   {{-32, -28, 928}, 2.6f}},
-                                                              Tube{{{-28, -70, 955}, 2.6f},
-                                                                   {{-37, -62, 938}, 2.5f},
-                                                                   {{-48, -68, 920}, 2.3f},
-                                                                   {{-52, -80, 903}, 2}}},
-                                                             3.0f)));
+  list.push_back(vein("left internal iliac vein", shapeOf(Tube{{{20.8f, -94, 978}, 4.6f},
+                                                               {{25, -88, 970}, 4.6f},
+                                                               {{27, -78, 961}, 4.3f},
+                                                               {{25, -63, 951.5f}, 4},
+                                                               {{22.5f, -49, 941}, 3.4f},
+                                                               {{25.5f, -37.5f, 927}, 2.6f}})));
+  list.push_back(vein("right internal iliac vein", shapeOf(Tube{{{-33.2f, -106, 978}, 4.6f},
+                                                                {{-31, -96, 969.5f}, 4.6f},
+                                                                {{-28.5f, -80, 960}, 4.3f},
+                                                                {{-26, -63, 951}, 4},
+                                                                {{-25, -50, 941}, 3.4f},
+                                                                {{-27.5f, -38.5f, 927}, 2.6f}})));
   return list;
 }
 
