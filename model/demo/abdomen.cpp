@@ -75,10 +75,8 @@ std::vector<DemoStructure> inOrderOfFirmness() {
   append(abdomenVeins());
   append(abdomenUrinary());
   append(abdomenGlands());
-  std::vector<DemoStructure> gut = abdomenGut();
-  std::vector<DemoStructure> bowel = abdomenBowel(gut);
-  append(std::move(gut));
-  append(std::move(bowel));
+  append(abdomenGut());
+  append(abdomenBowel(all));
   append(abdomenSpleenAndLiver());
   append(abdomenMuscles());
   for (DemoStructure& s : all) {
