@@ -113,7 +113,7 @@ std::vector<DemoStructure> abdomenBowel(const std::vector<DemoStructure>& there)
     return d;
   };
   const std::vector<glm::vec3> line =
-      settledCoil(laidPath(), {.radius = bowelRadius + 0.3f, .keepOut = keepOut});
+      settledCoil(laidPath(), {.radius = bowelRadius + 0.7f, .keepOut = keepOut});
   std::vector<SweptPoint> points;
   for (std::size_t i = 0; i < line.size(); i += 2)
     points.push_back({line[i], bowelRadius});

@@ -35,13 +35,13 @@ DemoStructure liver() {
   DemoStructure s = gland("liver", "Digestive system", liverColour, 4.4f, liverField(),
                           {{-150, -104, -75}, {96, 88, 122}});
   s.edge = 2.5f;
-  s.rounding = 4.0f;
+  s.rounding = 7.0f;
   return s;
 }
 
 std::shared_ptr<const Swept> gallbladderTube() {
-  return std::make_shared<Swept>(std::array<SweptPoint, 8>{{{{-63, -86, -38}, 11.0f},
-                                                            {{-62, -79, -31}, 15.0f},
+  return std::make_shared<Swept>(std::array<SweptPoint, 8>{{{{-63, -83, -35}, 14.6f},
+                                                            {{-61, -75, -28}, 15.2f},
                                                             {{-58, -64, -17}, 15.5f},
                                                             {{-53, -50, -3}, 12.0f},
                                                             {{-48, -41, 9}, 7.5f},
@@ -141,36 +141,36 @@ DemoStructure pancreas() {
 
 /// Columns: where the spleen's length, width and thickness point. It lies along the tenth rib.
 glm::mat3 spleenAxes() {
-  const glm::vec3 length = glm::normalize(glm::vec3(0.42f, -0.62f, -0.66f));
+  const glm::vec3 length = glm::normalize(glm::vec3(0.30f, -0.75f, -0.45f));
   const glm::vec3 outward = glm::normalize(glm::vec3(0.80f, 0.60f, 0.0f));
   const glm::vec3 thickness = glm::normalize(outward - glm::dot(outward, length) * length);
   return {length, glm::cross(thickness, length), thickness};
 }
 
 DemoStructure spleen() {
-  const glm::vec3 middle(104, 42, 50);
+  const glm::vec3 middle(103, 38, 69);
   const glm::mat3 axes = spleenAxes();
   const Field field = [=](const glm::vec3& p) {
-    // x along its length (down and forward), y across, z out towards the ribs.
+    // x along its length (down and forward), y across (down and back), z out towards the ribs.
     const glm::vec3 q = (p - middle) * axes;
     glm::vec3 bent = q;
     bent.z += 0.0045f * q.x * q.x + 0.0060f * q.y * q.y;
     float d = ellipsoid(bent, {58.0f, 37.0f, 19.0f});
     // Gastric and renal faces are hollow; the hilum is a groove on the ridge between them.
-    const float gastric = glm::length(q - glm::vec3(4, 30, -74)) - 64.0f;
-    const float renal = glm::length(q - glm::vec3(-8, -36, -72)) - 60.0f;
+    const float gastric = glm::length(q - glm::vec3(4, -30, -74)) - 64.0f;
+    const float renal = glm::length(q - glm::vec3(-8, 36, -72)) - 60.0f;
     d = blendedDifference(d, gastric, 9.0f);
     d = blendedDifference(d, renal, 9.0f);
-    d = blendedDifference(d, ellipsoid(q - glm::vec3(0, -1, -17), {26.0f, 4.0f, 7.0f}), 4.0f);
+    d = blendedDifference(d, ellipsoid(q - glm::vec3(0, 1, -17), {26.0f, 4.0f, 7.0f}), 4.0f);
     // Notches of the upper border.
     for (const auto& [along, size] : {std::pair{6.0f, 4.2f}, {23.0f, 5.0f}, {38.0f, 3.6f}}) {
-      const glm::vec3 n = q - glm::vec3(along, 41.0f - 0.011f * along * along, -8.0f);
+      const glm::vec3 n = q - glm::vec3(along, 0.011f * along * along - 41.0f, -8.0f);
       d = blendedDifference(d, ellipsoid(n, {size * 0.7f, 2.6f * size, 22.0f}), 5.0f);
     }
     return d;
   };
   DemoStructure s = gland("spleen", "Glands and spleen", spleenColour, 4.3f, field,
-                          {{40, -20, -20}, {162, 104, 120}});
+                          {{40, -34, 4}, {162, 112, 132}});
   s.edge = 2.4f;
   s.rounding = 4.0f;
   return s;
