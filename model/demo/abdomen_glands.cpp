@@ -21,18 +21,23 @@ constexpr Colour pancreasColour{216, 180, 94};
 constexpr Colour spleenColour{125, 74, 115};
 constexpr Colour adrenalColour{224, 176, 60};
 
-DemoStructure gland(std::string name, const char* group, Colour colour, float gamma, Field field,
-                    Box box) {
+struct Look {
+  const char* group;
+  Colour colour;
+  float gamma;
+};
+
+DemoStructure gland(std::string name, const Look& look, Field field, const Box& box) {
   return {.name = std::move(name),
-          .groups = {group},
-          .colour = colour,
-          .gamma = Gamma::clamped(gamma),
+          .groups = {look.group},
+          .colour = look.colour,
+          .gamma = Gamma::clamped(look.gamma),
           .field = std::move(field),
           .box = box};
 }
 
 DemoStructure liver() {
-  DemoStructure s = gland("liver", "Digestive system", liverColour, 4.4f, liverField(),
+  DemoStructure s = gland("liver", {"Digestive system", liverColour, 4.4f}, liverField(),
                           {{-150, -104, -75}, {96, 88, 122}});
   s.edge = 2.5f;
   s.rounding = 7.0f;
@@ -59,8 +64,8 @@ DemoStructure gallbladder() {
     const float neck = std::clamp((at.along - 58.0f) / 10.0f, 0.0f, 1.0f);
     return at.distance + neck * 0.5f * std::sin(at.along * 1.25f + at.angle);
   };
-  DemoStructure s =
-      gland("gallbladder", "Biliary system", bileColour, 5.0f, field, grown(tube->bounds(), 3.0f));
+  DemoStructure s = gland("gallbladder", {"Biliary system", bileColour, 5.0f}, field,
+                          grown(tube->bounds(), 3.0f));
   s.edge = 1.7f;
   return s;
 }
@@ -95,7 +100,8 @@ DemoStructure bileDucts() {
   Box box = common->bounds();
   for (const auto& branch : {right, left, cystic})
     box.add(branch->bounds());
-  DemoStructure s = gland("bile duct", "Biliary system", bileColour, 5.0f, field, grown(box, 3.0f));
+  DemoStructure s =
+      gland("bile duct", {"Biliary system", bileColour, 5.0f}, field, grown(box, 3.0f));
   s.edge = 1.2f;
   s.gap = 0.3f;
   return s;
@@ -133,7 +139,7 @@ DemoStructure pancreas() {
   Box box = body->bounds();
   box.add(uncinate->bounds());
   DemoStructure s =
-      gland("pancreas", "Digestive system", pancreasColour, 4.8f, field, grown(box, 4.0f));
+      gland("pancreas", {"Digestive system", pancreasColour, 4.8f}, field, grown(box, 4.0f));
   s.edge = 1.8f;
   s.rounding = 2.0f;
   return s;
@@ -169,7 +175,7 @@ DemoStructure spleen() {
     }
     return d;
   };
-  DemoStructure s = gland("spleen", "Glands and spleen", spleenColour, 4.3f, field,
+  DemoStructure s = gland("spleen", {"Glands and spleen", spleenColour, 4.3f}, field,
                           {{40, -34, 4}, {162, 112, 132}});
   s.edge = 2.4f;
   s.rounding = 4.0f;
@@ -198,7 +204,8 @@ DemoStructure adrenal(const char* name, const glm::vec3& apex, float side, bool 
   Box box = medial->bounds();
   box.add(lateral->bounds());
   box.add(crest->bounds());
-  DemoStructure s = gland(name, "Glands and spleen", adrenalColour, 4.0f, field, grown(box, 3.0f));
+  DemoStructure s =
+      gland(name, {"Glands and spleen", adrenalColour, 4.0f}, field, grown(box, 3.0f));
   s.edge = 1.4f;
   return s;
 }
