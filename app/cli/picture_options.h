@@ -26,8 +26,8 @@ inline void addLookOptions(CLI::App& command, PictureFlags& flags) {
   command
       .add_option("--fill", flags.fill,
                   "What hides behind unfilled structures: none lets it show through, paper hides "
-                  "it, tint hides it behind a thin wash of colour")
-      ->type_name("none|paper|tint");
+                  "it, tint covers it with a thin wash of colour, veil lets it show faintly")
+      ->type_name("none|paper|tint|veil");
   CLI::Option* background =
       command.add_option("--background", flags.background, "What lies behind the drawing");
   background->type_name("white|paper|dark|transparent")->capture_default_str();

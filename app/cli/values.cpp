@@ -17,8 +17,10 @@ struct Choice {
 
 constexpr std::array<Choice<model::Frame>, 3> frames{
     {{"LPS", model::Frame::lps}, {"RAS", model::Frame::ras}, {"file", model::Frame::file}}};
-constexpr std::array<Choice<model::Fill>, 3> fills{
-    {{"none", model::Fill::none}, {"paper", model::Fill::paper}, {"tint", model::Fill::tint}}};
+constexpr std::array<Choice<model::Fill>, 4> fills{{{"none", model::Fill::none},
+                                                    {"paper", model::Fill::paper},
+                                                    {"tint", model::Fill::tint},
+                                                    {"veil", model::Fill::veil}}};
 constexpr std::array<Choice<render::Background>, 4> backgrounds{
     {{"white", render::Background::white},
      {"paper", render::Background::paper},

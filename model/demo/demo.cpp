@@ -20,6 +20,8 @@ Scene modelled(DemoName name, Sex sex) {
       return pelvisDemo(sex);
     case DemoName::abdomen:
       return abdomenDemo(sex);
+    case DemoName::pelvis:
+      return pelvisDemo(sex);
     case DemoName::kidney:
       break;
   }

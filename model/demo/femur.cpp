@@ -12,8 +12,8 @@ namespace {
 constexpr float headRadius = 24.4f;
 
 void addShaft(Sculpture& bone) {
-  bone.addTube({{{133, -81, 856}, 19.0f},
-                {{130, -80, 838}, 19.0f},
+  bone.addTube({{{136, -80, 846}, 16.0f},
+                {{131, -80, 834}, 18.5f},
                 {{126, -81, 818}, 19.0f},
                 {{124.5f, -84, 800}, 17.8f},
                 {{122.5f, -89, 784}, 16.2f},
@@ -21,9 +21,12 @@ void addShaft(Sculpture& bone) {
                 {{119, -97, 750}, 14.8f}},
                6.0f);
   // The neck, taller than it is thick: two strands, the lower one the calcar.
-  bone.addTube({{{98, -87, 879}, 14.5f}, {{112, -86, 865.5f}, 12.2f}, {{130, -85, 855}, 13.0f}},
+  bone.addTube({{{97, -87, 879}, 14.5f}, {{111, -86, 865}, 12.0f}, {{126, -85, 853}, 13.0f}}, 8.0f);
+  bone.addTube({{{95, -88, 872}, 13.0f},
+                {{105, -86, 856}, 12.5f},
+                {{113, -84, 838}, 13.0f},
+                {{119, -83, 820}, 15.5f}},
                8.0f);
-  bone.addTube({{{95, -88, 872}, 13.0f}, {{107, -86, 857}, 12.5f}, {{118, -84, 838}, 14.0f}}, 8.0f);
 }
 
 void addTrochanters(Sculpture& bone) {
@@ -58,7 +61,7 @@ void addTrochanters(Sculpture& bone) {
                 {{112, -90, 818}, 2.5f}},
                8.0f);
   // The fossa behind the neck, under the tip of the greater trochanter.
-  bone.carveTube({{{127, -63, 875}, 5.0f}, {{133, -72, 865}, 4.0f}}, 7.0f);
+  bone.carveTube({{{124, -60, 879}, 8.0f}, {{131, -70, 866}, 5.0f}}, 9.0f);
 }
 }  // namespace
 
@@ -73,6 +76,8 @@ Sculpture leftFemur() {
       leftHipJoint + headRadius * glm::normalize(glm::vec3(-0.93f, 0.3f, -0.1f));
   bone.carve([fovea](const glm::vec3& p) { return glm::distance(p, fovea) - 3.5f; }, 4.0f);
   bone.cut({0, 0, 770}, {0, 0, -1}, 3.0f);
+  // The marrow cavity, open at the cut.
+  bone.carveTube({{{119, -97, 752}, 7.0f}, {{121, -93, 768}, 7.0f}, {{122, -91, 776}, 5.0f}}, 2.5f);
   return bone;
 }
 

@@ -101,8 +101,14 @@ void addProcesses(Sculpture& bone) {
 }  // namespace
 
 Sculpture fifthLumbarVertebra() {
-  const VertebralBody body{
-      {pelvisMiddle, -86.3f, 1004.2f}, 23.0f, 27.0f, 20.0f, 14.6f, 3.0f, 3.0f, 0.9f};
+  const VertebralBody body{.centre = {pelvisMiddle, -86.3f, 1004.2f},
+                           .tilt = 23.0f,
+                           .halfWidth = 27.0f,
+                           .halfDepth = 20.0f,
+                           .halfHeight = 14.6f,
+                           .wedge = 3.0f,
+                           .waist = 3.0f,
+                           .hollow = 0.9f};
   Sculpture bone(pelvisMiddle);
   bone.add([body](const glm::vec3& p) { return body.distance(p); }, body.bounds(), 1.0f);
   addArch(bone);
@@ -111,8 +117,14 @@ Sculpture fifthLumbarVertebra() {
 }
 
 Sculpture lumbosacralDisc() {
-  const VertebralBody disc{
-      {pelvisMiddle, -77.9f, 985.6f}, 25.8f, 25.0f, 20.0f, 7.1f, 0.3f, -1.2f, -0.9f};
+  const VertebralBody disc{.centre = {pelvisMiddle, -77.9f, 985.6f},
+                           .tilt = 25.8f,
+                           .halfWidth = 25.0f,
+                           .halfDepth = 20.0f,
+                           .halfHeight = 7.1f,
+                           .wedge = 0.3f,
+                           .waist = -1.2f,
+                           .hollow = -0.9f};
   Sculpture shape(pelvisMiddle);
   shape.add([disc](const glm::vec3& p) { return disc.distance(p); }, disc.bounds(), 1.0f);
   return shape;

@@ -81,12 +81,12 @@ std::vector<DemoStructure> pelvisBones(Sex sex) {
   bones.push_back(structure("left hip bone", hipBone, boneColour, 2.0f));
   bones.push_back(structure("right hip bone", reflected(hipBone), boneColour, 2.0f));
   // The sacroiliac joints are as narrow as the cut is: the wings are modelled into the hip bones.
-  DemoStructure wedge = structure("sacrum", shapeOf(sacrum(), {1.3f, 1.2f}), boneColour, 1.7f);
+  DemoStructure wedge = structure("sacrum", shapeOf(sacrum(), {1.3f, 1.6f}), boneColour, 1.7f);
   wedge.givesWayTo = {"left hip bone", "right hip bone"};
   wedge.gap = 1.0f;
   wedge.rounding = 1.5f;
   bones.push_back(std::move(wedge));
-  bones.push_back(structure("fifth lumbar vertebra", shapeOf(fifthLumbarVertebra(), {1.2f, 1.1f}),
+  bones.push_back(structure("fifth lumbar vertebra", shapeOf(fifthLumbarVertebra(), {1.2f, 1.3f}),
                             boneColour, 1.6f));
   bones.push_back(structure("left femur", femur, boneColour, 2.2f));
   bones.push_back(structure("right femur", reflected(femur), boneColour, 2.2f));

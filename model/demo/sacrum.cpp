@@ -28,7 +28,14 @@ void addBodies(Sculpture& bone) {
        5},
       1.0f);
   // The end plate of S1, whose front edge is the promontory.
-  const VertebralBody top{{x, -70.8f, 974.0f}, 26.6f, 25.5f, 19.3f, 7.0f, 0.0f, 0.0f, 0.9f};
+  const VertebralBody top{.centre = {x, -70.8f, 974.0f},
+                          .tilt = 26.6f,
+                          .halfWidth = 25.5f,
+                          .halfDepth = 19.3f,
+                          .halfHeight = 7.0f,
+                          .wedge = 0.0f,
+                          .waist = 0.0f,
+                          .hollow = 0.9f};
   bone.add([top](const glm::vec3& p) { return top.distance(p); }, top.bounds(), 9.0f);
   bone.addPlate({{{{x - 15, -75, 967}, 6.0f},
                   {{x, -78, 967}, 7.0f},

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "model/demo/implicit.h"
 #include "model/geometry/mesh.h"
 
 namespace sline::model {

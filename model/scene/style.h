@@ -10,9 +10,10 @@
 
 namespace sline::model {
 
-/// What hides behind an unfilled structure: nothing, all of it (in the background's colour), or all
-/// but a flat thin wash of the structure's colour (METHOD §7, interior).
-enum class Fill { none, paper, tint };
+/// What an unfilled structure does to what is behind it: nothing, hides it (in the background's
+/// colour), covers it with a flat thin wash of its own colour (METHOD §7, interior), or lets it
+/// show faintly, as through tracing paper.
+enum class Fill { none, paper, tint, veil };
 
 struct Style {
   std::optional<Colour> colour;

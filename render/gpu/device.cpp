@@ -172,6 +172,15 @@ void Device::copyDepth(const Target& from, const Target& to, const Rect& area) {
                     area.top(), GL_DEPTH_BUFFER_BIT, GL_NEAREST);
 }
 
+void Device::copyColour(const Target& from, const Rect& area, const Target& to, const Rect& place) {
+  assert(area.width == place.width && area.height == place.height);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, from.handle());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.handle());
+  glDisable(GL_SCISSOR_TEST);
+  glBlitFramebuffer(area.x, area.y, area.right(), area.top(), place.x, place.y, place.right(),
+                    place.top(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
 void Device::read(const Target& target, const Rect& area, std::span<std::byte> rgba) {
   assert(rgba.size() >= std::size_t(area.width) * area.height * 4);
   glBindFramebuffer(GL_FRAMEBUFFER, target.handle());

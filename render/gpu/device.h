@@ -58,6 +58,8 @@ class Device {
 
   /// Copies depth to the same place of another target.
   void copyDepth(const Target& from, const Target& to, const Rect& area);
+  /// Copies the first colour texture's area to another target; both areas have one size.
+  void copyColour(const Target& from, const Rect& area, const Target& to, const Rect& place);
   /// 8-bit RGBA rows from the bottom, tightly packed, of the first colour texture.
   void read(const Target& target, const Rect& area, std::span<std::byte> rgba);
   /// Waits until everything asked for is done.

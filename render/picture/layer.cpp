@@ -13,6 +13,8 @@ namespace sline::render {
 namespace {
 
 constexpr float tintStrength = 0.2f;
+// Of what lies behind one veil two fifths show, behind two a sixth: near and far stay apart.
+constexpr float veilStrength = 0.6f;
 // Pixels that a fill reaches beyond its surface, soft edge included.
 constexpr int edgeMargin = 2;
 
@@ -97,10 +99,12 @@ passes::SurfaceFill surfaceFill(const Shown& shown, const PictureView& view,
   fill.filigree = shown.surface().filigreeSize;
   fill.glaze = background == Background::dark ? 0.0f : 1.0f;
   fill.twoSided = !cullsBack(shown, view);
-  if (style.fill == model::Fill::paper) {
+  if (style.fill == model::Fill::paper || style.fill == model::Fill::veil) {
     // A picture without background is meant for white paper.
     const bool transparent = background == Background::transparent;
     fill.wash = transparent ? glm::vec4(1.0f) : backgroundColour(background);
+    if (style.fill == model::Fill::veil)
+      fill.wash *= veilStrength;
   } else if (style.fill == model::Fill::tint) {
     fill.wash = tintStrength * glm::vec4(fill.colour, 1.0f);
   }

@@ -342,6 +342,8 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
         shown.cached->needWhole();
     }
   stopwatch.pass(device, "plan");
+  if (input.isUnwanted())
+    return Outcome::givenUp;
 
   std::map<model::NodeId, StructureLines> own;
   std::map<model::NodeId, StructureLines>& lines = input.lines ? *input.lines : own;
@@ -350,10 +352,14 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
               [&](std::size_t i) { completeLayer(layers[changed[i]], input.view, region, lines); });
   own.clear();
   stopwatch.pass(device, "strokes");
+  if (input.isUnwanted())
+    return Outcome::givenUp;
 
   clear(device, layers, changed);
   drawSurfaces(device, input, layers, changed);
   stopwatch.pass(device, "surface");
+  if (input.isUnwanted())
+    return Outcome::givenUp;
   // Hatching before lines, which lie on it.
   if (Status s = m_printedHatching.draw(device, input.view, m_atlas, layers, changed); !s)
     return s.error();

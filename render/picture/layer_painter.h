@@ -2,6 +2,7 @@
 // Draws a region of a picture: plans its layers, redraws those that changed and resolves all.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <map>
 
@@ -26,6 +27,10 @@ struct PictureInput {
   PictureParts parts;
   /// Where lines are kept between the regions of one picture, by structure; null to keep none.
   std::map<model::NodeId, StructureLines>* lines = nullptr;
+  /// Set from another thread when nobody wants the picture any more; may be null.
+  const std::atomic<bool>* unwanted = nullptr;
+
+  bool isUnwanted() const { return unwanted && *unwanted; }
 };
 
 class LayerPainter {
@@ -33,9 +38,10 @@ class LayerPainter {
   static Result<std::unique_ptr<LayerPainter>> create(const gpu::Device& device,
                                                       const AtlasLimits& limits);
 
-  enum class Outcome { painted, tooLarge };
+  enum class Outcome { painted, tooLarge, givenUp };
   /// Draws the region (in picture pixels) so that it fills the target. `tooLarge`, with nothing
-  /// drawn, where its layers exceed the atlas: a smaller region may do.
+  /// drawn, where its layers exceed the atlas: a smaller region may do. `givenUp` where the input
+  /// said so on the way: the target's contents are undefined.
   Result<Outcome> paint(gpu::Device& device, const PictureInput& input, const gpu::Rect& region,
                         const gpu::Target& target, Stopwatch& stopwatch);
   /// Layers drawn anew by the last `paint`.

@@ -2,6 +2,7 @@
 #include "render/picture/picture.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "render/passes/plain_phong/pass.h"
 #include "render/picture/layer_painter.h"
@@ -49,6 +50,13 @@ void copyRegion(const std::vector<std::byte>& pixels, const gpu::Rect& region, I
   }
 }
 
+/// Where a picture goes: pixels to read back, a target, or neither.
+struct Output {
+  Image* image = nullptr;
+  const gpu::Target* target = nullptr;
+  const std::atomic<bool>* unwanted = nullptr;
+};
+
 Status checkRequest(const model::Camera& camera, const PictureSettings& settings) {
   if (settings.width < 1 || settings.height < 1 || settings.width > 65535 ||
       settings.height > 65535)
@@ -73,13 +81,14 @@ struct Picture::Data {
   Canvas plainCanvas;
   PictureTimings timings;
   int layersDrawn = 0;
+  bool givenUp = false;
 
   std::vector<Shown> shown(const model::Scene& scene);
   int regionSide() const;
   Status paint(const PictureInput& input, const gpu::Rect& region, Stopwatch& stopwatch,
-               Image* image);
+               const Output& output);
   Status picture(const model::Scene& scene, const model::Camera& camera,
-                 const PictureSettings& settings, Image* image);
+                 const PictureSettings& settings, const Output& output);
 };
 
 std::vector<Shown> Picture::Data::shown(const model::Scene& scene) {
@@ -111,7 +120,7 @@ int Picture::Data::regionSide() const {
 }
 
 Status Picture::Data::paint(const PictureInput& input, const gpu::Rect& region,
-                            Stopwatch& stopwatch, Image* image) {
+                            Stopwatch& stopwatch, const Output& output) {
   auto outcome = Result<LayerPainter::Outcome>(LayerPainter::Outcome::tooLarge);
   if (std::max(region.width, region.height) <= regionSide()) {
     if (Status s = canvas.resize({region.width, region.height}, false); !s)
@@ -119,6 +128,10 @@ Status Picture::Data::paint(const PictureInput& input, const gpu::Rect& region,
     outcome = painter->paint(*device, input, region, *canvas.target, stopwatch);
     if (!outcome)
       return outcome.error();
+  }
+  if (*outcome == LayerPainter::Outcome::givenUp) {
+    givenUp = true;
+    return Unit{};
   }
   if (*outcome == LayerPainter::Outcome::tooLarge) {
     if (std::max(region.width, region.height) < 2 * passes::ResolvePass::tileSide)
@@ -136,22 +149,24 @@ Status Picture::Data::paint(const PictureInput& input, const gpu::Rect& region,
       second = {region.x, first.top(), region.width, region.height - first.height};
     }
     for (const gpu::Rect& half : {first, second})
-      if (Status s = paint(input, half, stopwatch, image); !s)
+      if (Status s = paint(input, half, stopwatch, output); !s)
         return s;
     return Unit{};
   }
   layersDrawn += painter->layersDrawn();
-  if (image) {
+  if (output.target)
+    device->copyColour(*canvas.target, {0, 0, region.width, region.height}, *output.target, region);
+  if (output.image) {
     std::vector<std::byte> pixels(std::size_t(region.width) * region.height * 4);
     device->read(*canvas.target, {0, 0, region.width, region.height}, pixels);
-    copyRegion(pixels, region, *image);
+    copyRegion(pixels, region, *output.image);
     stopwatch.pass(*device, "read");
   }
   return Unit{};
 }
 
 Status Picture::Data::picture(const model::Scene& scene, const model::Camera& camera,
-                              const PictureSettings& settings, Image* image) {
+                              const PictureSettings& settings, const Output& output) {
   if (Status s = checkRequest(camera, settings); !s)
     return s;
   std::vector<Shown> visible = shown(scene);
@@ -165,13 +180,15 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
   std::map<model::NodeId, StructureLines> lines;
   const bool whole = std::max(settings.width, settings.height) <= regionSide();
   layersDrawn = 0;
+  givenUp = false;
   Status done = paint({.view = view,
                        .shown = visible,
                        .background = settings.background,
                        .keyLight = settings.keyLight,
                        .parts = settings.parts,
-                       .lines = whole ? nullptr : &lines},
-                      view.whole(), stopwatch, image);
+                       .lines = whole ? nullptr : &lines,
+                       .unwanted = output.unwanted},
+                      view.whole(), stopwatch, output);
   timings = stopwatch.done();
   timings.layersDrawn = layersDrawn;
   return done;
@@ -210,14 +227,24 @@ Result<Image> Picture::render(const model::Scene& scene, const model::Camera& ca
   if (Status s = checkRequest(camera, settings); !s)
     return s.error();
   image.rgba.resize(std::size_t(settings.width) * settings.height * 4);
-  if (Status s = m_data->picture(scene, camera, settings, &image); !s)
+  if (Status s = m_data->picture(scene, camera, settings, {.image = &image}); !s)
     return s.error();
   return image;
 }
 
 Status Picture::draw(const model::Scene& scene, const model::Camera& camera,
                      const PictureSettings& settings) {
-  return m_data->picture(scene, camera, settings, nullptr);
+  return m_data->picture(scene, camera, settings, {});
+}
+
+Result<bool> Picture::drawInto(const TargetJob& job, const model::Scene& scene,
+                               const model::Camera& camera, const PictureSettings& settings) {
+  assert(job.target.size() == (gpu::TextureSize{settings.width, settings.height}));
+  const Output output{.target = &job.target, .unwanted = job.unwanted};
+  if (Status s = m_data->picture(scene, camera, settings, output); !s)
+    return s.error();
+  m_data->device->finish();
+  return !m_data->givenUp;
 }
 
 Status Picture::drawPlainPhong(const model::Scene& scene, const model::Camera& camera,

@@ -4,6 +4,7 @@
 // layers per pixel by depth, exactly and independently of their order (METHOD §10).
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,6 +15,10 @@
 #include "render/picture/image.h"
 
 namespace sline::render {
+
+namespace gpu {
+class Target;
+}
 
 enum class Background { white, paper, dark, transparent };
 
@@ -75,6 +80,15 @@ class Picture {
   /// Draws without reading back, and waits for the GPU (the benchmark's frame).
   Status draw(const model::Scene& scene, const model::Camera& camera,
               const PictureSettings& settings);
+  /// Draws into the job's target instead, whose size must be the picture's; waits for the GPU.
+  /// False where it was given up.
+  struct TargetJob {
+    const gpu::Target& target;
+    /// Set from another thread when nobody wants the picture any more; may be null.
+    const std::atomic<bool>* unwanted = nullptr;
+  };
+  Result<bool> drawInto(const TargetJob& job, const model::Scene& scene,
+                        const model::Camera& camera, const PictureSettings& settings);
   /// One opaque Phong pass of the visible structures straight to the picture, without layers or
   /// lines: the benchmark's yardstick.
   Status drawPlainPhong(const model::Scene& scene, const model::Camera& camera,

@@ -175,7 +175,7 @@ class PelvisBonesTest : public QObject {
           if (!glm::all(glm::lessThan(low, high)))
             continue;
           const model::Bvh bvhB(b.mesh, model::spatialOrder(*b.mesh));
-          constexpr float step = 2.1f;
+          constexpr float step = 3.2f;
           int shared = 0;
           for (float z = low.z; z < high.z; z += step)
             for (float y = low.y; y < high.y; y += step)

@@ -18,6 +18,7 @@ class FillPictureTest : public QObject {
   void completeAtFive();
   void fillModes_data();
   void fillModes();
+  void veilsAddUp();
   void opacityOfTheStyle();
   void seenFromWithin();
   void lightFallsFromTheEye();
@@ -118,6 +119,24 @@ void FillPictureTest::fillModes() {
   } else {
     QCOMPARE((QList<int>{p.red, p.green, p.blue, p.alpha}), expected);
   }
+}
+
+void FillPictureTest::veilsAddUp() {
+  // 0, 1 and 2 veiled spheres before an opaque one: each leaves two fifths of the contrast.
+  const model::MeshPtr ball = sphere(50.0f, 4);
+  model::Scene scene;
+  model::Style behind = gammaStyle(5.0f);
+  behind.colour = Colour{10, 10, 10};
+  add(scene, moved(*ball, 1.0f, {0.0f, 200.0f, 0.0f}), behind);
+  model::Style veil = gammaStyle(1.0f);
+  veil.fill = model::Fill::veil;
+  QList<int> contrast;
+  for (int veils = 0; veils <= 2; ++veils) {
+    contrast << 255 - pixelAt(picture(scene, frontal(150.0f), Background::white), 200, 150).red;
+    add(scene, moved(*ball, 1.0f, {0.0f, -120.0f * float(veils), 0.0f}), veil);
+  }
+  QVERIFY(std::abs(contrast[1] - int(0.4f * float(contrast[0]))) <= 2);
+  QVERIFY(std::abs(contrast[2] - int(0.4f * float(contrast[1]))) <= 2);
 }
 
 void FillPictureTest::opacityOfTheStyle() {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <random>
 
+#include "render/gpu/device.h"
 #include "tests/render/picture/scenes.h"
 
 using namespace sline;
@@ -22,6 +23,8 @@ class LayersPictureTest : public QObject {
   void partsAlone();
   void piecesGiveTheSamePicture_data();
   void piecesGiveTheSamePicture();
+  void targetsGetTheSamePicture_data();
+  void targetsGetTheSamePicture();
   void drawsWhatIsLeftOfNothing();
   void plainPhongCoversTheSameShape();
   void refusesBadRequests();
@@ -219,6 +222,45 @@ void LayersPictureTest::piecesGiveTheSamePicture() {
   const Difference d = difference(*whole, *tiled);
   QVERIFY2(d.largest <= tolerance,
            qPrintable(QString("%1, %2 of pixels").arg(d.largest).arg(d.share)));
+}
+
+void LayersPictureTest::targetsGetTheSamePicture_data() {
+  QTest::addColumn<int>("maximumSide");
+  QTest::newRow("whole") << 0;
+  QTest::newRow("in pieces") << 200;
+}
+
+void LayersPictureTest::targetsGetTheSamePicture() {
+  QFETCH(int, maximumSide);
+  const auto drawn = render::Picture::create({.maximumSide = maximumSide});
+  QVERIFY(drawn.ok());
+  render::Picture& picture = **drawn;
+  const model::Scene scene = sceneOf(heap());
+  const auto image = picture.render(scene, camera(), settings);
+  QVERIFY(image.ok());
+
+  using namespace render::gpu;
+  const TextureSize size{.width = settings.width, .height = settings.height};
+  const Texture pixels(TextureFormat::rgba8, size, "pixels");
+  const auto target = Target::create({{&pixels}, nullptr}, "pixels");
+  const auto device = Device::create();
+  QVERIFY(target.ok() && device.ok());
+  (*device)->clear(**target, {.colour = glm::vec4(0.5f)});
+  // Given up before it is done, and then not.
+  std::atomic<bool> unwanted = true;
+  model::Camera other = camera();
+  other.eye.x += 5.0f;
+  const auto none = picture.drawInto({**target, &unwanted}, scene, other, settings);
+  QVERIFY(none.ok() && !*none);
+  unwanted = false;
+  const auto done = picture.drawInto({**target, &unwanted}, scene, camera(), settings);
+  QVERIFY(done.ok() && *done);
+  std::vector<std::byte> rows(std::size_t(size.width) * size.height * 4);
+  (*device)->read(**target, {0, 0, size.width, size.height}, rows);
+  for (int y = 0; y < size.height; ++y)
+    for (int x = 0; x < 4 * size.width; ++x)
+      QCOMPARE(int(rows[std::size_t(size.height - 1 - y) * 4 * size.width + x]),
+               int(image->rgba[std::size_t(y) * 4 * size.width + x]));
 }
 
 void LayersPictureTest::drawsWhatIsLeftOfNothing() {

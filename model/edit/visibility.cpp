@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/edit/visibility.h"
+
+#include <algorithm>
+
+namespace sline::model {
+
+namespace {
+
+Edited edited(const Scene& before, Scene&& after) {
+  const bool changed = !(after == before);
+  return {std::move(after), changed};
+}
+
+Scene withVisible(const Scene& scene, std::span<const NodeId> ids, bool visible) {
+  Style patch;
+  patch.visible = visible;
+  return withStyle(scene, ids, patch).scene;
+}
+
+bool saysHidden(const Scene& scene, NodeId id) {
+  const Node* node = scene.find(id);
+  return node && !node->style.visible.value_or(true);
+}
+
+/// The groups above a node, the nearest first.
+std::vector<NodeId> groupsAbove(const Scene& scene, NodeId id) {
+  std::vector<NodeId> groups;
+  const Node* node = scene.find(id);
+  while (node && (node = scene.find(node->parent)) != nullptr)
+    groups.push_back(node->id);
+  return groups;
+}
+
+/// Opens the hidden groups above a node, but not what else is in them.
+Scene opened(Scene scene, NodeId id) {
+  NodeId path = id;
+  std::vector<NodeId> others;
+  bool hidden = false;
+  std::vector<NodeId> groups = groupsAbove(scene, id);
+  for (const NodeId group : groups) {
+    for (const NodeId child : scene.children(group))
+      if (child != path)
+        others.push_back(child);
+    path = group;
+    hidden = hidden || saysHidden(scene, group);
+    if (saysHidden(scene, group)) {
+      scene = withVisible(scene, others, false);
+      others.clear();
+    }
+  }
+  return hidden ? withVisible(scene, groups, true) : scene;
+}
+
+Scene shown(Scene scene, NodeId id) {
+  if (!scene.find(id))
+    return scene;
+  scene = opened(std::move(scene), id);
+  const NodeId itself[] = {id};
+  if (saysHidden(scene, id)) {
+    scene = withVisible(scene, itself, true);
+    if (shownOf(scene, id) != Shown::none)
+      return scene;
+  }
+  std::vector<NodeId> hidden;
+  for (const Node& node : scene.nodes())
+    if (saysHidden(scene, node.id) && scene.isBelow(node.id, id))
+      hidden.push_back(node.id);
+  return withVisible(scene, hidden, true);
+}
+
+}  // namespace
+
+Shown shownOf(const Scene& scene, NodeId id) {
+  const std::vector<NodeId> structures = scene.structuresBelow(id);
+  const auto visible = std::count_if(structures.begin(), structures.end(),
+                                     [&](NodeId s) { return scene.resolve(s).visible; });
+  if (visible == 0)
+    return Shown::none;
+  return std::size_t(visible) == structures.size() ? Shown::all : Shown::some;
+}
+
+Edited withHidden(const Scene& scene, std::span<const NodeId> ids) {
+  return edited(scene, withVisible(scene, ids, false));
+}
+
+Edited withShown(const Scene& scene, std::span<const NodeId> ids) {
+  Scene after = scene;
+  for (const NodeId id : ids)
+    after = shown(std::move(after), id);
+  return edited(scene, std::move(after));
+}
+
+}  // namespace sline::model

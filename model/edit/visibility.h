@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Showing and hiding: Scene → Scene (see model/edit/style.h for `Edited`).
+#pragma once
+
+#include "model/edit/style.h"
+
+namespace sline::model {
+
+/// What of a structure, or of the structures in a group, is shown.
+enum class Shown { none, some, all };
+Shown shownOf(const Scene& scene, NodeId id);
+
+/// Hides the nodes; what stands below them remembers its own state.
+Edited withHidden(const Scene& scene, std::span<const NodeId> ids);
+/// Shows the nodes. A hidden group comes back as it was before it was hidden; one that shows a
+/// part, or would show nothing, shows all. Where a group above is hidden, it is shown with nothing
+/// else in it.
+Edited withShown(const Scene& scene, std::span<const NodeId> ids);
+
+}  // namespace sline::model

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finished pictures on their way from the context that draws them to the one that shows them. The
+// two contexts share textures and run on threads of their own; three pictures take turns, so that
+// one can be shown, the newest lie ready and a third be drawn, and the showing side never waits.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+
+#include "render/gpu/target.h"
+
+namespace sline::render::gpu {
+
+class Handoff {
+ public:
+  Handoff() = default;
+  ~Handoff();
+  Handoff(const Handoff&) = delete;
+  Handoff& operator=(const Handoff&) = delete;
+
+  /// Drawing side: a target of that size that nobody looks at. Waits (here, not on the showing
+  /// side) until the showing side's last use of it is done.
+  Result<const Target*> begin(TextureSize size);
+  /// Drawing side: what `begin` gave is drawn; waits for the GPU, so that whoever shows it need
+  /// not. It becomes the newest; a newest one that was never shown is drawn over next.
+  void publish(std::uint64_t number);
+  /// Drawing side, its context current: gives back everything. The showing side must be done.
+  void releaseDrawing();
+
+  /// Showing side: fills the viewport of the framebuffer that is bound for drawing with the newest
+  /// picture, scaled where sizes differ. Returns that picture's number; 0 where there is none yet.
+  std::uint64_t show(TextureSize viewport);
+  /// Showing side, its context current: gives back what belongs to it alone.
+  void releaseShowing();
+
+ private:
+  /// A picture, and the last use of it by the showing side.
+  struct Turn {
+    std::unique_ptr<Texture> texture;
+    std::unique_ptr<Target> target;
+    std::uint64_t number = 0;
+    void* shown = nullptr;  ///< a fence; null: never shown since it was drawn
+  };
+  static constexpr int none = -1;
+
+  std::mutex m_mutex;  ///< guards indices and fences; the drawing side never holds it for long
+  std::array<Turn, 3> m_turns;
+  int m_drawing = none;
+  int m_newest = none;
+  int m_showing = none;
+  std::uint32_t m_reader = 0;  ///< the showing side's framebuffer
+};
+
+}  // namespace sline::render::gpu

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// Showing and hiding in a tree A ( B ( b c ) a ) d.
+#include <QTest>
+
+#include "model/edit/visibility.h"
+#include "tests/support/shapes.h"
+
+namespace sline::model {
+namespace {
+
+class Sample {
+ public:
+  Sample() {
+    const MeshPtr ball = test::sphere(1.0f, 0);
+    add("A", rootId, nullptr);
+    add("B", id("A"), nullptr);
+    add("b", id("B"), ball);
+    add("c", id("B"), ball);
+    add("a", id("A"), ball);
+    add("d", rootId, ball);
+  }
+  NodeId id(const QString& name) const {
+    for (const Node& node : scene.nodes())
+      if (name.toStdString() == node.name)
+        return node.id;
+    return NodeId{12345};
+  }
+  std::vector<NodeId> ids(const QString& names) const {
+    std::vector<NodeId> found;
+    for (const QString& name : names.split(' ', Qt::SkipEmptyParts))
+      found.push_back(id(name));
+    return found;
+  }
+  /// "+B" shows B, "-b" hides b, in turn.
+  void edit(const QString& steps) {
+    for (const QString& step : steps.split(' ', Qt::SkipEmptyParts)) {
+      const std::vector<NodeId> one{id(step.mid(1))};
+      scene = (step.startsWith('+') ? withShown(scene, one) : withHidden(scene, one)).scene;
+    }
+  }
+  QString visible() const {
+    QStringList names;
+    for (const Node& node : scene.nodes())
+      if (!node.isGroup() && scene.resolve(node.id).visible)
+        names << QString::fromStdString(node.name);
+    return names.join(' ');
+  }
+
+  Scene scene;
+
+ private:
+  void add(const char* name, NodeId parent, const MeshPtr& mesh) {
+    scene.append({.parent = parent, .name = name, .mesh = mesh});
+  }
+};
+
+}  // namespace
+
+class VisibilityEditTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void steps_data() {
+    QTest::addColumn<QString>("steps");
+    QTest::addColumn<QString>("visible");
+    QTest::newRow("nothing") << ""
+                             << "b c a d";
+    QTest::newRow("a structure hidden") << "-b"
+                                        << "c a d";
+    QTest::newRow("and shown") << "-b +b"
+                               << "b c a d";
+    QTest::newRow("a group hidden") << "-A"
+                                    << "d";
+    QTest::newRow("comes back as it was") << "-b -A +A"
+                                          << "c a d";
+    QTest::newRow("a part shown becomes all") << "-b -A +A +A"
+                                              << "b c a d";
+    QTest::newRow("would show nothing, shows all") << "-b -c -B +B"
+                                                   << "b c a d";
+    QTest::newRow("all hidden one by one") << "-b -c +B"
+                                           << "b c a d";
+    QTest::newRow("in a hidden group, alone") << "-A +b"
+                                              << "b d";
+    QTest::newRow("in two hidden groups, alone") << "-B -A +c"
+                                                 << "c d";
+    QTest::newRow("one of two hidden groups") << "-B +c"
+                                              << "c a d";
+    QTest::newRow("then its group") << "-A +b +B"
+                                    << "b c d";
+    QTest::newRow("unknown") << "-x +x"
+                             << "b c a d";
+  }
+  void steps() {
+    QFETCH(QString, steps);
+    QFETCH(QString, visible);
+    Sample s;
+    s.edit(steps);
+    QCOMPARE(s.visible(), visible);
+  }
+
+  void saysWhetherAnythingChanged() {
+    Sample s;
+    QVERIFY(!withShown(s.scene, s.ids("A d")).changed);
+    QVERIFY(withHidden(s.scene, s.ids("A")).changed);
+    s.edit("-A");
+    QVERIFY(!withHidden(s.scene, s.ids("A")).changed);
+    QVERIFY(withShown(s.scene, s.ids("A")).changed);
+  }
+
+  void threeStates() {
+    Sample s;
+    QVERIFY(shownOf(s.scene, s.id("A")) == Shown::all);
+    s.edit("-b");
+    QVERIFY(shownOf(s.scene, s.id("A")) == Shown::some);
+    QVERIFY(shownOf(s.scene, s.id("b")) == Shown::none);
+    s.edit("-A");
+    QVERIFY(shownOf(s.scene, s.id("B")) == Shown::none);
+    QVERIFY(shownOf(s.scene, rootId) == Shown::some);
+  }
+};
+
+}  // namespace sline::model
+
+QTEST_APPLESS_MAIN(sline::model::VisibilityEditTest)
+#include "visibility_edit_test.moc"

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QAbstractItemModelTester>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "model/edit/emphasis.h"
+#include "model/edit/tree.h"
+#include "model/edit/visibility.h"
+#include "tests/support/shapes.h"
+#include "widgets/structure_tree/structure_tree_model.h"
+
+namespace sline::widgets {
+
+using Model = StructureTreeModel;
+
+class StructureTreeModelTest : public QObject {
+  Q_OBJECT
+
+  /// Organs ( kidney ureter ) bone
+  static model::Scene body() {
+    const model::MeshPtr ball = test::sphere(1.0f, 1);
+    model::Scene scene;
+    const model::NodeId organs = scene.append({.name = "Organs"});
+    scene.append({.parent = organs, .name = "kidney", .mesh = ball});
+    scene.append({.parent = organs, .name = "ureter", .mesh = ball});
+    scene.append({.name = "bone", .mesh = ball});
+    return scene;
+  }
+  static bool open(Session& session) {
+    session.openMade(QStringLiteral("body"), [](const model::ImportProgress&) -> Result<Loaded> {
+      return Loaded{.scene = body(), .title = QStringLiteral("body"), .remarks = {}};
+    });
+    return QTest::qWaitFor([&] { return !session.busy(); });
+  }
+  static model::NodeId id(const Session& session, const char* name) {
+    return session.scene().named(name).front();
+  }
+
+ private slots:
+  void followsTheScene() {
+    Session session;
+    Model tree(session);
+    const QAbstractItemModelTester tester(&tree,
+                                          QAbstractItemModelTester::FailureReportingMode::Fatal);
+    QCOMPARE(tree.rowCount(), 0);
+    QVERIFY(open(session));
+    QCOMPARE(tree.rowCount(), 2);
+    const QModelIndex organs = tree.index(0, 0);
+    QCOMPARE(tree.rowCount(organs), 2);
+    QCOMPARE(tree.index(1, Model::name, organs).data().toString(), QStringLiteral("ureter"));
+    QVERIFY(tree.idOf(tree.indexOf(id(session, "bone"))) == id(session, "bone"));
+
+    const model::NodeId gone[] = {id(session, "kidney")};
+    session.apply(QStringLiteral("Remove"), model::removed(session.scene(), gone));
+    QCOMPARE(tree.rowCount(tree.index(0, 0)), 1);
+    QVERIFY(!tree.indexOf(gone[0]).isValid());
+    session.undo();
+    QCOMPARE(tree.rowCount(tree.index(0, 0)), 2);
+  }
+
+  void onlyRowsThatDifferChange() {
+    Session session;
+    QVERIFY(open(session));
+    Model tree(session);
+    QSignalSpy resets(&tree, &QAbstractItemModel::modelReset);
+    QSignalSpy changes(&tree, &QAbstractItemModel::dataChanged);
+    const auto changed = [&] {
+      QStringList names;
+      for (const auto& arguments : std::as_const(changes))
+        names << arguments[0].toModelIndex().siblingAtColumn(Model::name).data().toString();
+      changes.clear();
+      return names.join(QLatin1Char(' '));
+    };
+    const model::NodeId kidney[] = {id(session, "kidney")};
+    const model::NodeId organs[] = {id(session, "Organs")};
+    session.apply({}, model::withGamma(session.scene(), kidney, Gamma::clamped(4.0f)));
+    QCOMPARE(changed(), QStringLiteral("Organs kidney"));  // the group's range is another one
+    session.apply({}, model::withHidden(session.scene(), organs));
+    QCOMPARE(changed(), QStringLiteral("Organs kidney ureter"));
+    session.apply({}, model::renamed(session.scene(), kidney[0], "left kidney"));
+    QCOMPARE(changed(), QStringLiteral("left kidney"));
+    QCOMPARE(resets.count(), 0);
+  }
+
+  void saysWhatIsInherited() {
+    Session session;
+    QVERIFY(open(session));
+    Model tree(session);
+    const model::NodeId organs[] = {id(session, "Organs")};
+    session.apply({}, model::withGamma(session.scene(), organs, Gamma::clamped(3.0f)));
+    const QModelIndex group = tree.indexOf(organs[0]);
+    const QModelIndex kidney = tree.indexOf(id(session, "kidney"));
+    QVERIFY(group.data(Model::ownGammaRole).toBool());
+    QVERIFY(!kidney.data(Model::ownGammaRole).toBool());
+    QCOMPARE(kidney.data(Model::lowGammaRole).toFloat(), 3.0f);
+    QVERIFY(kidney.siblingAtColumn(Model::gamma)
+                .data(Qt::AccessibleTextRole)
+                .toString()
+                .contains(QStringLiteral("from the group above")));
+    QCOMPARE(group.siblingAtColumn(Model::eye).data(Qt::AccessibleTextRole).toString(),
+             QStringLiteral("Shown"));
+  }
+
+  void renames() {
+    Session session;
+    QVERIFY(open(session));
+    Model tree(session);
+    const QModelIndex bone = tree.indexOf(id(session, "bone"));
+    QVERIFY(tree.setData(bone, QStringLiteral(" hip bone "), Qt::EditRole));
+    QCOMPARE(bone.data().toString(), QStringLiteral("hip bone"));
+    QVERIFY(!tree.setData(bone, QStringLiteral("  "), Qt::EditRole));
+    QCOMPARE(session.history().count(), 1);
+  }
+};
+
+}  // namespace sline::widgets
+
+QTEST_GUILESS_MAIN(sline::widgets::StructureTreeModelTest)
+#include "structure_tree_model_test.moc"

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The stages that Γ passes through, by the names people read.
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "model/base/units.h"
+
+namespace sline::widgets {
+
+struct Stage {
+  float gamma;
+  QString name;
+  QString explanation;
+};
+
+/// From 0 to 5, one at each whole number.
+std::vector<Stage> gammaStages();
+
+/// "3.25".
+QString gammaText(Gamma gamma);
+
+}  // namespace sline::widgets

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reading or modelling a scene on a thread of its own, with progress and cancel.
+#pragma once
+
+#include <QObject>
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "model/base/result.h"
+#include "model/import/import.h"
+#include "widgets/session/document.h"
+
+namespace sline::widgets {
+
+/// Makes a scene; calls the progress now and then and gives up where that says false.
+using SceneMaker = std::function<Result<Loaded>(const model::ImportProgress&)>;
+
+class SceneJob : public QObject {
+  Q_OBJECT
+ public:
+  explicit SceneJob(SceneMaker maker, QObject* parent = nullptr);
+  /// Cancels, and waits until the maker has noticed.
+  ~SceneJob() override;
+
+  /// The maker gives up at its next word of progress; nothing but `cancelled` follows.
+  void cancel();
+
+ signals:
+  /// `done` in [0, 1]; at most one per percent or change of text.
+  void progressed(double done, const QString& what);
+  void made(const sline::widgets::Loaded& loaded);
+  void failed(const sline::Error& error);
+  void cancelled();
+
+ private:
+  bool report(float done, const std::string& what);
+  void finish(const std::shared_ptr<Result<Loaded>>& result);
+
+  std::atomic<bool> m_cancelled = false;
+  std::atomic<int> m_percent = -1;
+  std::thread m_thread;
+};
+
+}  // namespace sline::widgets

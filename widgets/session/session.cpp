@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/session/session.h"
+
+#include <QElapsedTimer>
+#include <QUndoCommand>
+#include <algorithm>
+
+namespace sline::widgets {
+
+/// From one document to the next; scenes share their meshes, so both together are small.
+class DocumentStep : public QUndoCommand {
+ public:
+  DocumentStep(Session& session, Document after, QString series)
+      : m_session(session),
+        m_before(session.m_beforePreview.value_or(session.m_document)),
+        m_after(std::move(after)),
+        m_series(std::move(series)) {
+    m_age.start();
+  }
+  void undo() override { m_session.set(m_before); }
+  void redo() override { m_session.set(m_after); }
+  int id() const override { return m_series.isEmpty() ? -1 : 1; }
+  bool mergeWith(const QUndoCommand* other) override {
+    constexpr qint64 oneGesture = 1000;  // milliseconds
+    const auto* next = static_cast<const DocumentStep*>(other);
+    if (next->m_series != m_series || m_age.elapsed() > oneGesture)
+      return false;
+    m_after = next->m_after;
+    m_age.restart();
+    setObsolete(m_before == m_after);
+    return true;
+  }
+
+ private:
+  Session& m_session;
+  Document m_before;
+  Document m_after;
+  QString m_series;
+  QElapsedTimer m_age;
+};
+
+namespace {
+
+QString titleOf(const std::vector<std::filesystem::path>& paths) {
+  std::filesystem::path path = paths.empty() ? std::filesystem::path() : paths.front();
+  if (!path.has_filename())  // "folder/"
+    path = path.parent_path();
+  const QString name = QString::fromStdString(path.filename().string());
+  return paths.size() < 2 ? name
+                          : Session::tr("%1 and %n more", nullptr, int(paths.size()) - 1).arg(name);
+}
+
+QStringList remarksOf(const model::ImportReport& report) {
+  QStringList remarks;
+  for (const model::ImportWarning& warning : report.warnings)
+    remarks << QString::fromStdString(warning.file.empty() ? warning.reason
+                                                           : warning.file + ": " + warning.reason);
+  return remarks;
+}
+
+/// In a window a drawing is read as solid unless somebody says otherwise: structures hide what is
+/// behind them.
+model::Scene solid(const model::Scene& scene) {
+  NodeIds top;
+  for (const model::Node& node : scene.nodes()) {
+    if (node.style.fill)
+      return scene;
+    if (node.parent == model::rootId)
+      top.push_back(node.id);
+  }
+  model::Style patch;
+  patch.fill = model::Fill::paper;
+  return model::withStyle(scene, top, patch).scene;
+}
+
+}  // namespace
+
+Session::Session(QObject* parent) : QObject(parent) {}
+
+Session::~Session() {
+  m_history.disconnect(this);
+}
+
+void Session::undo() {
+  cancelPreview();
+  m_history.undo();
+}
+
+void Session::redo() {
+  cancelPreview();
+  m_history.redo();
+}
+
+bool Session::apply(const QString& name, model::Edited edited, const QString& series) {
+  if (!edited.changed)
+    return false;
+  if (m_beforePreview)
+    commitPreview(name);
+  Document after = m_document;
+  after.scene = std::move(edited.scene);
+  push(name, std::move(after), series);
+  return true;
+}
+
+void Session::push(const QString& name, Document after, const QString& series) {
+  auto* step = new DocumentStep(*this, std::move(after), series);
+  step->setText(name);
+  m_beforePreview.reset();
+  m_history.push(step);
+}
+
+void Session::preview(model::Scene scene) {
+  if (!m_beforePreview)
+    m_beforePreview = m_document;
+  Document document = m_document;
+  document.scene = std::move(scene);
+  set(std::move(document));
+}
+
+void Session::commitPreview(const QString& name) {
+  if (!m_beforePreview)
+    return;
+  if (*m_beforePreview == m_document)
+    m_beforePreview.reset();
+  else
+    push(name, m_document, {});
+}
+
+void Session::cancelPreview() {
+  if (!m_beforePreview)
+    return;
+  Document before = std::move(*m_beforePreview);
+  m_beforePreview.reset();
+  set(std::move(before));
+}
+
+const model::Scene& Session::sceneBeforePreview() const {
+  return m_beforePreview ? m_beforePreview->scene : m_document.scene;
+}
+
+void Session::select(NodeIds ids) {
+  std::erase_if(ids, [this](model::NodeId id) { return !scene().find(id); });
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  if (ids == m_selection)
+    return;
+  m_selection = std::move(ids);
+  emit selectionChanged();
+}
+
+void Session::set(Document document) {
+  if (document == m_document)
+    return;
+  const Document before = std::exchange(m_document, std::move(document));
+  emit documentChanged(before, m_document);
+  select(before.opening == m_document.opening ? m_selection : NodeIds{});
+}
+
+void Session::open(const Loaded& loaded) {
+  cancelPreview();
+  Document document{.scene = solid(loaded.scene), .title = loaded.title, .opening = ++m_openings};
+  if (m_document.opening == 0)
+    set(std::move(document));  // there is nothing to go back to
+  else
+    push(tr("Open %1").arg(loaded.title), std::move(document), {});
+  if (!loaded.remarks.isEmpty())
+    emit remarked(loaded.title, loaded.remarks);
+}
+
+void Session::openPaths(std::vector<std::filesystem::path> paths) {
+  const QString title = titleOf(paths);
+  startJob(title, [paths = std::move(paths), title](const model::ImportProgress& progress) {
+    auto imported = model::importInputs(paths, {}, progress);
+    if (!imported)
+      return Result<Loaded>(imported.error());
+    return Result<Loaded>(Loaded{.scene = std::move(imported->scene),
+                                 .title = title,
+                                 .remarks = remarksOf(imported->report)});
+  });
+}
+
+void Session::openMade(const QString& title, SceneMaker maker) {
+  startJob(title, std::move(maker));
+}
+
+void Session::startJob(const QString& title, SceneMaker maker) {
+  cancelJob();
+  m_job = new SceneJob(std::move(maker), this);
+  connect(m_job, &SceneJob::progressed, this,
+          [this, job = m_job](double done, const QString& what) {
+            if (job == m_job)
+              emit jobProgressed(done, what);
+          });
+  connect(m_job, &SceneJob::made, this, [this, job = m_job](const Loaded& loaded) {
+    if (job != m_job)
+      return;
+    endJob();
+    open(loaded);
+  });
+  connect(m_job, &SceneJob::failed, this, [this, job = m_job](const Error& error) {
+    if (job != m_job)
+      return;
+    endJob();
+    emit failed(error);
+  });
+  emit jobStarted(title);
+}
+
+void Session::cancelJob() {
+  if (!m_job)
+    return;
+  // It is let go at once and deletes itself when its thread has noticed.
+  connect(m_job, &SceneJob::cancelled, m_job, &QObject::deleteLater);
+  m_job->cancel();
+  m_job = nullptr;
+  emit jobEnded();
+}
+
+void Session::endJob() {
+  m_job->deleteLater();
+  m_job = nullptr;
+  emit jobEnded();
+}
+
+}  // namespace sline::widgets

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// The one door for change. Everybody else reads the document, asks for edits and hears what became
+// of them; nobody keeps a copy.
+#pragma once
+
+#include <QObject>
+#include <QUndoStack>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "model/edit/style.h"
+#include "widgets/session/document.h"
+#include "widgets/session/scene_job.h"
+
+namespace sline::widgets {
+
+using NodeIds = std::vector<model::NodeId>;
+
+class Session : public QObject {
+  Q_OBJECT
+ public:
+  explicit Session(QObject* parent = nullptr);
+  ~Session() override;
+
+  const Document& document() const { return m_document; }
+  const model::Scene& scene() const { return m_document.scene; }
+  /// For looking at; `undo` and `redo` are the way to go back and forth.
+  QUndoStack& history() { return m_history; }
+  /// A drag under way ends as if it had not been.
+  void undo();
+  void redo();
+
+  /// An edit as one undo step; false, and no step, where it changes nothing. Edits with the same
+  /// `series` that follow each other within a second (a key held down) become one step.
+  bool apply(const QString& name, model::Edited edited, const QString& series = {});
+  /// Shows a scene without making a step: a drag's. The first call begins the drag.
+  void preview(model::Scene scene);
+  /// Ends the drag with one step, or none where all is as before.
+  void commitPreview(const QString& name);
+  /// Ends the drag as if it had not been.
+  void cancelPreview();
+  bool previewing() const { return m_beforePreview.has_value(); }
+  /// What edits during a drag start from: the scene before it.
+  const model::Scene& sceneBeforePreview() const;
+
+  const NodeIds& selection() const { return m_selection; }
+  /// Ids that the scene lacks are left out.
+  void select(NodeIds ids);
+
+  /// Reads the files and folders in the background; the scene becomes the document when it is
+  /// there (one undo step). A job that is under way is cancelled.
+  void openPaths(std::vector<std::filesystem::path> paths);
+  void openMade(const QString& title, SceneMaker maker);
+  void cancelJob();
+  bool busy() const { return m_job != nullptr; }
+
+ signals:
+  /// Also at each step of a drag; compare the two to see what differs.
+  void documentChanged(const sline::widgets::Document& before, const sline::widgets::Document& now);
+  void selectionChanged();
+  void jobStarted(const QString& title);
+  void jobProgressed(double done, const QString& what);
+  void jobEnded();
+  /// Something could not be done; the document is as it was.
+  void failed(const sline::Error& error);
+  /// A scene came in, but parts of it were left out or mended.
+  void remarked(const QString& title, const QStringList& remarks);
+
+ private:
+  friend class DocumentStep;
+  void set(Document document);
+  void push(const QString& name, Document after, const QString& series);
+  void open(const Loaded& loaded);
+  void startJob(const QString& title, SceneMaker maker);
+  void endJob();
+
+  Document m_document;
+  QUndoStack m_history;
+  std::optional<Document> m_beforePreview;
+  NodeIds m_selection;
+  SceneJob* m_job = nullptr;
+  int m_openings = 0;
+};
+
+}  // namespace sline::widgets

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/structure_tree/cell_painting.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/gamma/stages.h"
+
+namespace sline::widgets {
+
+namespace {
+
+constexpr double numberWidth = 34.0;
+constexpr double handleRadius = 5.0;
+
+QColor faded(QColor colour, double opacity) {
+  colour.setAlphaF(float(opacity));
+  return colour;
+}
+
+QPainterPath eyeOutline(const QPointF& centre, double size) {
+  QPainterPath path(centre + QPointF(-size, 0.0));
+  path.quadTo(centre + QPointF(0.0, -1.25 * size), centre + QPointF(size, 0.0));
+  path.quadTo(centre + QPointF(0.0, 1.25 * size), centre + QPointF(-size, 0.0));
+  return path;
+}
+
+}  // namespace
+
+QRectF GammaCell::groove() const {
+  const double left = cell.left() + handleRadius + 4.0;
+  const double right = cell.right() - numberWidth - handleRadius - 6.0;
+  return {left, cell.center().y() - 1.5, std::max(right - left, 1.0), 3.0};
+}
+
+QRectF GammaCell::number() const {
+  return {cell.right() - numberWidth - 4.0, cell.top(), numberWidth, cell.height()};
+}
+
+double GammaCell::xOf(Gamma gamma) const {
+  return groove().left() + groove().width() * double(gamma.value()) / 5.0;
+}
+
+Gamma GammaCell::gammaAt(double x) const {
+  // To 0.05: a step finer than a pixel of so short a groove would be an accident.
+  const double gamma = 5.0 * (x - groove().left()) / groove().width();
+  return Gamma::clamped(float(std::round(gamma * 20.0) / 20.0));
+}
+
+void paintEye(QPainter& painter, const QRectF& cell, model::Shown shown, const QPalette& palette) {
+  const QColor ink = palette.color(QPalette::Text);
+  const QPointF centre = cell.center() + QPointF(0.5, 0.5);
+  constexpr double size = 7.0;
+  const bool hidden = shown == model::Shown::none;
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(faded(ink, hidden ? 0.3 : 0.75), 1.2));
+  painter.drawPath(eyeOutline(centre, size));
+  if (hidden) {
+    painter.drawLine(centre + QPointF(-6.0, 5.0), centre + QPointF(6.0, -5.0));
+    return;
+  }
+  if (shown == model::Shown::all) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(faded(ink, 0.75));
+  }
+  painter.drawEllipse(centre, 2.4, 2.4);
+}
+
+void paintSwatch(QPainter& painter, const QRectF& cell, std::span<const QColor> colours,
+                 const QPalette& palette) {
+  QRectF square(0.0, 0.0, 13.0, 13.0);
+  square.moveCenter(cell.center());
+  QPainterPath outline;
+  outline.addRoundedRect(square, 3.0, 3.0);
+  const double width = square.width() / double(std::max<std::size_t>(colours.size(), 1));
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    QPainterPath part;
+    part.addRect(square.left() + width * double(i), square.top(), width, square.height());
+    painter.fillPath(outline.intersected(part), colours[i]);
+  }
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(faded(palette.color(QPalette::Text), 0.35), 1.0));
+  painter.drawPath(outline);
+}
+
+void paintGamma(QPainter& painter, const GammaCell& cell, const GammaLook& look,
+                const QPalette& palette) {
+  const QColor text = palette.color(look.selected ? QPalette::HighlightedText : QPalette::Text);
+  const QColor accent =
+      look.selected ? palette.color(QPalette::HighlightedText) : palette.color(QPalette::Highlight);
+  const bool one = look.range.low == look.range.high;
+  const QRectF groove = cell.groove();
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(faded(text, 0.22));
+  painter.drawRoundedRect(groove, 1.5, 1.5);
+  for (int stage = 1; stage < 5; ++stage)
+    painter.drawRect(QRectF(cell.xOf(Gamma::clamped(float(stage))) - 0.5, groove.top() - 3.0, 1.0,
+                            groove.height() + 6.0));
+  // From above: thin and grey. Said here: full. Several that differ: the range.
+  const double from = one ? groove.left() : cell.xOf(look.range.low);
+  const double to = cell.xOf(look.range.high);
+  painter.setBrush(look.own ? accent : faded(accent, 0.4));
+  painter.drawRoundedRect(QRectF(from, groove.top(), std::max(to - from, 0.0), groove.height()),
+                          1.5, 1.5);
+  if (one) {
+    const QPointF at(to, groove.center().y());
+    painter.setPen(QPen(look.own ? accent : faded(text, 0.5), 1.4));
+    painter.setBrush(
+        look.own ? accent : palette.color(look.selected ? QPalette::Highlight : QPalette::Base));
+    painter.drawEllipse(at, handleRadius - 0.7, handleRadius - 0.7);
+  }
+  painter.setPen(faded(text, look.own ? 1.0 : 0.55));
+  painter.drawText(cell.number(), Qt::AlignRight | Qt::AlignVCenter,
+                   one ? gammaText(look.range.low) : QStringLiteral("…"));
+}
+
+}  // namespace sline::widgets

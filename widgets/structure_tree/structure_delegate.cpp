@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/structure_tree/structure_delegate.h"
+
+#include <QApplication>
+#include <QPainter>
+#include <algorithm>
+
+#include "widgets/structure_tree/cell_painting.h"
+#include "widgets/structure_tree/structure_tree_model.h"
+
+namespace sline::widgets {
+
+using Model = StructureTreeModel;
+
+namespace {
+std::vector<QColor> coloursOf(const QModelIndex& index) {
+  std::vector<QColor> colours;
+  for (const QVariant& colour : index.data(Model::coloursRole).toList())
+    colours.push_back(colour.value<QColor>());
+  return colours;
+}
+}  // namespace
+
+void StructureDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                              const QModelIndex& index) const {
+  QStyleOptionViewItem look = option;
+  initStyleOption(&look, index);
+  const auto shown = model::Shown(index.data(Model::shownRole).toInt());
+  if (index.column() == Model::name && shown == model::Shown::none)
+    look.palette.setColor(QPalette::Text, look.palette.color(QPalette::Disabled, QPalette::Text));
+  // One highlight for the row; a frame around a single cell says nothing here.
+  look.state &= ~QStyle::State_HasFocus;
+  const QStyle* style = look.widget ? look.widget->style() : QApplication::style();
+  style->drawControl(QStyle::CE_ItemViewItem, &look, painter, look.widget);
+  if (index.column() == Model::name)
+    return;
+
+  const bool selected = look.state & QStyle::State_Selected;
+  QPalette palette = look.palette;
+  if (selected)
+    palette.setColor(QPalette::Text, palette.color(QPalette::HighlightedText));
+  painter->save();
+  painter->setRenderHint(QPainter::Antialiasing);
+  const QRectF cell(look.rect);
+  if (index.column() == Model::eye)
+    paintEye(*painter, cell, shown, palette);
+  else if (index.column() == Model::swatch)
+    paintSwatch(*painter, cell, coloursOf(index), palette);
+  else
+    paintGamma(*painter, {cell},
+               {.range = {Gamma::clamped(index.data(Model::lowGammaRole).toFloat()),
+                          Gamma::clamped(index.data(Model::highGammaRole).toFloat())},
+                .own = index.data(Model::ownGammaRole).toBool(),
+                .selected = selected},
+               palette);
+  painter->restore();
+}
+
+QSize StructureDelegate::sizeHint(const QStyleOptionViewItem& option,
+                                  const QModelIndex& index) const {
+  QSize size = QStyledItemDelegate::sizeHint(option, index);
+  size.setHeight(std::max(size.height(), 26));
+  return size;
+}
+
+}  // namespace sline::widgets

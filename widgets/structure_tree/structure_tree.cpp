@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/structure_tree/structure_tree.h"
+
+#include <QColorDialog>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QVBoxLayout>
+
+#include "model/edit/emphasis.h"
+#include "widgets/structure_tree/structure_tree_view.h"
+
+namespace sline::widgets {
+
+StructureTree::StructureTree(Session& session, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_filter(new QLineEdit),
+      m_view(new StructureTreeView(session)) {
+  m_filter->setObjectName(QStringLiteral("structureFilter"));
+  m_filter->setAccessibleName(tr("Filter structures by name"));
+  m_filter->setPlaceholderText(tr("Filter by name"));
+  m_filter->setClearButtonEnabled(true);
+  m_filter->installEventFilter(this);
+  auto* filter = new QVBoxLayout;
+  filter->setContentsMargins(8, 8, 8, 8);
+  filter->addWidget(m_filter);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addLayout(filter);
+  layout->addWidget(m_view, 1);
+  connect(m_filter, &QLineEdit::textChanged, m_view, &StructureTreeView::setFilter);
+  connect(m_view, &StructureTreeView::colourWanted, this, &StructureTree::chooseColour);
+}
+
+void StructureTree::find() {
+  m_filter->setFocus(Qt::ShortcutFocusReason);
+  m_filter->selectAll();
+}
+
+bool StructureTree::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Escape)
+      m_filter->clear();
+    if (key == Qt::Key_Escape || key == Qt::Key_Down || key == Qt::Key_Return) {
+      m_view->setFocus();
+      return true;
+    }
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void StructureTree::chooseColour(const NodeIds& ids) {
+  const NodeIds structures = m_session.scene().structuresBelow(ids.front());
+  const model::NodeId first = structures.empty() ? ids.front() : structures.front();
+  const Colour now = m_session.scene().resolve(first).colour;
+  auto* dialog = new QColorDialog(QColor(now.red, now.green, now.blue), this);
+  dialog->setObjectName(QStringLiteral("colourDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  // While it is open each colour shows at once; accepting makes the one undo step.
+  const auto show = [this, ids](const QColor& c) {
+    const Colour colour{std::uint8_t(c.red()), std::uint8_t(c.green()), std::uint8_t(c.blue())};
+    m_session.preview(model::withColour(m_session.sceneBeforePreview(), ids, colour).scene);
+  };
+  connect(dialog, &QColorDialog::currentColorChanged, this, show);
+  connect(dialog, &QColorDialog::accepted, this, [this] { m_session.commitPreview(tr("Colour")); });
+  connect(dialog, &QColorDialog::rejected, this, [this] { m_session.cancelPreview(); });
+  dialog->open();
+}
+
+}  // namespace sline::widgets

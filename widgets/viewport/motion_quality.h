@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace sline::widgets {
+
+/// How fine pictures are while the camera moves: coarser where a full one takes long, full again
+/// when it rests.
+class MotionQuality {
+ public:
+  /// A picture drawn anew at that scale took this long.
+  void took(double milliseconds, float scale);
+  /// The share of the full width and height to draw while moving: 1, 3/4, 1/2 or 1/3.
+  float scale() const { return m_scale; }
+
+ private:
+  float m_scale = 1.0f;
+};
+
+}  // namespace sline::widgets

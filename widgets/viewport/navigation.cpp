@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/viewport/navigation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace sline::widgets {
+
+namespace {
+
+constexpr glm::dvec3 longAxis(0.0, 0.0, 1.0);
+/// A drag over the picture's whole height turns by this much.
+constexpr float degreesPerHeight = 200.0f;
+/// Below this the horizon's slant is rounding, left over from earlier turns.
+constexpr double levelSlant = 1e-3;
+
+/// The slope of a line of sight at the picture's upper edge.
+float edgeSlope(const model::Camera& camera) {
+  return std::tan(0.5f * glm::radians(camera.fovyDegrees));
+}
+
+glm::vec2 centred(const glm::vec2& pixel, const glm::vec2& size) {
+  return {(2.0f * pixel.x - size.x) / size.y, (size.y - 2.0f * pixel.y) / size.y};
+}
+
+}  // namespace
+
+model::Camera orbited(const model::Camera& camera, const glm::vec3& pivot, float turnDegrees,
+                      float tiltDegrees) {
+  const model::CameraFrame frame = model::cameraFrame(camera);
+  glm::dvec3 right(frame.right);
+  if (std::abs(right.z) < levelSlant && glm::length(glm::dvec2(right)) > 0.5)
+    right = glm::normalize(glm::dvec3(right.x, right.y, 0.0));
+  glm::dvec3 back(frame.back);
+  back = glm::normalize(back - glm::dot(back, right) * right);
+  const glm::dvec3 up = glm::cross(back, right);
+
+  const double elevation = std::atan2(back.z, up.z);
+  const double pole = std::max(glm::radians(90.0), std::abs(elevation));
+  const double tilt =
+      std::clamp(elevation + glm::radians(double(tiltDegrees)), -pole, pole) - elevation;
+  // The camera goes the other way than the scene seems to.
+  const glm::dquat tilting = glm::angleAxis(-tilt, right);
+  const glm::dquat turning = glm::angleAxis(-glm::radians(double(turnDegrees)), longAxis);
+  const glm::dquat both = turning * tilting;
+
+  const glm::dvec3 centre(pivot);
+  model::Camera turned = camera;
+  turned.eye = glm::vec3(centre + both * (glm::dvec3(camera.eye) - centre));
+  turned.target = glm::vec3(centre + both * (glm::dvec3(camera.target) - centre));
+  turned.up = glm::vec3(both * up);
+  return turned;
+}
+
+model::Camera panned(const model::Camera& camera, const glm::vec3& at, const glm::vec2& pixels,
+                     float height) {
+  const model::CameraFrame frame = model::cameraFrame(camera);
+  float scale = model::millimetresPerPixel(camera, at, height);
+  if (scale <= 0.0f)
+    scale = model::millimetresPerPixel(camera, camera.target, height);
+  const glm::vec3 step = scale * (-pixels.x * frame.right + pixels.y * frame.up);
+  model::Camera moved = camera;
+  moved.eye += step;
+  moved.target += step;
+  return moved;
+}
+
+model::Camera zoomed(const model::Camera& camera, const glm::vec3& at, float factor) {
+  model::Camera nearer = camera;
+  const float scale = 1.0f / factor;
+  nearer.eye = at + scale * (camera.eye - at);
+  nearer.target = at + scale * (camera.target - at);
+  nearer.heightMm *= scale;
+  return model::cameraFault(nearer) ? camera : nearer;
+}
+
+model::Ray sightThrough(const model::Camera& camera, const glm::vec2& pixel,
+                        const glm::vec2& size) {
+  const model::CameraFrame frame = model::cameraFrame(camera);
+  const glm::vec2 c = centred(pixel, size);
+  if (camera.projection == model::Projection::orthographic) {
+    const float half = 0.5f * camera.heightMm;
+    return {.origin = camera.eye + half * (c.x * frame.right + c.y * frame.up),
+            .direction = -frame.back};
+  }
+  const float slope = edgeSlope(camera);
+  return {.origin = camera.eye,
+          .direction = glm::normalize(slope * (c.x * frame.right + c.y * frame.up) - frame.back)};
+}
+
+glm::vec3 pointAtDepthOf(const model::Camera& camera, const glm::vec3& at, const glm::vec2& pixel,
+                         const glm::vec2& size) {
+  const model::Ray ray = sightThrough(camera, pixel, size);
+  const glm::vec3 forward = -model::cameraFrame(camera).back;
+  float depth = glm::dot(at - camera.eye, forward);
+  if (camera.projection == model::Projection::perspective && depth <= 0.0f)
+    depth = glm::dot(camera.target - camera.eye, forward);
+  return ray.origin + depth / glm::dot(ray.direction, forward) * ray.direction;
+}
+
+model::Camera CameraDrag::at(const glm::vec2& pixel, const glm::vec2& size) const {
+  const glm::vec2 way = pixel - m_start.pixel;
+  if (m_start.kind == Kind::pan)
+    return panned(m_start.camera, m_start.pivot, way, size.y);
+  const float rate = degreesPerHeight / size.y;
+  return orbited(m_start.camera, m_start.pivot, rate * way.x, rate * way.y);
+}
+
+}  // namespace sline::widgets

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the mouse moves the camera: cameras in, cameras out, no window. Pixels count from the
+// picture's upper left corner, y downwards.
+#pragma once
+
+#include <glm/vec2.hpp>
+
+#include "model/geometry/bvh.h"
+#include "model/scene/camera.h"
+
+namespace sline::widgets {
+
+/// Turns the camera around the pivot as if the scene stood on a turntable that can be tilted:
+/// `turnDegrees` about the body's long axis (positive: the scene's near side goes to the right),
+/// `tiltDegrees` about the picture's horizontal (positive: the near side goes down), which stops
+/// where the scene is seen from straight above or below. A level horizon stays level.
+model::Camera orbited(const model::Camera& camera, const glm::vec3& pivot, float turnDegrees,
+                      float tiltDegrees);
+/// Moves the camera so that what lies as deep as `at` follows the mouse by that many pixels of a
+/// picture that is `height` pixels high.
+model::Camera panned(const model::Camera& camera, const glm::vec3& at, const glm::vec2& pixels,
+                     float height);
+/// Draws the scene `factor` times as large around the point, which keeps its place in the picture.
+model::Camera zoomed(const model::Camera& camera, const glm::vec3& at, float factor);
+
+/// The line of sight through a pixel; its direction is a unit vector.
+model::Ray sightThrough(const model::Camera& camera, const glm::vec2& pixel, const glm::vec2& size);
+/// Where the line of sight through the pixel reaches the depth of `at`.
+glm::vec3 pointAtDepthOf(const model::Camera& camera, const glm::vec3& at, const glm::vec2& pixel,
+                         const glm::vec2& size);
+
+/// A drag of the camera, from the press of a button to its release.
+class CameraDrag {
+ public:
+  enum class Kind { orbit, pan };
+  struct Start {
+    Kind kind = Kind::orbit;
+    glm::vec2 pixel{0.0f};
+    model::Camera camera;
+    glm::vec3 pivot{0.0f};
+  };
+  explicit CameraDrag(const Start& start) : m_start(start) {}
+  /// The camera for the mouse at that pixel; depends on where the drag began, not on the way.
+  model::Camera at(const glm::vec2& pixel, const glm::vec2& size) const;
+
+ private:
+  Start m_start;
+};
+
+}  // namespace sline::widgets

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "model/scene/camera.h"
+
+namespace sline::widgets {
+
+/// The sides of the body towards the picture's left, right, upper and lower edge, as radiologists
+/// mark them: "R", or where a view is oblique the nearest first: "RA".
+struct EdgeLetters {
+  std::string left;
+  std::string right;
+  std::string top;
+  std::string bottom;
+  bool operator==(const EdgeLetters&) const = default;
+};
+EdgeLetters edgeLetters(const model::Camera& camera);
+
+}  // namespace sline::widgets

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/viewport/render_thread.h"
+
+#include <QElapsedTimer>
+#include <QOpenGLContext>
+#include <exception>
+
+namespace sline::widgets {
+
+namespace {
+
+class RendererPainter : public PicturePainter {
+ public:
+  explicit RendererPainter(std::unique_ptr<render::Picture> picture)
+      : m_picture(std::move(picture)) {}
+  Result<bool> paint(const PictureRequest& request,
+                     const render::Picture::TargetJob& job) override {
+    return m_picture->drawInto(job, request.scene, request.camera, request.settings);
+  }
+
+ private:
+  std::unique_ptr<render::Picture> m_picture;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<PicturePainter>> makePicturePainter() {
+  auto picture = render::Picture::create();
+  if (!picture)
+    return picture.error();
+  return std::unique_ptr<PicturePainter>(std::make_unique<RendererPainter>(std::move(*picture)));
+}
+
+RenderThread::RenderThread(QOpenGLContext& shareWith, render::gpu::Handoff& handoff,
+                           PainterFactory factory)
+    : m_handoff(handoff),
+      m_factory(std::move(factory)),
+      m_context(std::make_unique<QOpenGLContext>()) {
+  setObjectName(QStringLiteral("render"));
+  m_context->setFormat(shareWith.format());
+  m_context->setShareContext(&shareWith);
+  m_surface.setFormat(shareWith.format());
+  m_surface.create();
+  if (m_context->create())
+    m_context->moveToThread(this);
+  start();
+}
+
+RenderThread::~RenderThread() {
+  {
+    const std::lock_guard lock(m_mutex);
+    m_quit = true;
+    m_unwanted = true;
+  }
+  m_wake.notify_one();
+  wait();
+}
+
+void RenderThread::ask(PictureRequest request) {
+  {
+    const std::lock_guard lock(m_mutex);
+    if (m_resting && !(*m_resting == request.camera))
+      m_unwanted = true;
+    m_request = std::move(request);
+  }
+  m_wake.notify_one();
+}
+
+std::optional<PictureRequest> RenderThread::next() {
+  std::unique_lock lock(m_mutex);
+  m_wake.wait(lock, [this] { return m_quit || m_request; });
+  if (m_quit)
+    return std::nullopt;
+  m_unwanted = false;
+  m_resting.reset();
+  if (m_request->dispensable)
+    m_resting = m_request->camera;
+  return std::exchange(m_request, std::nullopt);
+}
+
+Result<bool> RenderThread::draw(PicturePainter& painter, const PictureRequest& request) {
+  const auto target =
+      m_handoff.begin({.width = request.settings.width, .height = request.settings.height});
+  if (!target)
+    return target.error();
+  try {
+    const Result<bool> painted =
+        painter.paint(request, {.target = **target, .unwanted = &m_unwanted});
+    if (!painted || !*painted)
+      return painted;
+  } catch (const std::exception& failure) {
+    return Error{.reason = std::string("the picture could not be drawn: ") + failure.what(),
+                 .remedy = "Hide some structures, or close other programs to free memory"};
+  }
+  m_handoff.publish(request.number);
+  return true;
+}
+
+void RenderThread::run() {
+  if (!m_context->isValid() || !m_context->makeCurrent(&m_surface)) {
+    emit failed({.reason = "the graphics driver gives no second OpenGL context",
+                 .remedy = "Update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1"});
+    return;
+  }
+  auto painter = m_factory();
+  if (!painter)
+    emit failed(painter.error());
+  while (painter.ok()) {
+    const std::optional<PictureRequest> request = next();
+    if (!request)
+      break;
+    QElapsedTimer clock;
+    clock.start();
+    if (const Result<bool> done = draw(**painter, *request); !done)
+      emit failed(done.error());
+    else if (*done)
+      emit drawn({request->number, double(clock.nsecsElapsed()) * 1e-6});
+  }
+  if (painter)
+    painter->reset();
+  m_handoff.releaseDrawing();
+  m_context->doneCurrent();
+  m_context.reset();  // on the thread that it belongs to
+}
+
+}  // namespace sline::widgets

@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/window/main_window.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QSettings>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <algorithm>
+#include <array>
+
+#include "model/edit/emphasis.h"
+#include "model/edit/tree.h"
+#include "model/edit/visibility.h"
+#include "widgets/gamma/gamma_panel.h"
+#include "widgets/session/demo_scenes.h"
+#include "widgets/structure_tree/structure_tree.h"
+#include "widgets/structure_tree/structure_tree_view.h"
+#include "widgets/viewport/viewport.h"
+#include "widgets/window/message_bar.h"
+
+namespace sline::widgets {
+
+namespace {
+
+constexpr const char* geometryKey = "window/geometry";
+constexpr const char* stateKey = "window/state";
+constexpr const char* backgroundKey = "picture/background";
+constexpr const char* folderKey = "files/folder";
+
+struct BackgroundRow {
+  render::Background background;
+  const char* id;
+  QString text;
+};
+
+std::vector<BackgroundRow> backgroundRows() {
+  return {{render::Background::white, "white", MainWindow::tr("&White")},
+          {render::Background::paper, "paper", MainWindow::tr("&Paper")},
+          {render::Background::dark, "dark", MainWindow::tr("&Dark")}};
+}
+
+QDockWidget* dock(const QString& title, const char* name, QWidget* content) {
+  auto* panel = new QDockWidget(title);
+  panel->setObjectName(QLatin1String(name));
+  panel->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+  panel->setWidget(content);
+  return panel;
+}
+
+QString summaryOf(const model::Scene& scene) {
+  std::size_t structures = 0;
+  std::size_t triangles = 0;
+  for (const model::Node& node : scene.nodes())
+    if (!node.isGroup()) {
+      ++structures;
+      triangles += node.mesh->triangleCount();
+    }
+  return MainWindow::tr("%n structures, %1 triangles", nullptr, int(structures))
+      .arg(QLocale().toString(qulonglong(triangles)));
+}
+
+bool hasLocalFiles(const QMimeData& data) {
+  const QList<QUrl> urls = data.urls();
+  return std::any_of(urls.begin(), urls.end(), [](const QUrl& url) { return url.isLocalFile(); });
+}
+
+}  // namespace
+
+MainWindow::MainWindow(Session& session, QSettings& settings, QWidget* parent)
+    : QMainWindow(parent), m_session(session), m_settings(settings), m_actions(*this) {
+  setObjectName(QStringLiteral("mainWindow"));
+  setAcceptDrops(true);
+  setDockOptions(AnimatedDocks | AllowTabbedDocks);
+  makeCentre();
+  makePanels();
+  makeStatus();
+  makeMenus();
+  makeTools();
+  connectSession();
+  connectActions();
+  connectViews();
+  restore();
+  documentChange({}, session.document());
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::makeCentre() {
+  m_message = new MessageBar;
+  m_viewport = new Viewport(m_session);
+  auto* centre = new QWidget;
+  auto* layout = new QGridLayout(centre);
+  layout->setContentsMargins(0, 0, 0, 0);
+  // A message lies over the picture's upper edge: pushing it down would draw it anew.
+  layout->addWidget(m_viewport, 0, 0);
+  layout->addWidget(m_message, 0, 0, Qt::AlignTop);
+  m_message->raise();
+  setCentralWidget(centre);
+}
+
+void MainWindow::makePanels() {
+  m_tree = new StructureTree(m_session);
+  m_gamma = new GammaPanel(m_session);
+  addDockWidget(Qt::LeftDockWidgetArea, dock(tr("Structures"), "structuresPanel", m_tree));
+  addDockWidget(Qt::RightDockWidgetArea, dock(tr("Line Style"), "gammaPanel", m_gamma));
+  resizeDocks({findChild<QDockWidget*>(QStringLiteral("structuresPanel")),
+               findChild<QDockWidget*>(QStringLiteral("gammaPanel"))},
+              {380, 250}, Qt::Horizontal);
+}
+
+void MainWindow::makeStatus() {
+  m_summary = new QLabel;
+  m_summary->setObjectName(QStringLiteral("summary"));
+  m_job = new QLabel;
+  m_job->setObjectName(QStringLiteral("jobText"));
+  m_progress = new QProgressBar;
+  m_progress->setObjectName(QStringLiteral("progress"));
+  m_progress->setAccessibleName(tr("Progress"));
+  m_progress->setFixedWidth(180);
+  m_progress->setTextVisible(false);
+  m_cancel = new QToolButton;
+  m_cancel->setObjectName(QStringLiteral("cancel"));
+  m_cancel->setText(tr("Cancel"));
+  connect(m_cancel, &QToolButton::clicked, this, [this] { m_session.cancelJob(); });
+  statusBar()->addPermanentWidget(m_job);
+  statusBar()->addPermanentWidget(m_progress);
+  statusBar()->addPermanentWidget(m_cancel);
+  statusBar()->addPermanentWidget(m_summary);
+  jobShown(false);
+}
+
+void MainWindow::jobShown(bool running) {
+  for (QWidget* widget : {static_cast<QWidget*>(m_job), static_cast<QWidget*>(m_progress),
+                          static_cast<QWidget*>(m_cancel)})
+    widget->setVisible(running);
+  m_progress->setRange(0, 0);  // busy, until the job says how far it is
+}
+
+void MainWindow::makeMenus() {
+  makeFileMenu();
+  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+  for (const char* id : {"undo", "redo", "find"})
+    edit->addAction(&m_actions[QLatin1String(id)]);
+  makeStructureMenu();
+  makeViewMenu();
+  makeHelpMenu();
+}
+
+void MainWindow::makeFileMenu() {
+  QMenu* file = menuBar()->addMenu(tr("&File"));
+  file->addAction(&m_actions[QStringLiteral("openFiles")]);
+  file->addAction(&m_actions[QStringLiteral("openFolder")]);
+  QMenu* demos = file->addMenu(tr("&Demo"));
+  for (const DemoScene& demo : demoScenes()) {
+    QAction* action = demos->addAction(demo.title);
+    action->setObjectName(QStringLiteral("demo-") + demo.id);
+    connect(action, &QAction::triggered, this,
+            [this, demo] { m_session.openMade(demo.title, demo.make); });
+  }
+  file->addSeparator();
+  file->addAction(&m_actions[QStringLiteral("quit")]);
+}
+
+void MainWindow::makeStructureMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Structure"));
+  for (const char* id :
+       {"focus", "context", "inherit", "", "toggle", "isolate", "showAll", "", "remove"}) {
+    if (*id == '\0') {
+      menu->addSeparator();
+      continue;
+    }
+    QAction* action = &m_actions[QLatin1String(id)];
+    menu->addAction(action);
+    m_tree->view().addAction(action);
+  }
+}
+
+void MainWindow::makeViewMenu() {
+  QMenu* view = menuBar()->addMenu(tr("&View"));
+  for (const std::string_view id : model::anatomicalViewNames)
+    view->addAction(&m_actions[QLatin1String(id.data(), qsizetype(id.size()))]);
+  view->addAction(&m_actions[QStringLiteral("fit")]);
+  view->addSeparator();
+  QMenu* background = view->addMenu(tr("&Background"));
+  auto* group = new QActionGroup(this);
+  for (const BackgroundRow& row : backgroundRows()) {
+    QAction* action = background->addAction(row.text);
+    action->setObjectName(QStringLiteral("background-") + QLatin1String(row.id));
+    action->setCheckable(true);
+    action->setData(int(row.background));
+    group->addAction(action);
+    connect(action, &QAction::triggered, this,
+            [this, row] { m_viewport->setBackground(row.background); });
+  }
+  const auto mark = [this, group] {
+    for (QAction* action : group->actions())
+      action->setChecked(action->data().toInt() == int(m_viewport->background()));
+  };
+  connect(m_viewport, &Viewport::backgroundChanged, this, mark);
+  mark();
+  view->addSeparator();
+  for (QDockWidget* panel : findChildren<QDockWidget*>())
+    view->addAction(panel->toggleViewAction());
+}
+
+void MainWindow::makeHelpMenu() {
+  QMenu* help = menuBar()->addMenu(tr("&Help"));
+  help->addAction(&m_actions[QStringLiteral("controls")]);
+  help->addAction(&m_actions[QStringLiteral("about")]);
+}
+
+void MainWindow::makeTools() {
+  QToolBar* tools = addToolBar(tr("Tools"));
+  tools->setObjectName(QStringLiteral("tools"));
+  tools->setMovable(false);
+  tools->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  for (const char* id :
+       {"openFolder", "", "undo", "redo", "", "focus", "context", "isolate", "showAll", "",
+        "anterior", "posterior", "left", "right", "superior", "inferior", "fit"}) {
+    if (*id == '\0')
+      tools->addSeparator();
+    else
+      tools->addAction(&m_actions[QLatin1String(id)]);
+  }
+}
+
+void MainWindow::connectSession() {
+  connect(&m_session, &Session::documentChanged, this, &MainWindow::documentChange);
+  connect(&m_session, &Session::selectionChanged, this, &MainWindow::updateActions);
+  connect(&m_session, &Session::failed, m_message, &MessageBar::showError);
+  connect(&m_session, &Session::remarked, m_message, &MessageBar::showRemarks);
+  connect(&m_session, &Session::jobStarted, this, [this](const QString& title) {
+    m_message->hide();
+    m_job->setText(tr("Opening %1").arg(title));
+    jobShown(true);
+  });
+  connect(&m_session, &Session::jobProgressed, this, [this](double done, const QString& what) {
+    m_progress->setRange(0, 1000);
+    m_progress->setValue(int(1000.0 * done));
+    m_progress->setToolTip(what);
+  });
+  connect(&m_session, &Session::jobEnded, this, [this] { jobShown(false); });
+  QUndoStack& history = m_session.history();
+  const auto name = [this](const QString& id, const QString& text, const QString& step) {
+    m_actions[id].setText(step.isEmpty() ? text : text + QLatin1Char(' ') + step);
+    m_actions[id].setIconText(tr(id == QStringLiteral("undo") ? "Undo" : "Redo"));
+    m_actions[id].setEnabled(!step.isEmpty());
+  };
+  const auto nameUndo = [=](const QString& s) { name(QStringLiteral("undo"), tr("&Undo"), s); };
+  const auto nameRedo = [=](const QString& s) { name(QStringLiteral("redo"), tr("&Redo"), s); };
+  connect(&history, &QUndoStack::undoTextChanged, this, nameUndo);
+  connect(&history, &QUndoStack::redoTextChanged, this, nameRedo);
+  nameUndo(history.undoText());
+  nameRedo(history.redoText());
+}
+
+void MainWindow::connectActions() {
+  const auto on = [this](const char* id, auto function) {
+    connect(&m_actions[QLatin1String(id)], &QAction::triggered, this, function);
+  };
+  on("openFiles", [this] { chooseFiles(); });
+  on("openFolder", [this] { chooseFolder(); });
+  on("quit", [this] { close(); });
+  on("undo", [this] { m_session.undo(); });
+  on("redo", [this] { m_session.redo(); });
+  on("find", [this] { m_tree->find(); });
+  on("focus", [this] { editSelection(tr("Focus"), model::withFocus); });
+  on("context", [this] { editSelection(tr("Context"), model::withContext); });
+  on("inherit", [this] { editSelection(tr("Inherit Γ"), model::withGammaInherited); });
+  on("toggle", [this] { m_tree->view().toggleSelection(); });
+  on("isolate", [this] { editSelection(tr("Isolate"), model::withOnlyVisible); });
+  on("showAll", [this] {
+    NodeIds all;
+    for (const model::Node& node : m_session.scene().nodes())
+      all.push_back(node.id);
+    m_session.apply(tr("Show All"), model::withShown(m_session.scene(), all));
+  });
+  on("remove", [this] { editSelection(tr("Remove"), model::removed); });
+  on("fit", [this] { m_viewport->fitAll(); });
+  on("controls", [this] {
+    auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Mouse and Keys"), controlsHelp(),
+                                QMessageBox::Close, this);
+    box->setObjectName(QStringLiteral("controlsDialog"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+  });
+  on("about", [this] {
+    auto* box = new QMessageBox(
+        QMessageBox::NoIcon, tr("About Sline"),
+        tr("<b>Sline</b><p>Focus-and-context line illustration of anatomy.<p>Apache-2.0"),
+        QMessageBox::Close, this);
+    box->setObjectName(QStringLiteral("aboutDialog"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+  });
+}
+
+void MainWindow::connectViews() {
+  for (std::size_t i = 0; i < model::anatomicalViewNames.size(); ++i) {
+    const std::string_view id = model::anatomicalViewNames[i];
+    QAction& action = m_actions[QLatin1String(id.data(), qsizetype(id.size()))];
+    action.setIconText(action.shortcut().toString());
+    connect(&action, &QAction::triggered, this,
+            [this, i] { m_viewport->showFrom(model::AnatomicalView(i)); });
+  }
+  connect(m_viewport, &Viewport::failed, m_message, &MessageBar::showError);
+  connect(m_viewport, &Viewport::pivotChosen, this, [this](const QString& structure) {
+    constexpr int readable = 4000;  // milliseconds
+    statusBar()->showMessage(tr("Turning around this place on %1").arg(structure), readable);
+  });
+  connect(m_gamma, &GammaPanel::focusWanted, &m_actions[QStringLiteral("focus")],
+          &QAction::trigger);
+  connect(m_gamma, &GammaPanel::contextWanted, &m_actions[QStringLiteral("context")],
+          &QAction::trigger);
+}
+
+void MainWindow::restore() {
+  resize(1360, 860);
+  restoreGeometry(m_settings.value(QLatin1String(geometryKey)).toByteArray());
+  restoreState(m_settings.value(QLatin1String(stateKey)).toByteArray());
+  const QString background = m_settings.value(QLatin1String(backgroundKey)).toString();
+  for (const BackgroundRow& row : backgroundRows())
+    if (background == QLatin1String(row.id))
+      m_viewport->setBackground(row.background);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  m_settings.setValue(QLatin1String(geometryKey), saveGeometry());
+  m_settings.setValue(QLatin1String(stateKey), saveState());
+  for (const BackgroundRow& row : backgroundRows())
+    if (row.background == m_viewport->background())
+      m_settings.setValue(QLatin1String(backgroundKey), QLatin1String(row.id));
+  m_session.cancelJob();
+  QMainWindow::closeEvent(event);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (hasLocalFiles(*event->mimeData()))
+    event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  QStringList paths;
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile())
+      paths << url.toLocalFile();
+  event->acceptProposedAction();
+  openPaths(paths);
+}
+
+void MainWindow::chooseFiles() {
+  auto* dialog =
+      new QFileDialog(this, tr("Open Files"), m_settings.value(QLatin1String(folderKey)).toString(),
+                      tr("Meshes and scenes (*.mrml *.obj *.stl *.ply *.off *.vtk *.vtp "
+                         "*.glb *.gltf);;All files (*)"));
+  dialog->setObjectName(QStringLiteral("openFilesDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFiles);
+  connect(dialog, &QFileDialog::filesSelected, this, &MainWindow::openPaths);
+  dialog->open();
+}
+
+void MainWindow::chooseFolder() {
+  auto* dialog = new QFileDialog(this, tr("Open Folder"),
+                                 m_settings.value(QLatin1String(folderKey)).toString());
+  dialog->setObjectName(QStringLiteral("openFolderDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::Directory);
+  connect(dialog, &QFileDialog::filesSelected, this, &MainWindow::openPaths);
+  dialog->open();
+}
+
+void MainWindow::openPaths(const QStringList& paths) {
+  if (paths.isEmpty())
+    return;
+  m_settings.setValue(QLatin1String(folderKey), QFileInfo(paths.front()).absolutePath());
+  std::vector<std::filesystem::path> files;
+  for (const QString& path : paths)
+    files.emplace_back(path.toStdString());
+  m_session.openPaths(std::move(files));
+}
+
+void MainWindow::editSelection(const QString& name,
+                               model::Edited (*edit)(const model::Scene&,
+                                                     std::span<const model::NodeId>)) {
+  if (!m_session.selection().empty())
+    m_session.apply(name, edit(m_session.scene(), m_session.selection()));
+}
+
+void MainWindow::documentChange(const Document& before, const Document& now) {
+  if (before.opening != now.opening || now.opening == 0) {
+    setWindowTitle(now.title.isEmpty() ? tr("Sline") : tr("%1 – Sline").arg(now.title));
+    m_summary->setText(now.opening == 0 ? QString() : summaryOf(now.scene));
+  }
+  updateActions();
+}
+
+void MainWindow::updateActions() {
+  const bool any = !m_session.selection().empty();
+  for (const char* id : {"focus", "context", "inherit", "toggle", "isolate", "remove"})
+    m_actions[QLatin1String(id)].setEnabled(any);
+}
+
+}  // namespace sline::widgets

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/window/message_bar.h"
+
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace sline::widgets {
+
+namespace {
+
+QString sentence(std::string text) {
+  QString s = QString::fromStdString(text).trimmed();
+  if (s.isEmpty())
+    return s;
+  s[0] = s[0].toUpper();
+  return s.endsWith(QLatin1Char('.')) ? s : s + QLatin1Char('.');
+}
+
+}  // namespace
+
+MessageBar::MessageBar(QWidget* parent)
+    : QFrame(parent), m_text(new QLabel), m_details(new QPushButton(tr("Show all"))) {
+  setObjectName(QStringLiteral("messageBar"));
+  setAccessibleName(tr("Message"));
+  m_text->setObjectName(QStringLiteral("messageText"));
+  m_text->setWordWrap(true);
+  m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  m_details->setObjectName(QStringLiteral("messageDetails"));
+  auto* close = new QToolButton;
+  close->setObjectName(QStringLiteral("messageClose"));
+  close->setAccessibleName(tr("Close the message"));
+  close->setText(QStringLiteral("✕"));
+  close->setAutoRaise(true);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(14, 8, 8, 8);
+  layout->addWidget(m_text, 1);
+  layout->addWidget(m_details, 0, Qt::AlignTop);
+  layout->addWidget(close, 0, Qt::AlignTop);
+  connect(close, &QToolButton::clicked, this, &QWidget::hide);
+  connect(m_details, &QPushButton::clicked, this, &MessageBar::showDetails);
+  hide();
+}
+
+QString MessageBar::text() const {
+  return m_text->text();
+}
+
+void MessageBar::showError(const Error& error) {
+  m_remarks.clear();
+  QString heading = QString::fromStdString(error.file);
+  if (!error.where.empty())
+    heading += (heading.isEmpty() ? QString() : QStringLiteral(", ")) +
+               QString::fromStdString(error.where);
+  display(Kind::error, heading, sentence(error.reason) + QLatin1Char(' ') + sentence(error.remedy));
+}
+
+void MessageBar::showRemarks(const QString& heading, const QStringList& remarks) {
+  m_remarks = remarks;
+  display(Kind::remark, heading, remarks.value(0));
+}
+
+void MessageBar::display(Kind kind, const QString& heading, const QString& body) {
+  const QString title = heading.isEmpty()
+                            ? QString()
+                            : QStringLiteral("<b>%1</b>&ensp;").arg(heading.toHtmlEscaped());
+  m_text->setText(title + body.trimmed().toHtmlEscaped());
+  m_details->setVisible(m_remarks.size() > 1);
+  m_details->setText(tr("Show all %n", nullptr, int(m_remarks.size())));
+  // Red for what failed, amber for what to know; dark text on either.
+  setStyleSheet(kind == Kind::error
+                    ? QStringLiteral("#messageBar { background: #f6d9d5; } #messageBar QLabel, "
+                                     "#messageBar QToolButton { color: #5a1410; }")
+                    : QStringLiteral("#messageBar { background: #f7ecc9; } #messageBar QLabel, "
+                                     "#messageBar QToolButton { color: #4d3b05; }"));
+  show();
+}
+
+void MessageBar::showDetails() {
+  auto* dialog = new QDialog(this);
+  dialog->setObjectName(QStringLiteral("messageDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("What was left out or mended"));
+  auto* list = new QPlainTextEdit(m_remarks.join(QLatin1Char('\n')));
+  list->setReadOnly(true);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::close);
+  auto* layout = new QVBoxLayout(dialog);
+  layout->addWidget(list);
+  layout->addWidget(buttons);
+  dialog->resize(720, 360);
+  dialog->open();
+}
+
+}  // namespace sline::widgets

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/window/window_actions.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QWidget>
+
+namespace sline::widgets {
+
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("WindowActions", text);
+}
+
+QList<QKeySequence> key(const QKeySequence& keys) {
+  return {keys};
+}
+
+std::vector<ActionRow> fileRows() {
+  return {
+      {QStringLiteral("openFiles"), tr("&Open Files…"), key(QKeySequence::Open),
+       tr("Open mesh files or a 3D Slicer scene")},
+      {QStringLiteral("openFolder"), tr("Open &Folder…"), key(tr("Ctrl+Shift+O")),
+       tr("Open all meshes in a folder")},
+      {QStringLiteral("quit"), tr("&Quit"), key(QKeySequence::Quit), tr("Close the program")},
+      {QStringLiteral("undo"), tr("&Undo"), key(QKeySequence::Undo), tr("Take the last step back")},
+      {QStringLiteral("redo"), tr("&Redo"), key(QKeySequence::Redo), tr("Do it again")},
+      {QStringLiteral("find"), tr("&Find Structure"), key(QKeySequence::Find),
+       tr("Type a few letters of a name")}};
+}
+
+std::vector<ActionRow> structureRows() {
+  return {
+      {QStringLiteral("focus"), tr("&Focus"), key(tr("Ctrl+E")),
+       tr("The selected structures in detail, everything else as contours")},
+      {QStringLiteral("context"), tr("&Context"), key(tr("Ctrl+D")),
+       tr("The selected structures as contours")},
+      {QStringLiteral("inherit"), tr("&Inherit Γ"), {}, tr("Take Γ from the group above again")},
+      {QStringLiteral("toggle"),
+       tr("Show or &Hide"),
+       {},
+       tr("Hide the selected structures, or show them again (Space in the list)")},
+      {QStringLiteral("isolate"), tr("I&solate"), key(tr("/")), tr("Hide everything else")},
+      {QStringLiteral("showAll"), tr("Show &All"), key(tr("Ctrl+Shift+H")), tr("Hide nothing")},
+      {QStringLiteral("remove"), tr("&Remove"), key(QKeySequence::Delete),
+       tr("Take the selected structures out of the scene")}};
+}
+
+std::vector<ActionRow> viewRows() {
+  return {
+      {QStringLiteral("anterior"), tr("&Anterior"), key(tr("A")), tr("Seen from the front")},
+      {QStringLiteral("posterior"), tr("&Posterior"), key(tr("P")), tr("Seen from the back")},
+      {QStringLiteral("left"), tr("&Left"), key(tr("L")), tr("Seen from the patient's left")},
+      {QStringLiteral("right"), tr("&Right"), key(tr("R")), tr("Seen from the patient's right")},
+      {QStringLiteral("superior"), tr("&Superior"), key(tr("S")), tr("Seen from above")},
+      {QStringLiteral("inferior"), tr("&Inferior"), key(tr("I")), tr("Seen from below")},
+      {QStringLiteral("fit"),
+       tr("&Fit All"),
+       {QKeySequence(tr("F")), QKeySequence(tr("Home"))},
+       tr("Bring all that is shown into the picture")},
+      {QStringLiteral("controls"), tr("&Mouse and Keys"), key(QKeySequence::HelpContents),
+       tr("What the mouse and the keys do")},
+      {QStringLiteral("about"), tr("&About Sline"), {}, tr("What this program is")}};
+}
+
+QString tableRow(const QString& what, const QString& meaning) {
+  return QStringLiteral("<tr><td style='padding:2px 18px 2px 0'><b>%1</b></td><td>%2</td></tr>")
+      .arg(what.toHtmlEscaped(), meaning.toHtmlEscaped());
+}
+
+}  // namespace
+
+std::vector<ActionRow> actionRows() {
+  std::vector<ActionRow> rows = fileRows();
+  for (const std::vector<ActionRow>& more : {structureRows(), viewRows()})
+    rows.insert(rows.end(), more.begin(), more.end());
+  return rows;
+}
+
+WindowActions::WindowActions(QWidget& window) {
+  for (const ActionRow& row : actionRows()) {
+    auto* action = new QAction(row.text, &window);
+    action->setObjectName(row.id);
+    action->setShortcuts(row.keys);
+    action->setToolTip(row.tip);
+    action->setStatusTip(row.tip);
+    window.addAction(action);
+    m_actions[row.id] = action;
+  }
+}
+
+QAction& WindowActions::operator[](const QString& id) const {
+  const auto found = m_actions.find(id);
+  Q_ASSERT(found != m_actions.end());
+  return *found->second;
+}
+
+QString controlsHelp() {
+  QString rows;
+  rows += tableRow(tr("Left drag"), tr("Turn around the pivot"));
+  rows += tableRow(tr("Middle drag, Shift + left drag"), tr("Move the picture"));
+  rows += tableRow(tr("Wheel"), tr("Zoom to the mouse"));
+  rows += tableRow(tr("Click"), tr("Select what is seen there; Ctrl adds to the selection"));
+  rows += tableRow(tr("Double click"), tr("Turn around this place from now on"));
+  rows += tableRow(tr("Space in the list"), tr("Show or hide the selected structures"));
+  rows += tableRow(tr("Escape during a drag"), tr("As it was before"));
+  for (const ActionRow& row : actionRows())
+    if (!row.keys.isEmpty())
+      rows += tableRow(QKeySequence::listToString(row.keys, QKeySequence::NativeText), row.tip);
+  return QStringLiteral("<table>%1</table>").arg(rows);
+}
+
+}  // namespace sline::widgets

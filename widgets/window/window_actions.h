@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// All that can be done in the window, in one table: menus, keys and help are made from it.
+#pragma once
+
+#include <QKeySequence>
+#include <QList>
+#include <QString>
+#include <map>
+#include <vector>
+
+class QAction;
+class QWidget;
+
+namespace sline::widgets {
+
+struct ActionRow {
+  QString id;  ///< also the QAction's objectName
+  QString text;
+  QList<QKeySequence> keys;
+  QString tip;
+};
+
+/// In the order in which help lists them.
+std::vector<ActionRow> actionRows();
+
+class WindowActions {
+ public:
+  /// Makes an action of each row and adds it to the window, so that its keys work.
+  explicit WindowActions(QWidget& window);
+  /// Asserts that the table has it.
+  QAction& operator[](const QString& id) const;
+
+ private:
+  std::map<QString, QAction*> m_actions;
+};
+
+/// Mouse and keys as a table in HTML.
+QString controlsHelp();
+
+}  // namespace sline::widgets
