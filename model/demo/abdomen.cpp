@@ -75,10 +75,8 @@ std::vector<DemoStructure> inOrderOfFirmness() {
   append(abdomenVeins());
   append(abdomenUrinary());
   append(abdomenGlands());
-  std::vector<DemoStructure> gut = abdomenGut();
-  std::vector<DemoStructure> bowel = abdomenBowel(gut);
-  append(std::move(gut));
-  append(std::move(bowel));
+  append(abdomenGut());
+  append(abdomenBowel(all));
   append(abdomenSpleenAndLiver());
   append(abdomenMuscles());
   for (DemoStructure& s : all) {
@@ -132,8 +130,8 @@ Scene abdomenDemo(Sex sex) {
                 size * 240.0f),
        viewFrom("Posterior abdominal wall", size * glm::vec3(0, 10, -60), {0.0f, 1.0f, 0.05f},
                 size * 400.0f),
-       viewFrom("Visceral surface of the liver", size * glm::vec3(-38, -10, 25),
-                {0.25f, 0.45f, -1.0f}, size * 230.0f)});
+       viewFrom("Visceral surface of the liver", size * glm::vec3(-40, -16, 14),
+                {0.25f, 0.45f, -1.0f}, size * 262.0f)});
   return scene;
 }
 

@@ -104,16 +104,16 @@ DemoStructure stretch(const char* name, const std::shared_ptr<const Swept>& tube
 }
 }  // namespace
 
-std::vector<DemoStructure> abdomenBowel(const std::vector<DemoStructure>& gut) {
-  const Field keepOut = [&gut](const glm::vec3& p) {
+std::vector<DemoStructure> abdomenBowel(const std::vector<DemoStructure>& there) {
+  const Field keepOut = [&there](const glm::vec3& p) {
     float d = cavityWall(p);
-    for (const DemoStructure& organ : gut)
+    for (const DemoStructure& organ : there)
       if (const float toBox = distanceToBox(organ.box, p); toBox < d && toBox < bowelRadius)
         d = std::min(d, organ.field(p));
     return d;
   };
   const std::vector<glm::vec3> line =
-      settledCoil(laidPath(), {.radius = bowelRadius + 0.3f, .keepOut = keepOut});
+      settledCoil(laidPath(), {.radius = bowelRadius + 0.7f, .keepOut = keepOut});
   std::vector<SweptPoint> points;
   for (std::size_t i = 0; i < line.size(); i += 2)
     points.push_back({line[i], bowelRadius});

@@ -21,27 +21,32 @@ constexpr Colour pancreasColour{216, 180, 94};
 constexpr Colour spleenColour{125, 74, 115};
 constexpr Colour adrenalColour{224, 176, 60};
 
-DemoStructure gland(std::string name, const char* group, Colour colour, float gamma, Field field,
-                    Box box) {
+struct Look {
+  const char* group;
+  Colour colour;
+  float gamma;
+};
+
+DemoStructure gland(std::string name, const Look& look, Field field, const Box& box) {
   return {.name = std::move(name),
-          .groups = {group},
-          .colour = colour,
-          .gamma = Gamma::clamped(gamma),
+          .groups = {look.group},
+          .colour = look.colour,
+          .gamma = Gamma::clamped(look.gamma),
           .field = std::move(field),
           .box = box};
 }
 
 DemoStructure liver() {
-  DemoStructure s = gland("liver", "Digestive system", liverColour, 4.4f, liverField(),
+  DemoStructure s = gland("liver", {"Digestive system", liverColour, 4.4f}, liverField(),
                           {{-150, -104, -75}, {96, 88, 122}});
   s.edge = 2.5f;
-  s.rounding = 4.0f;
+  s.rounding = 7.0f;
   return s;
 }
 
 std::shared_ptr<const Swept> gallbladderTube() {
-  return std::make_shared<Swept>(std::array<SweptPoint, 8>{{{{-63, -86, -38}, 11.0f},
-                                                            {{-62, -79, -31}, 15.0f},
+  return std::make_shared<Swept>(std::array<SweptPoint, 8>{{{{-63, -83, -35}, 14.6f},
+                                                            {{-61, -75, -28}, 15.2f},
                                                             {{-58, -64, -17}, 15.5f},
                                                             {{-53, -50, -3}, 12.0f},
                                                             {{-48, -41, 9}, 7.5f},
@@ -59,8 +64,8 @@ DemoStructure gallbladder() {
     const float neck = std::clamp((at.along - 58.0f) / 10.0f, 0.0f, 1.0f);
     return at.distance + neck * 0.5f * std::sin(at.along * 1.25f + at.angle);
   };
-  DemoStructure s =
-      gland("gallbladder", "Biliary system", bileColour, 5.0f, field, grown(tube->bounds(), 3.0f));
+  DemoStructure s = gland("gallbladder", {"Biliary system", bileColour, 5.0f}, field,
+                          grown(tube->bounds(), 3.0f));
   s.edge = 1.7f;
   return s;
 }
@@ -95,7 +100,8 @@ DemoStructure bileDucts() {
   Box box = common->bounds();
   for (const auto& branch : {right, left, cystic})
     box.add(branch->bounds());
-  DemoStructure s = gland("bile duct", "Biliary system", bileColour, 5.0f, field, grown(box, 3.0f));
+  DemoStructure s =
+      gland("bile duct", {"Biliary system", bileColour, 5.0f}, field, grown(box, 3.0f));
   s.edge = 1.2f;
   s.gap = 0.3f;
   return s;
@@ -133,7 +139,7 @@ DemoStructure pancreas() {
   Box box = body->bounds();
   box.add(uncinate->bounds());
   DemoStructure s =
-      gland("pancreas", "Digestive system", pancreasColour, 4.8f, field, grown(box, 4.0f));
+      gland("pancreas", {"Digestive system", pancreasColour, 4.8f}, field, grown(box, 4.0f));
   s.edge = 1.8f;
   s.rounding = 2.0f;
   return s;
@@ -141,36 +147,36 @@ DemoStructure pancreas() {
 
 /// Columns: where the spleen's length, width and thickness point. It lies along the tenth rib.
 glm::mat3 spleenAxes() {
-  const glm::vec3 length = glm::normalize(glm::vec3(0.42f, -0.62f, -0.66f));
+  const glm::vec3 length = glm::normalize(glm::vec3(0.30f, -0.75f, -0.45f));
   const glm::vec3 outward = glm::normalize(glm::vec3(0.80f, 0.60f, 0.0f));
   const glm::vec3 thickness = glm::normalize(outward - glm::dot(outward, length) * length);
   return {length, glm::cross(thickness, length), thickness};
 }
 
 DemoStructure spleen() {
-  const glm::vec3 middle(104, 42, 50);
+  const glm::vec3 middle(103, 38, 69);
   const glm::mat3 axes = spleenAxes();
   const Field field = [=](const glm::vec3& p) {
-    // x along its length (down and forward), y across, z out towards the ribs.
+    // x along its length (down and forward), y across (down and back), z out towards the ribs.
     const glm::vec3 q = (p - middle) * axes;
     glm::vec3 bent = q;
     bent.z += 0.0045f * q.x * q.x + 0.0060f * q.y * q.y;
     float d = ellipsoid(bent, {58.0f, 37.0f, 19.0f});
     // Gastric and renal faces are hollow; the hilum is a groove on the ridge between them.
-    const float gastric = glm::length(q - glm::vec3(4, 30, -74)) - 64.0f;
-    const float renal = glm::length(q - glm::vec3(-8, -36, -72)) - 60.0f;
+    const float gastric = glm::length(q - glm::vec3(4, -30, -74)) - 64.0f;
+    const float renal = glm::length(q - glm::vec3(-8, 36, -72)) - 60.0f;
     d = blendedDifference(d, gastric, 9.0f);
     d = blendedDifference(d, renal, 9.0f);
-    d = blendedDifference(d, ellipsoid(q - glm::vec3(0, -1, -17), {26.0f, 4.0f, 7.0f}), 4.0f);
+    d = blendedDifference(d, ellipsoid(q - glm::vec3(0, 1, -17), {26.0f, 4.0f, 7.0f}), 4.0f);
     // Notches of the upper border.
     for (const auto& [along, size] : {std::pair{6.0f, 4.2f}, {23.0f, 5.0f}, {38.0f, 3.6f}}) {
-      const glm::vec3 n = q - glm::vec3(along, 41.0f - 0.011f * along * along, -8.0f);
+      const glm::vec3 n = q - glm::vec3(along, 0.011f * along * along - 41.0f, -8.0f);
       d = blendedDifference(d, ellipsoid(n, {size * 0.7f, 2.6f * size, 22.0f}), 5.0f);
     }
     return d;
   };
-  DemoStructure s = gland("spleen", "Glands and spleen", spleenColour, 4.3f, field,
-                          {{40, -20, -20}, {162, 104, 120}});
+  DemoStructure s = gland("spleen", {"Glands and spleen", spleenColour, 4.3f}, field,
+                          {{40, -34, 4}, {162, 112, 132}});
   s.edge = 2.4f;
   s.rounding = 4.0f;
   return s;
@@ -198,7 +204,8 @@ DemoStructure adrenal(const char* name, const glm::vec3& apex, float side, bool 
   Box box = medial->bounds();
   box.add(lateral->bounds());
   box.add(crest->bounds());
-  DemoStructure s = gland(name, "Glands and spleen", adrenalColour, 4.0f, field, grown(box, 3.0f));
+  DemoStructure s =
+      gland(name, {"Glands and spleen", adrenalColour, 4.0f}, field, grown(box, 3.0f));
   s.edge = 1.4f;
   return s;
 }

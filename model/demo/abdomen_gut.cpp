@@ -31,11 +31,11 @@ DemoStructure organ(std::string name, Colour colour, float gamma, Field field, B
 
 DemoStructure stomach() {
   const auto body =
-      std::make_shared<Swept>(std::array<SweptPoint, 9>{{{{60, 8, 80}, 31, 1.0f},
-                                                         {{66, -4, 60}, 37, 0.95f},
-                                                         {{66, -26, 34}, 38, 0.88f},
-                                                         {{58, -50, 6}, 37, 0.80f},
-                                                         {{40, -66, -17}, 32, 0.82f},
+      std::make_shared<Swept>(std::array<SweptPoint, 9>{{{{60, -3, 80}, 31, 1.0f},
+                                                         {{66, -16, 60}, 37, 0.92f},
+                                                         {{66, -40, 34}, 37, 0.84f},
+                                                         {{58, -59, 6}, 36, 0.78f},
+                                                         {{40, -71, -17}, 32, 0.80f},
                                                          {{14, -73, -24}, 25, 0.90f},
                                                          {{-9, -69, -16}, 18, 0.95f},
                                                          {{-25, -62, -6}, 12.5f, 1.0f},
@@ -43,9 +43,9 @@ DemoStructure stomach() {
                               glm::vec3(0, -1, 0));
   const auto gullet = std::make_shared<Swept>(std::array<SweptPoint, 5>{{{{17, -19, 132}, 8.5f},
                                                                          {{17, -20, 106}, 8.5f},
-                                                                         {{22, -16, 91}, 9.0f},
-                                                                         {{35, -8, 78}, 14.0f},
-                                                                         {{48, -2, 68}, 18.0f}}},
+                                                                         {{22, -19, 91}, 9.0f},
+                                                                         {{35, -14, 78}, 14.0f},
+                                                                         {{48, -12, 68}, 18.0f}}},
                                               glm::vec3(0, -1, 0));
   const Field field = [body, gullet](const glm::vec3& p) {
     const SweptPlace at = body->place(p);
@@ -54,16 +54,16 @@ DemoStructure stomach() {
     const float wave =
         0.7f * std::sin(towardsPylorus * 2.0f * pi / 34.0f) * std::exp(towardsPylorus / 45.0f);
     const float ring = 2.0f * std::exp(-0.5f * std::pow((towardsPylorus + 2.0f) / 5.0f, 2.0f));
-    const float fundus = ellipsoid(p - glm::vec3(59, 13, 83), {38.0f, 33.0f, 33.0f});
+    const float fundus = ellipsoid(p - glm::vec3(59, 3, 83), {38.0f, 33.0f, 33.0f});
     const float d = blendedUnion(at.distance + wave - ring, fundus, 46.0f);
     return blendedUnion(d, gullet->distance(p), 9.0f);
   };
   Box box = grown(body->bounds(), 5.0f);
   box.add(gullet->bounds());
-  box.add({{20, -22, 50}, {100, 50, 120}});
+  box.add({{20, -32, 50}, {100, 42, 120}});
   DemoStructure s = organ("stomach", stomachColour, 4.4f, field, grown(box, 3.0f));
   s.edge = 2.6f;
-  s.rounding = 3.0f;
+  s.rounding = 6.0f;
   return s;
 }
 
@@ -164,12 +164,12 @@ DemoStructure colonPart(const char* name, const std::shared_ptr<const Swept>& tu
 }
 
 DemoStructure appendix() {
-  const auto tube = std::make_shared<Swept>(std::array<SweptPoint, 6>{{{{-84, -32, -164}, 4.2f},
-                                                                       {{-76, -26, -178}, 4.0f},
-                                                                       {{-66, -20, -190}, 3.8f},
-                                                                       {{-52, -20, -196}, 3.6f},
-                                                                       {{-42, -28, -194}, 3.5f},
-                                                                       {{-38, -38, -186}, 3.3f}}},
+  const auto tube = std::make_shared<Swept>(std::array<SweptPoint, 6>{{{{-85, -42, -168}, 4.2f},
+                                                                       {{-79, -44, -186}, 4.0f},
+                                                                       {{-70, -42, -200}, 3.8f},
+                                                                       {{-57, -42, -207}, 3.6f},
+                                                                       {{-46, -46, -206}, 3.5f},
+                                                                       {{-40, -50, -198}, 3.3f}}},
                                             glm::vec3(0, -1, 0));
   DemoStructure s = organ(
       "vermiform appendix", colonColour, 4.2f,

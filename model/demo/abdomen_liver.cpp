@@ -54,7 +54,7 @@ float domeField(const glm::vec3& p) {
   l.y -= 0.0016f * l.x * l.x;
   const float left = ellipsoid(l, {86.0f, 46.0f, 36.0f});
   float d = blendedUnion(right, left, 46.0f);
-  const float spine = glm::length(glm::vec2(p.x - 12.0f, p.y - 34.0f)) - 50.0f;
+  const float spine = glm::length(glm::vec2(p.x - 12.0f, p.y - 34.0f)) - 55.0f;
   d = blendedDifference(d, spine, 22.0f);
   const float heart = glm::length(p - glm::vec3(22, -48, 196)) - 100.0f;
   return blendedDifference(d, heart, 24.0f);
@@ -96,7 +96,7 @@ Field liverField() {
       return dome;
     // A faint furrow under the falciform ligament parts the lobes in front.
     const float furrow = 1.6f * hill({p.x, p.z}, {-2.0f, 52}, {4.5f, 60}) * ramp(-20, -60, p.y);
-    return blendedIntersection(dome + furrow, visceralField(p), 7.0f);
+    return blendedIntersection(dome + furrow, visceralField(p), 11.0f);
   };
 }
 

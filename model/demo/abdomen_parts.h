@@ -18,8 +18,8 @@ std::vector<DemoStructure> abdomenGlands();
 std::vector<DemoStructure> abdomenSpleenAndLiver();
 /// Duodenum, stomach, colon.
 std::vector<DemoStructure> abdomenGut();
-/// Jejunum and ileum in the room that the rest of the gut leaves.
-std::vector<DemoStructure> abdomenBowel(const std::vector<DemoStructure>& gut);
+/// Jejunum and ileum in the room that what is there leaves.
+std::vector<DemoStructure> abdomenBowel(const std::vector<DemoStructure>& there);
 std::vector<DemoStructure> abdomenUrinary();
 std::vector<DemoStructure> abdomenArteries();
 std::vector<DemoStructure> abdomenVeins();

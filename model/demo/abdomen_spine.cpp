@@ -90,8 +90,8 @@ struct Arch {
             {0, 1, 0}),
         spinous(std::array<SweptPoint, 4>{{{{0, 40, -4}, 3.6f, 2.2f},
                                            {{0, 52, -7}, 3.0f, 3.1f},
-                                           {{0, 64, -9}, 3.2f, 3.2f},
-                                           {{0, 73, -11}, 4.4f, 2.4f}}},
+                                           {{0, 64, -9}, 3.3f, 3.0f},
+                                           {{0, 72, -11}, 4.4f, 1.8f}}},
                 {0, 0, 1}) {}
 
   float distance(const glm::vec3& q) const {
@@ -176,12 +176,12 @@ std::array<SweptPoint, N> onSide(std::array<SweptPoint, N> points, float side) {
 
 DemoStructure rib(const char* name, float side) {
   const auto shape = std::make_shared<Swept>(onSide<6>({{{{23, 42, 52}, 3.6f, 1.2f},
-                                                           {{36, 60, 49}, 3.4f, 1.4f},
-                                                           {{56, 77, 40}, 3.0f, 1.9f},
-                                                           {{79, 84, 26}, 2.8f, 2.2f},
-                                                           {{98, 80, 11}, 2.6f, 2.0f},
-                                                           {{111, 70, 0}, 2.2f, 1.6f}}},
-                                                         side),
+                                                         {{36, 60, 49}, 3.4f, 1.4f},
+                                                         {{56, 77, 40}, 3.0f, 1.9f},
+                                                         {{79, 84, 26}, 2.8f, 2.2f},
+                                                         {{98, 80, 11}, 2.6f, 2.0f},
+                                                         {{111, 70, 0}, 2.2f, 1.6f}}},
+                                                       side),
                                              glm::vec3(0, 0, 1));
   DemoStructure s = swept(name, "Bones", boneColour, shape);
   s.edge = 1.8f;
@@ -190,13 +190,13 @@ DemoStructure rib(const char* name, float side) {
 
 DemoStructure psoas(const char* name, float side) {
   const auto shape = std::make_shared<Swept>(onSide<7>({{{{29, 22, 18}, 6.0f, 1.2f},
-                                                           {{35, 20, -20}, 12.0f, 1.2f},
-                                                           {{43, 16, -66}, 18.0f, 1.15f},
-                                                           {{54, 12, -112}, 22.0f, 1.0f},
-                                                           {{66, 2, -160}, 21.0f, 0.95f},
-                                                           {{79, -26, -222}, 16.5f, 0.95f},
-                                                           {{83, -36, -246}, 15.0f, 0.95f}}},
-                                                         side),
+                                                         {{35, 20, -20}, 12.0f, 1.2f},
+                                                         {{43, 16, -66}, 18.0f, 1.15f},
+                                                         {{54, 12, -112}, 22.0f, 1.0f},
+                                                         {{66, 2, -160}, 21.0f, 0.95f},
+                                                         {{79, -26, -222}, 16.5f, 0.95f},
+                                                         {{83, -36, -246}, 15.0f, 0.95f}}},
+                                                       side),
                                              glm::vec3(0, -1, 0));
   DemoStructure s = swept(name, "Muscles", muscleColour, shape);
   s.gamma = Gamma::clamped(1.7f);

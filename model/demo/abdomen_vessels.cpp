@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Aorta, inferior vena cava and the portal system: trees of tubes, blended where they branch.
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <utility>
@@ -60,10 +61,8 @@ DemoStructure coarser(DemoStructure s, float edge) {
   s.edge = edge;
   return s;
 }
-}  // namespace
-
-std::vector<DemoStructure> abdomenArteries() {
-  std::vector<DemoStructure> arteries{
+std::vector<DemoStructure> aortaAndCoeliacTrunk() {
+  return {
       coarser(artery("abdominal aorta",
                      {{{{11, 8, 134}, 11.8f},
                        {{11, 5, 106}, 11.5f},
@@ -97,43 +96,53 @@ std::vector<DemoStructure> abdomenArteries() {
                                 {{-4, -32, 22}, 2.6f},
                                 {{-16, -35, 19}, 2.5f},
                                 {{-23, -33, 28}, 2.3f},
-                                {{-25, -30, 42}, 2.0f}}}),
-      artery("superior mesenteric artery", {{{{9, -16, 4}, 3.8f},
-                                             {{8, -29, 1}, 3.9f},
-                                             {{5, -37, -12}, 3.8f},
-                                             {{3, -42, -32}, 3.6f},
-                                             {{2, -55, -54}, 3.4f},
-                                             {{-1, -56, -80}, 3.0f},
-                                             {{-8, -46, -104}, 2.4f},
-                                             {{-22, -38, -124}, 1.8f}},
-                                            {{{2, -55, -54}, 2.0f},
-                                             {{-14, -60, -62}, 2.0f},
-                                             {{-36, -58, -72}, 1.7f},
-                                             {{-60, -42, -80}, 1.4f}}}),
-      artery("inferior mesenteric artery", {{{{8, -22, -62}, 2.4f},
-                                             {{11, -29, -74}, 2.4f},
-                                             {{22, -31, -98}, 2.2f},
-                                             {{30, -29, -130}, 2.0f},
-                                             {{28, -20, -160}, 1.7f}},
-                                            {{{20, -31, -92}, 1.6f},
-                                             {{42, -28, -98}, 1.6f},
-                                             {{66, -18, -96}, 1.4f},
-                                             {{88, 0, -92}, 1.2f}}}),
-      artery("right renal artery",
-             {{{{4, -8, -10}, 3.2f},
-               {{-8, 0, -12}, 3.2f},
-               {{-24, 6, -15}, 3.1f},
-               {{-38, 17, -15}, 3.0f},
-               {{-48, 25, -8}, 2.2f},
-               {{-58, 30, -1}, 1.5f}},
-              {{{-36, 15, -15}, 2.4f}, {{-46, 25, -20}, 2.1f}, {{-56, 30, -28}, 1.5f}}}),
-      artery("left renal artery",
-             {{{{14, -9, -6}, 3.2f},
-               {{24, 0, -5}, 3.2f},
-               {{36, 13, -1}, 3.1f},
-               {{46, 22, 6}, 2.2f},
-               {{57, 27, 16}, 1.5f}},
-              {{{34, 11, -2}, 2.4f}, {{45, 22, -5}, 2.1f}, {{56, 28, -12}, 1.5f}}})};
+                                {{-25, -30, 42}, 2.0f}}})};
+}
+
+std::vector<DemoStructure> mesentericArteries() {
+  return {artery("superior mesenteric artery", {{{{9, -16, 4}, 3.8f},
+                                                 {{8, -29, 1}, 3.9f},
+                                                 {{5, -37, -12}, 3.8f},
+                                                 {{3, -42, -32}, 3.6f},
+                                                 {{2, -55, -54}, 3.4f},
+                                                 {{-1, -56, -80}, 3.0f},
+                                                 {{-8, -46, -104}, 2.4f},
+                                                 {{-22, -38, -124}, 1.8f}},
+                                                {{{2, -55, -54}, 2.0f},
+                                                 {{-14, -60, -62}, 2.0f},
+                                                 {{-36, -58, -72}, 1.7f},
+                                                 {{-60, -42, -80}, 1.4f}}}),
+          artery("inferior mesenteric artery", {{{{8, -22, -62}, 2.4f},
+                                                 {{11, -29, -74}, 2.4f},
+                                                 {{22, -31, -98}, 2.2f},
+                                                 {{30, -29, -130}, 2.0f},
+                                                 {{28, -20, -160}, 1.7f}},
+                                                {{{20, -31, -92}, 1.6f},
+                                                 {{42, -28, -98}, 1.6f},
+                                                 {{66, -18, -96}, 1.4f},
+                                                 {{88, 0, -92}, 1.2f}}})};
+}
+
+std::vector<DemoStructure> renalArteries() {
+  return {artery("right renal artery",
+                 {{{{4, -8, -10}, 3.2f},
+                   {{-8, 0, -12}, 3.2f},
+                   {{-24, 6, -15}, 3.1f},
+                   {{-38, 17, -15}, 3.0f},
+                   {{-48, 25, -8}, 2.2f},
+                   {{-58, 30, -1}, 1.5f}},
+                  {{{-36, 15, -15}, 2.4f}, {{-46, 25, -20}, 2.1f}, {{-56, 30, -28}, 1.5f}}}),
+          artery("left renal artery",
+                 {{{{14, -9, -6}, 3.2f},
+                   {{24, 0, -5}, 3.2f},
+                   {{36, 13, -1}, 3.1f},
+                   {{46, 22, 6}, 2.2f},
+                   {{57, 27, 16}, 1.5f}},
+                  {{{34, 11, -2}, 2.4f}, {{45, 22, -5}, 2.1f}, {{56, 28, -12}, 1.5f}}})};
+}
+
+std::vector<DemoStructure> iliacArteries() {
+  std::vector<DemoStructure> arteries;
   for (const float side : {-1.0f, 1.0f}) {
     const auto at = [side](float x, float y, float z) { return glm::vec3(4.0f + side * x, y, z); };
     arteries.push_back(coarser(artery(side < 0 ? "right iliac arteries" : "left iliac arteries",
@@ -154,54 +163,61 @@ std::vector<DemoStructure> abdomenArteries() {
   return arteries;
 }
 
-std::vector<DemoStructure> abdomenVeins() {
-  std::vector<DemoStructure> veins{
-      coarser(vein("inferior vena cava", {{{{-14, -10, 134}, 12.5f},
-                                           {{-17, -8, 114}, 12.5f},
-                                           {{-20, -6, 92}, 12.5f},
-                                           {{-22, -6, 60}, 12.0f},
-                                           {{-22, -9, 24}, 11.5f},
-                                           {{-21, -12, -16}, 11.2f},
-                                           {{-21, -14, -60}, 10.8f},
-                                           {{-20, -12, -100}, 10.5f},
-                                           {{-20, -8, -122}, 10.0f}}}),
-              2.2f),
-      vein("right renal vein",
-           {{{{-26, -11, -18}, 5.0f},
-             {{-36, -2, -22}, 4.8f},
-             {{-46, 10, -19}, 4.0f},
-             {{-56, 18, -9}, 2.4f}},
-            {{{-40, 2, -22}, 3.4f}, {{-48, 14, -26}, 3.0f}, {{-57, 20, -34}, 2.0f}}}),
-      vein("left renal vein", {{{{-14, -18, -12}, 4.6f},
-                                {{0, -25.5f, -11}, 4.4f},
-                                {{14, -26, -8}, 4.4f},
-                                {{26, -14, -4}, 4.8f},
-                                {{38, 2, 0}, 4.6f},
-                                {{48, 15, 6}, 3.4f},
-                                {{58, 20, 16}, 2.2f}},
-                               {{{36, 0, -1}, 3.2f}, {{47, 14, -5}, 3.0f}, {{57, 20, -14}, 2.0f}}}),
-      portal("portal vein",
-             {{{{-10, -36, 2}, 6.4f},
-               {{-17, -29, 14}, 6.2f},
-               {{-26, -21, 28}, 6.2f},
-               {{-32, -19, 42}, 5.6f},
-               {{-46, -19, 50}, 4.4f},
-               {{-58, -18, 54}, 3.2f}},
-              {{{-31, -19, 41}, 4.4f}, {{-22, -22, 48}, 4.0f}, {{-8, -27, 54}, 3.0f}}}),
-      portal("superior mesenteric vein", {{{{-9.5f, -37, 1}, 5.8f},
-                                           {{-8, -40, -12}, 5.6f},
-                                           {{-8, -43, -32}, 5.4f},
-                                           {{-9, -56, -56}, 5.0f},
-                                           {{-13, -57, -82}, 4.2f},
-                                           {{-21, -46, -106}, 3.2f},
-                                           {{-34, -36, -126}, 2.4f}}}),
-      portal("splenic vein", {{{{-9, -34, 3}, 4.6f},
-                               {{6, -34, 8}, 4.5f},
-                               {{22, -22, 12}, 4.4f},
-                               {{42, 0, 16}, 4.2f},
-                               {{62, 14, 22}, 4.0f},
-                               {{80, 24, 31}, 3.6f},
-                               {{93, 31, 39}, 2.8f}}})};
+std::vector<DemoStructure> cavaAndRenalVeins() {
+  return {coarser(vein("inferior vena cava", {{{{-14, -10, 134}, 12.5f},
+                                               {{-17, -8, 114}, 12.5f},
+                                               {{-20, -6, 92}, 12.5f},
+                                               {{-22, -6, 60}, 12.0f},
+                                               {{-22, -9, 24}, 11.5f},
+                                               {{-21, -12, -16}, 11.2f},
+                                               {{-21, -14, -60}, 10.8f},
+                                               {{-20, -12, -100}, 10.5f},
+                                               {{-20, -8, -122}, 10.0f}}}),
+                  2.2f),
+          vein("right renal vein",
+               {{{{-26, -11, -18}, 5.0f},
+                 {{-36, -2, -22}, 4.8f},
+                 {{-46, 10, -19}, 4.0f},
+                 {{-56, 18, -9}, 2.4f}},
+                {{{-40, 2, -22}, 3.4f}, {{-48, 14, -26}, 3.0f}, {{-57, 20, -34}, 2.0f}}}),
+          vein("left renal vein",
+               {{{{-14, -18, -12}, 4.6f},
+                 {{0, -25.5f, -11}, 4.4f},
+                 {{14, -26, -8}, 4.4f},
+                 {{26, -14, -4}, 4.8f},
+                 {{38, 2, 0}, 4.6f},
+                 {{48, 15, 6}, 3.4f},
+                 {{58, 20, 16}, 2.2f}},
+                {{{36, 0, -1}, 3.2f}, {{47, 14, -5}, 3.0f}, {{57, 20, -14}, 2.0f}}})};
+}
+
+std::vector<DemoStructure> portalVeins() {
+  return {portal("portal vein",
+                 {{{{-10, -36, 2}, 6.4f},
+                   {{-17, -29, 14}, 6.2f},
+                   {{-26, -21, 28}, 6.2f},
+                   {{-32, -19, 42}, 5.6f},
+                   {{-46, -19, 50}, 4.4f},
+                   {{-58, -18, 54}, 3.2f}},
+                  {{{-31, -19, 41}, 4.4f}, {{-22, -22, 48}, 4.0f}, {{-8, -27, 54}, 3.0f}}}),
+          portal("superior mesenteric vein", {{{{-9.5f, -37, 1}, 5.8f},
+                                               {{-8, -40, -12}, 5.6f},
+                                               {{-8, -43, -32}, 5.4f},
+                                               {{-9, -56, -56}, 5.0f},
+                                               {{-13, -57, -82}, 4.2f},
+                                               {{-21, -46, -106}, 3.2f},
+                                               {{-34, -36, -126}, 2.4f}}}),
+          portal("splenic vein", {{{{-9, -34, 3}, 4.6f},
+                                   {{6, -34, 8}, 4.5f},
+                                   {{22, -22, 12}, 4.4f},
+                                   {{42, 0, 16}, 4.2f},
+                                   {{62, 14, 22}, 4.0f},
+                                   {{80, 24, 31}, 3.6f},
+                                   {{93, 31, 39}, 2.8f}}})};
+}
+
+std::vector<DemoStructure> iliacVeins() {
+  std::vector<DemoStructure> veins;
   for (const float side : {-1.0f, 1.0f}) {
     const float start = side < 0 ? -22.0f : -14.0f;
     const auto at = [side](float x, float y, float z) { return glm::vec3(side * x, y, z); };
@@ -221,6 +237,22 @@ std::vector<DemoStructure> abdomenVeins() {
         1.7f));
   }
   return veins;
+}
+
+std::vector<DemoStructure> joined(std::initializer_list<std::vector<DemoStructure>> parts) {
+  std::vector<DemoStructure> all;
+  for (const std::vector<DemoStructure>& part : parts)
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+}  // namespace
+
+std::vector<DemoStructure> abdomenArteries() {
+  return joined({aortaAndCoeliacTrunk(), mesentericArteries(), renalArteries(), iliacArteries()});
+}
+
+std::vector<DemoStructure> abdomenVeins() {
+  return joined({cavaAndRenalVeins(), portalVeins(), iliacVeins()});
 }
 
 }  // namespace sline::model

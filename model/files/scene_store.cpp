@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Layout, little-endian: magic, checksum of all that follows, key, nodes in tree order, views.
-// Texts and lists are led by their length; what may be absent by a byte 0 or 1.
+// Layout, little-endian: magic, checksum of all that follows, key, nodes in tree order, sections,
+// views. Texts and lists are led by their length; what may be absent by a byte 0 or 1.
 #include "model/files/scene_store.h"
 
 #include <bit>
@@ -247,6 +247,57 @@ bool inTreeOrder(const std::vector<Node>& nodes) {
   return true;
 }
 
+template <class T, class Read>
+std::vector<T> readAll(Reader& in, const Read& read) {
+  const auto count = in.value<std::uint32_t>();
+  std::vector<T> all;
+  if (count > mostNodes)
+    in.fail("it promises too many parts");
+  for (std::uint32_t i = 0; i < count && in.fault().empty(); ++i)
+    all.push_back(read(in));
+  return all;
+}
+
+void write(Writer& out, const Section& section) {
+  out.value(section.id.value);
+  out.text(section.name);
+  out.point(section.plane.normal);
+  out.value(section.plane.offset);
+  out.value(section.scope.value);
+  out.value(std::uint8_t(section.enabled));
+  out.value(std::uint8_t(section.hatched));
+}
+
+Section readSection(Reader& in) {
+  Section section;
+  section.id.value = in.value<std::uint64_t>();
+  section.name = in.text();
+  section.plane.normal = in.point();
+  section.plane.offset = in.number();
+  section.scope.value = in.value<std::uint64_t>();
+  section.enabled = in.flag();
+  section.hatched = in.flag();
+  if (const auto fault = planeFault(section.plane); fault && in.fault().empty())
+    in.fail("a plane cannot be used: " + std::string(*fault));
+  return section;
+}
+
+void write(Writer& out, const std::vector<Section>& sections) {
+  out.value(std::uint32_t(sections.size()));
+  for (const Section& section : sections)
+    write(out, section);
+}
+
+/// Each under an id of its own.
+std::vector<Section> readSections(Reader& in) {
+  std::vector<Section> sections = readAll<Section>(in, readSection);
+  std::set<SectionId> ids;
+  for (const Section& section : sections)
+    if (!ids.insert(section.id).second)
+      in.fail("two sections have one id");
+  return sections;
+}
+
 void write(Writer& out, const View& view) {
   const Camera& camera = view.camera;
   out.text(view.name);
@@ -255,6 +306,7 @@ void write(Writer& out, const View& view) {
     out.point(p);
   out.value(camera.fovyDegrees);
   out.value(camera.heightMm);
+  out.maybe(view.sections, [&](const std::vector<Section>& sections) { write(out, sections); });
 }
 
 View readView(Reader& in) {
@@ -268,18 +320,8 @@ View readView(Reader& in) {
   camera.heightMm = in.number();
   if (const auto fault = cameraFault(camera); fault && in.fault().empty())
     in.fail("a camera cannot be used: " + std::string(*fault));
+  view.sections = in.maybe([&] { return readSections(in); });
   return view;
-}
-
-template <class T, class Read>
-std::vector<T> readAll(Reader& in, const Read& read) {
-  const auto count = in.value<std::uint32_t>();
-  std::vector<T> all;
-  if (count > mostNodes)
-    in.fail("it promises too many parts");
-  for (std::uint32_t i = 0; i < count && in.fault().empty(); ++i)
-    all.push_back(read(in));
-  return all;
 }
 
 Error unreadable(const std::string& reason) {
@@ -293,6 +335,7 @@ std::string storedScene(const Scene& scene, std::string_view key) {
   body.value(std::uint32_t(scene.nodes().size()));
   for (const Node& node : scene.nodes())
     write(body, node);
+  write(body, scene.sections());
   body.value(std::uint32_t(scene.views().size()));
   for (const View& view : scene.views())
     write(body, view);
@@ -316,6 +359,7 @@ Result<Scene> sceneFromStore(std::string_view bytes, std::string_view key) {
   if (in.text() != key)
     return unreadable("it holds another scene");
   std::vector<Node> nodes = readAll<Node>(in, readNode);
+  std::vector<Section> sections = readSections(in);
   std::vector<View> views = readAll<View>(in, readView);
   if (in.fault().empty() && !in.atEnd())
     in.fail("something follows its end");
@@ -325,6 +369,7 @@ Result<Scene> sceneFromStore(std::string_view bytes, std::string_view key) {
     return unreadable(in.fault());
   Scene scene;
   scene.setNodes(std::move(nodes));
+  scene.setSections(std::move(sections));
   scene.setViews(std::move(views));
   return scene;
 }

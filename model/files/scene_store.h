@@ -12,8 +12,8 @@
 
 namespace sline::model {
 
-/// Tree, ids, names, styles, meshes, provenance and saved views, marked with `key`: what was stored
-/// and by which version of its maker.
+/// Tree, ids, names, styles, meshes, provenance, sections and saved views, marked with `key`: what
+/// was stored and by which version of its maker.
 std::string storedScene(const Scene& scene, std::string_view key);
 
 /// The scene again, equal in every bit. The bytes are not trusted: the error says what is wrong

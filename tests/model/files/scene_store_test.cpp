@@ -34,19 +34,28 @@ model::Scene sample() {
   artery.provenance = {"a.ply", "LPS", "said so", 3, 2, 1, 0.25f};
   scene.append(artery);
   scene.append({.name = "loose", .style = {.visible = true}, .mesh = test::torus(9, 2, 12, 8)});
-  scene.setViews({{.name = "Overview",
-                   .camera = {.projection = model::Projection::orthographic,
-                              .eye = {1, -500, 0.1f},
-                              .target = {0.3f, 0, 2},
-                              .up = {0, 0.1f, 1},
-                              .fovyDegrees = 21.5f,
-                              .heightMm = 333.25f}}});
+  const model::Section half{.id = {5},
+                            .name = "half",
+                            .plane = {.normal = {0, 1, 0}, .offset = 2.5f},
+                            .scope = vessels,
+                            .enabled = false,
+                            .hatched = true};
+  scene.setSections({half});
+  const model::Camera camera{.projection = model::Projection::orthographic,
+                             .eye = {1, -500, 0.1f},
+                             .target = {0.3f, 0, 2},
+                             .up = {0, 0.1f, 1},
+                             .fovyDegrees = 21.5f,
+                             .heightMm = 333.25f};
+  scene.setViews({{.name = "Overview", .camera = camera},
+                  {.name = "Cut", .sections = std::vector<model::Section>{half}}});
   return scene;
 }
 
 /// Bit for bit; `Scene` itself compares meshes by whether they are the same object.
 void compare(const model::Scene& a, const model::Scene& b) {
   QVERIFY(a.views() == b.views());
+  QVERIFY(a.sections() == b.sections());
   QCOMPARE(a.nodes().size(), b.nodes().size());
   for (std::size_t i = 0; i < a.nodes().size(); ++i) {
     model::Node x = a.nodes()[i];
