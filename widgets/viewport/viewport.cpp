@@ -197,6 +197,14 @@ void Viewport::showFrom(model::AnatomicalView view) {
   setCamera(model::fitted(model::anatomicalCamera(view, bounds, aspect), visibleCorners(), aspect));
 }
 
+void Viewport::showOverview() {
+  m_camera = {};
+  showFrom(model::AnatomicalView::anterior);
+  for (const model::View& view : m_session.scene().views())
+    if (view.name == "Overview")
+      setCamera(view.camera);
+}
+
 void Viewport::fitAll() {
   const model::Box bounds = m_session.scene().visibleBounds();
   if (bounds.empty())
@@ -215,10 +223,8 @@ void Viewport::setBackground(render::Background background) {
 }
 
 void Viewport::documentChange(const Document& before, const Document& now) {
-  if (before.opening != now.opening) {
-    m_camera = {};
-    showFrom(model::AnatomicalView::anterior);
-  }
+  if (before.opening != now.opening)
+    showOverview();
   if (!(before.scene == now.scene))
     refresh();
 }
