@@ -82,10 +82,10 @@ Exit runDemo(const DemoFlags& flags) {
 void declareDemo(CLI::App& command, DemoFlags& flags) {
   command
       .add_option("SCENE", flags.scene,
-                  "pelvis: bones, muscles, organs, vessels, nerves and a tumour; abdomen: the organs "
-                  "before the lumbar column with their vessels; kidney: a left kidney with its "
-                  "artery, vein and ureter. No patient's: modelled")
-      ->check(CLI::IsMember({"pelvis", "abdomen", "kidney"}))
+                  "kidney: a left kidney with its artery, vein and ureter; pelvis: bones, muscles, "
+                  "organs, vessels, nerves and a tumour of the rectum; abdomen: the organs before "
+                  "the lumbar column and their vessels. No patient's: modelled")
+      ->check(CLI::IsMember({"kidney", "pelvis", "abdomen"}))
       ->capture_default_str();
   command.add_option("--sex", flags.sex, "Whose anatomy, where the scene tells them apart")
       ->check(CLI::IsMember({"female", "male"}))

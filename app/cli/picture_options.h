@@ -47,8 +47,6 @@ inline void addLookOptions(CLI::App& command, PictureFlags& flags) {
       ->excludes(ink);
 }
 
-inline constexpr const char* pictureHelp = "The picture: png, tiff, exr or jpg by its extension";
-
 /// Declares the flags of `PictureFlags` on a sub-command but for where the picture goes.
 inline void addDrawingOptions(CLI::App& command, PictureFlags& flags) {
   command.add_option("--size", flags.size, "Width and height in pixels, 16 to 20000 each")
@@ -80,7 +78,11 @@ inline void addDrawingOptions(CLI::App& command, PictureFlags& flags) {
 
 /// The same with the file, which is needed.
 inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
-  command.add_option("-o,--output", flags.output, pictureHelp)->required()->type_name("FILE");
+  command
+      .add_option("-o,--output", flags.output,
+                  "The picture: png, tiff, exr or jpg by its extension")
+      ->required()
+      ->type_name("FILE");
   addDrawingOptions(command, flags);
 }
 

@@ -81,8 +81,10 @@ std::vector<DemoStructure> inOrderOfFirmness() {
   append(std::move(bowel));
   append(abdomenSpleenAndLiver());
   append(abdomenMuscles());
-  for (DemoStructure& s : all)
+  for (DemoStructure& s : all) {
+    s.fill = Fill::paper;
     cutOff(s);
+  }
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)
       if (touch(all[i], all[k]))

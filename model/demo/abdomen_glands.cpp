@@ -32,7 +32,7 @@ DemoStructure gland(std::string name, const char* group, Colour colour, float ga
 }
 
 DemoStructure liver() {
-  DemoStructure s = gland("liver", "Digestive system", liverColour, 4.0f, liverField(),
+  DemoStructure s = gland("liver", "Digestive system", liverColour, 4.4f, liverField(),
                           {{-150, -104, -75}, {96, 88, 122}});
   s.edge = 2.5f;
   s.rounding = 4.0f;
@@ -133,7 +133,7 @@ DemoStructure pancreas() {
   Box box = body->bounds();
   box.add(uncinate->bounds());
   DemoStructure s =
-      gland("pancreas", "Digestive system", pancreasColour, 5.0f, field, grown(box, 4.0f));
+      gland("pancreas", "Digestive system", pancreasColour, 4.8f, field, grown(box, 4.0f));
   s.edge = 1.8f;
   s.rounding = 2.0f;
   return s;
@@ -169,7 +169,7 @@ DemoStructure spleen() {
     }
     return d;
   };
-  DemoStructure s = gland("spleen", "Glands and spleen", spleenColour, 4.0f, field,
+  DemoStructure s = gland("spleen", "Glands and spleen", spleenColour, 4.3f, field,
                           {{40, -20, -20}, {162, 104, 120}});
   s.edge = 2.4f;
   s.rounding = 4.0f;

@@ -61,7 +61,7 @@ DemoStructure stomach() {
   Box box = grown(body->bounds(), 5.0f);
   box.add(gullet->bounds());
   box.add({{20, -22, 50}, {100, 50, 120}});
-  DemoStructure s = organ("stomach", stomachColour, 4.0f, field, grown(box, 3.0f));
+  DemoStructure s = organ("stomach", stomachColour, 4.4f, field, grown(box, 3.0f));
   s.edge = 2.6f;
   s.rounding = 3.0f;
   return s;
@@ -91,7 +91,7 @@ DemoStructure duodenum() {
     return at.distance +
            folds * 0.55f * std::sin(at.along * 2.0f * pi / 9.0f + 0.8f * std::sin(at.angle));
   };
-  DemoStructure s = organ("duodenum", bowelColour, 4.0f, field, grown(tube->bounds(), 4.0f));
+  DemoStructure s = organ("duodenum", bowelColour, 4.2f, field, grown(tube->bounds(), 4.0f));
   s.edge = 2.2f;
   s.rounding = 2.0f;
   return s;
@@ -163,6 +163,21 @@ DemoStructure colonPart(const char* name, const std::shared_ptr<const Swept>& tu
   return s;
 }
 
+DemoStructure appendix() {
+  const auto tube = std::make_shared<Swept>(std::array<SweptPoint, 6>{{{{-84, -32, -164}, 4.2f},
+                                                                       {{-76, -26, -178}, 4.0f},
+                                                                       {{-66, -20, -190}, 3.8f},
+                                                                       {{-52, -20, -196}, 3.6f},
+                                                                       {{-42, -28, -194}, 3.5f},
+                                                                       {{-38, -38, -186}, 3.3f}}},
+                                            glm::vec3(0, -1, 0));
+  DemoStructure s = organ(
+      "vermiform appendix", colonColour, 4.2f,
+      [tube](const glm::vec3& p) { return tube->distance(p); }, grown(tube->bounds(), 3.0f));
+  s.edge = 1.5f;
+  return s;
+}
+
 std::vector<DemoStructure> colons() {
   const auto tube = colonTube();
   constexpr float gap = 0.3f;
@@ -172,7 +187,7 @@ std::vector<DemoStructure> colons() {
   return {colonPart("ascending colon", tube, {.to = hepatic - gap}),
           colonPart("transverse colon", tube, {hepatic + gap, splenic - gap}),
           colonPart("descending colon", tube, {splenic + gap, brim - gap}),
-          colonPart("sigmoid colon", tube, {.from = brim + gap})};
+          colonPart("sigmoid colon", tube, {.from = brim + gap}), appendix()};
 }
 }  // namespace
 

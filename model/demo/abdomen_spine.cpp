@@ -117,11 +117,8 @@ float bodyField(const glm::vec3& q) {
 
 DemoStructure vertebra(const Level& level) {
   const auto arch = std::make_shared<Arch>(level.transverse);
-  DemoStructure s{.name = level.name,
-                  .groups = {"Bones"},
-                  .colour = boneColour,
-                  .gamma = Gamma::clamped(1.3f),
-                  .fill = Fill::paper};
+  DemoStructure s{
+      .name = level.name, .groups = {"Bones"}, .colour = boneColour, .gamma = Gamma::clamped(1.3f)};
   s.field = [level, arch](const glm::vec3& p) {
     const glm::vec3 q = intoLevel(level, p);
     return level.size * blendedUnion(bodyField(q), arch->distance(q), 5.0f);
@@ -146,8 +143,7 @@ DemoStructure disc(const Level& above, const Level& below) {
   DemoStructure s{.name = from + "-" + to + " intervertebral disc",
                   .groups = {"Discs and cartilage"},
                   .colour = discColour,
-                  .gamma = Gamma::clamped(1.3f),
-                  .fill = Fill::paper};
+                  .gamma = Gamma::clamped(1.3f)};
   s.field = [middle](const glm::vec3& p) {
     const glm::vec3 q = intoLevel(middle, p);
     const float bulge = 0.9f * (1.0f - std::min(q.z * q.z / 36.0f, 1.0f));
@@ -167,20 +163,19 @@ DemoStructure swept(std::string name, const char* group, Colour colour,
           .groups = {group},
           .colour = colour,
           .gamma = Gamma::clamped(1.3f),
-          .fill = Fill::paper,
           .field = [shape](const glm::vec3& p) { return shape->distance(p); },
           .box = grown(shape->bounds(), 3.0f)};
 }
 
 template <std::size_t N>
-std::array<SweptPoint, N> mirrored(std::array<SweptPoint, N> points, float side) {
+std::array<SweptPoint, N> onSide(std::array<SweptPoint, N> points, float side) {
   for (SweptPoint& p : points)
     p.position.x *= side;
   return points;
 }
 
 DemoStructure rib(const char* name, float side) {
-  const auto shape = std::make_shared<Swept>(mirrored<6>({{{{23, 42, 52}, 3.6f, 1.2f},
+  const auto shape = std::make_shared<Swept>(onSide<6>({{{{23, 42, 52}, 3.6f, 1.2f},
                                                            {{36, 60, 49}, 3.4f, 1.4f},
                                                            {{56, 77, 40}, 3.0f, 1.9f},
                                                            {{79, 84, 26}, 2.8f, 2.2f},
@@ -194,7 +189,7 @@ DemoStructure rib(const char* name, float side) {
 }
 
 DemoStructure psoas(const char* name, float side) {
-  const auto shape = std::make_shared<Swept>(mirrored<7>({{{{29, 22, 18}, 6.0f, 1.2f},
+  const auto shape = std::make_shared<Swept>(onSide<7>({{{{29, 22, 18}, 6.0f, 1.2f},
                                                            {{35, 20, -20}, 12.0f, 1.2f},
                                                            {{43, 16, -66}, 18.0f, 1.15f},
                                                            {{54, 12, -112}, 22.0f, 1.0f},
@@ -204,6 +199,7 @@ DemoStructure psoas(const char* name, float side) {
                                                          side),
                                              glm::vec3(0, -1, 0));
   DemoStructure s = swept(name, "Muscles", muscleColour, shape);
+  s.gamma = Gamma::clamped(1.7f);
   s.field = [shape](const glm::vec3& p) {
     // Bundles of fibres that run its length.
     const SweptPlace at = shape->place(p);

@@ -31,7 +31,7 @@ DemoStructure kidney(const char* name, float side, const glm::vec3& middle) {
   DemoStructure s{.name = name,
                   .groups = {"Urinary system"},
                   .colour = kidneyColour,
-                  .gamma = Gamma::clamped(4.0f),
+                  .gamma = Gamma::clamped(4.4f),
                   .field = field,
                   .box = {middle - glm::vec3(52, 48, 72), middle + glm::vec3(52, 48, 70)}};
   s.edge = 2.1f;

@@ -7,26 +7,25 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "model/demo/swept.h"
-
 namespace sline::model {
 
 namespace {
 using Points = std::vector<glm::vec3>;
 
 Points evenlySpaced(std::span<const glm::vec3> path, float spacing) {
-  std::vector<TubePoint> through;
+  std::vector<Curve::Knot> through;
   for (const glm::vec3& p : path)
-    through.push_back({p, 1.0f});
-  const Tube tube(through, 0.25f * spacing);
+    through.push_back({glm::vec4(p, 1.0f)});
+  const Curve curve(through, 0.25f * spacing);
   Points points{path.front()};
   float due = spacing;
   float along = 0.0f;
-  for (std::size_t i = 1; i < tube.points().size(); ++i) {
-    along += glm::distance(tube.points()[i].position, tube.points()[i - 1].position);
+  for (std::size_t i = 1; i < curve.knots().size(); ++i) {
+    const glm::vec3 at(curve.knots()[i].main);
+    along += glm::distance(at, glm::vec3(curve.knots()[i - 1].main));
     if (along < due)
       continue;
-    points.push_back(tube.points()[i].position);
+    points.push_back(at);
     due += spacing;
   }
   points.push_back(path.back());

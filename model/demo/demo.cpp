@@ -16,6 +16,8 @@ constexpr int modellingVersion = 1;
 
 Scene modelled(DemoName name, Sex sex) {
   switch (name) {
+    case DemoName::pelvis:
+      return pelvisDemo(sex);
     case DemoName::abdomen:
       return abdomenDemo(sex);
     case DemoName::pelvis:

@@ -12,8 +12,8 @@
 namespace sline::model {
 
 /// The scenes that the program models itself.
-enum class DemoName { kidney, abdomen, pelvis };
-inline constexpr std::array<std::string_view, 3> demoNames{"kidney", "abdomen", "pelvis"};
+enum class DemoName { kidney, pelvis, abdomen };
+inline constexpr std::array<std::string_view, 3> demoNames{"kidney", "pelvis", "abdomen"};
 std::optional<DemoName> demoNamed(std::string_view name);
 
 /// "female" or "male".

@@ -20,14 +20,14 @@ void addWing(Sculpture& bone) {
                      {{80, -49, 1027}, 4.2f},
                      {{58, -24, 1006}, 6.0f},
                      // the upper fossa
-                     {{137, -142, 958}, 4.5f},
+                     {{136, -140, 959}, 4.5f},
                      {{137, -117, 984}, 4.8f},
                      {{127, -88, 1003}, 5.0f},
                      {{105, -71, 1006}, 3.0f},
                      {{78, -54, 1004}, 5.0f},
                      {{50, -14, 986}, 8.5f},
                      // the lower fossa and the auricular surface
-                     {{128, -130, 945}, 4.5f},
+                     {{124, -125, 944}, 4.8f},
                      {{126, -110, 962}, 5.0f},
                      {{116, -90, 975}, 4.5f},
                      {{94, -72, 977}, 4.2f},
@@ -38,14 +38,14 @@ void addWing(Sculpture& bone) {
                      {{108, -92, 948}, 8.0f},
                      {{91, -75, 950}, 8.0f},
                      {{69, -56, 950}, 8.5f},
-                     {{53, -34, 945}, 5.0f},
+                     {{53, -36, 943.5f}, 5.0f},
                      // the body above the cup, back to the greater sciatic notch
-                     {{113, -115, 914}, 5.5f},
+                     {{112, -113, 912}, 5.5f},
                      {{107, -106, 920}, 10.5f},
                      {{101, -93, 922}, 13.0f},
                      {{91, -82, 924}, 13.0f},
                      {{80, -71, 928}, 10.5f},
-                     {{70, -61, 931}, 4.5f},
+                     {{72, -64, 934}, 4.5f},
                      {{110, -110, 904}, 5.0f},
                      {{103, -108, 905}, 10.5f},
                      {{100, -95, 906}, 14.0f},
@@ -74,7 +74,7 @@ void addCrest(Sculpture& bone) {
   // Anterior superior and anterior inferior iliac spines.
   bone.addTube({{{142.5f, -142, 978}, 4.8f}, {{140.5f, -146, 971}, 5.4f}, {{137, -143, 962}, 4.6f}},
                10.0f);
-  bone.addTube({{{121, -120, 932}, 4.5f}, {{117, -118, 923}, 6.5f}, {{112, -113, 914}, 6.0f}},
+  bone.addTube({{{120, -120, 933}, 4.5f}, {{118, -120, 925}, 6.8f}, {{113, -115, 916}, 6.0f}},
                8.0f);
 }
 
@@ -100,7 +100,7 @@ void addBody(Sculpture& bone) {
                  },
                  4},
                 6.0f);
-  bone.addTube({{{68, -61, 931}, 4.0f},
+  bone.addTube({{{70, -63, 932}, 4.0f},
                 {{65, -55, 914}, 4.0f},
                 {{61, -51, 899}, 4.0f},
                 {{61, -52, 884}, 4.5f},
@@ -108,9 +108,10 @@ void addBody(Sculpture& bone) {
                 {{68, -50, 860}, 5.5f}},
                4.0f);
   // The ischial spine, between the greater and the lesser sciatic notch.
-  bone.addTube({{{63, -57, 897}, 7.0f}, {{57, -48, 890}, 4.6f}, {{50, -40.5f, 887}, 2.4f}}, 5.0f);
+  bone.addTube({{{63, -57, 897}, 7.0f}, {{57, -48.5f, 890}, 5.4f}, {{50.5f, -41.5f, 887.5f}, 3.3f}},
+               5.0f);
   // The posterior inferior spine, above the greater sciatic notch.
-  bone.addTube({{{55, -27, 955}, 4.5f}, {{53, -35, 944}, 4.8f}, {{58, -43, 942}, 4.5f}}, 5.0f);
+  bone.addTube({{{54, -27, 955}, 4.5f}, {{53, -37, 942}, 4.8f}, {{58, -46, 942}, 4.2f}}, 5.0f);
   // The arcuate line.
   bone.addTube({{{76, -55, 1008}, 1.5f},
                 {{71.5f, -58, 990}, 3.4f},
@@ -221,9 +222,9 @@ void addCup(Sculpture& bone) {
   bone.carveTube({{centre + 4.0f * axis, 26.5f}, {centre + 30.0f * axis, 31.0f}}, 4.0f);
   // The fossa in the floor of the cup, from which the notch leads out.
 
-  bone.carveTube({{centre - 19.0f * axis - 3.0f * down, 12.5f},
-                  {centre - 17.0f * axis + 8.0f * down, 12.0f},
-                  {centre - 8.0f * axis + 24.0f * down, 8.5f}},
+  bone.carveTube({{centre - 21.0f * axis - 2.0f * down, 13.0f},
+                  {centre - 18.5f * axis + 9.0f * down, 12.5f},
+                  {centre - 9.0f * axis + 24.0f * down, 9.0f}},
                  1.5f);
 }
 

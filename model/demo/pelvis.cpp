@@ -72,8 +72,8 @@ std::vector<View> savedViews() {
   const auto view = [](const char* name, const glm::vec3& eye, const glm::vec3& target) {
     return View{name, {.eye = eye, .target = target, .fovyDegrees = 28.0f}};
   };
-  return {view("Overview", {-190, -560, 1180}, {-1, -75, 928}),
-          view("From behind", {130, 520, 1040}, {-1, -75, 925}),
+  return {view("Overview", {-210, -620, 1215}, {-1, -75, 928}),
+          view("From behind", {150, 590, 1055}, {-1, -75, 925}),
           view("Midsagittal", {-640, -80, 930}, {-1, -80, 922})};
 }
 }  // namespace

@@ -116,29 +116,29 @@ Shape vagina() {
 /// An almond with scars of past follicles, hung by its ligament from the horn of the uterus.
 Shape ovary() {
   Shape body =
-      rippled(shapeOf(Blob({41, -89, 914}, {7.5f, 10.5f, 15}, {24, 12, -8})), 9.0f, 0.75f, 1.9f);
-  Shape ligament = shapeOf(Tube{{{25, -102, 906.5f}, 1.6f},
-                                {{31, -99, 904}, 1.5f},
-                                {{38, -94, 905}, 1.7f},
-                                {{41, -90, 910}, 2}});
+      rippled(shapeOf(Blob({35.5f, -93, 911}, {7.5f, 10, 14}, {24, 12, -8})), 9.0f, 0.75f, 1.9f);
+  Shape ligament = shapeOf(Tube{{{23, -104, 906.5f}, 1.6f},
+                                {{27, -102, 903.5f}, 1.5f},
+                                {{32, -97, 904}, 1.7f},
+                                {{35, -94, 908}, 2}});
   return merged(std::move(body), std::move(ligament), 3.0f);
 }
 
 /// From the horn outward and back over the ovary; the funnel's fringes hang around its mouth.
 Shape uterineTube() {
   std::vector<Tube> parts{Tube{{{23, -109, 913}, 1.9f},
-                               {{32, -112, 917}, 1.6f},
-                               {{43, -110, 923}, 1.9f},
-                               {{51.5f, -103, 929}, 2.4f},
-                               {{54, -93.5f, 931}, 3},
-                               {{51, -85, 928}, 3.8f},
-                               {{47.5f, -80, 923}, 4.6f}}};
+                               {{31, -112, 917}, 1.6f},
+                               {{39, -110, 922}, 1.9f},
+                               {{45, -103, 926}, 2.3f},
+                               {{46, -94, 927}, 2.8f},
+                               {{43, -86, 924}, 3.6f},
+                               {{39.5f, -81.5f, 919}, 4.4f}}};
   constexpr int fringes = 7;
   for (int i = 0; i < fringes; ++i) {
     const float angle = 6.2831853f * float(i) / float(fringes);
     const glm::vec3 out = 3.6f * std::cos(angle) * glm::vec3(0.85f, -0.5f, 0.1f) +
                           3.6f * std::sin(angle) * glm::vec3(0.2f, 0.45f, 0.87f);
-    const glm::vec3 mouth(47, -79.5f, 922);
+    const glm::vec3 mouth(39, -81, 918);
     parts.push_back(
         Tube{{mouth + 0.6f * out, 2},
              {mouth + 1.2f * out + glm::vec3(-1.8f, 2.2f, -3), 1.5f},

@@ -87,23 +87,23 @@ Shape iliococcygeus() {
 /// From the back of the pubis past the prostate or vagina and the rectum to the coccyx; it lies on
 /// the iliococcygeus from above.
 Shape pubococcygeus() {
-  return shapeOf(
-      Lamina({{{28, -109, 858}, 1.1f},   {{32, -96, 860}, 1.2f},       {{35, -80, 863}, 1.2f},
-              {{33, -62, 865.5f}, 1.2f}, {{30, -46, 868}, 1.2f},       {{23, -30.5f, 874}, 1.2f},
-              {{13, -18.5f, 881}, 1.1f}, {{24, -109, 853}, 1.1f},      {{27, -95, 853}, 1.2f},
-              {{29, -78, 854}, 1.3f},    {{28, -61, 855}, 1.3f},       {{25, -46, 858}, 1.3f},
-              {{17, -32, 865}, 1.2f},    {{9, -20, 874}, 1.1f},        {{20.5f, -108, 848}, 1.1f},
-              {{22, -93, 846}, 1.2f},    {{22.5f, -76, 845.5f}, 1.3f}, {{22, -60, 845.5f}, 1.3f},
-              {{20, -45, 849}, 1.2f},    {{11.5f, -32, 857}, 1.2f},    {{5, -22.5f, 867}, 1.1f}},
-             7));
+  return shapeOf(Lamina(
+      {{{28, -109, 858}, 1.1f},   {{32, -96, 860}, 1.2f},       {{35, -80, 863}, 1.2f},
+       {{33, -62, 865.5f}, 1.2f}, {{30, -46, 868}, 1.2f},       {{23, -30.5f, 874}, 1.2f},
+       {{13, -18.5f, 883}, 1.1f}, {{24, -109, 853}, 1.1f},      {{27, -95, 853}, 1.2f},
+       {{29, -78, 854}, 1.3f},    {{28, -61, 855}, 1.3f},       {{25, -46, 858}, 1.3f},
+       {{17, -32, 865}, 1.2f},    {{9, -20, 874}, 1.1f},        {{18.5f, -108, 845.5f}, 1.1f},
+       {{18, -93, 840.5f}, 1.2f}, {{18.4f, -76, 839.8f}, 1.3f}, {{18, -60, 840}, 1.3f},
+       {{17.5f, -45, 845}, 1.2f}, {{11.5f, -32, 857}, 1.2f},    {{5, -22.5f, 867}, 1.1f}},
+      7));
 }
 
 /// The lowest sling: from the pubis around the anorectal junction, met by its fellow behind it.
 Shape puborectalis() {
   return shapeOf(Band{{{21, -111.5f, 844.5f}, 8, 1.2f, {0.66f, 0, 0.75f}},
-                      {{23.2f, -98, 843}, 11.5f, 1.3f, {0.65f, 0, 0.76f}},
-                      {{24.2f, -81, 841.5f}, 13.5f, 1.4f, {0.62f, 0, 0.78f}},
-                      {{23.4f, -63, 839.5f}, 12.5f, 1.6f, {0.56f, 0, 0.83f}},
+                      {{24, -98, 845.5f}, 13.5f, 1.3f, {0.65f, 0, 0.76f}},
+                      {{24.2f, -81, 841.5f}, 15, 1.4f, {0.62f, 0, 0.78f}},
+                      {{23.4f, -63, 839.5f}, 13, 1.6f, {0.56f, 0, 0.83f}},
                       {{20.5f, -46, 837.5f}, 10.5f, 1.9f, {0.4f, 0, 0.9f}},
                       {{13.5f, -33, 837.5f}, 9.5f, 2.2f, {0.2f, -0.2f, 1}},
                       {{5, -28, 838}, 8.5f, 2, {0, -0.2f, 1}}});
@@ -111,19 +111,14 @@ Shape puborectalis() {
 
 /// From the front of the sacrum through the greater sciatic foramen to the greater trochanter.
 Shape piriformis() {
-  Shape belly = shapeOf(Band{{{19, -31, 931}, 11, 3.2f, {0.3f, 0.1f, 1}},
-                             {{34, -28, 926}, 13.5f, 5.2f, {0.35f, 0.1f, 1}},
-                             {{52, -22, 917}, 13.5f, 7, {0.45f, 0.1f, 1}},
+  Shape belly = shapeOf(Band{{{16, -27.5f, 930}, 9, 2.2f, {0.3f, 0.1f, 1}},
+                             {{32, -27, 926}, 13, 3.8f, {0.35f, 0.1f, 1}},
+                             {{50, -22.5f, 918}, 13.5f, 6.5f, {0.45f, 0.1f, 1}},
                              {{75, -26, 905}, 10.5f, 7, {0.5f, 0.1f, 1}},
                              {{100, -43, 894}, 7.5f, 5.5f, {0.5f, 0, 1}},
                              {{122, -62, 888}, 4.6f, 3.8f, {0.4f, 0, 1}},
                              {{138, -76, 885}, 3, 2.6f, {0.3f, 0, 1}}});
-  // Three slips between the sacral foramina.
-  Shape slips =
-      branching({Tube{{{15, -35, 941}, 2.8f}, {{26, -32, 935}, 4.2f}, {{40, -27, 926}, 5}},
-                 Tube{{{13, -24.5f, 921}, 2.8f}, {{26, -26, 919}, 4.2f}, {{40, -24, 917}, 5}}},
-                5.0f);
-  return merged(std::move(belly), std::move(slips), 5.0f);
+  return belly;
 }
 
 Shape psoasMajor() {
@@ -176,14 +171,20 @@ Shape analSphincter() {
 
 std::vector<DemoStructure> pelvisMuscles() {
   std::vector<DemoStructure> list;
-  addPair(list, musclePalette, "puborectalis", puborectalis());
-  addPair(list, musclePalette, "pubococcygeus", pubococcygeus());
-  addPair(list, musclePalette, "iliococcygeus", iliococcygeus());
-  addPair(list, musclePalette, "coccygeus", coccygeus());
+  Palette thin = musclePalette;
+  thin.edge = 1.5f;
+  addPair(list, thin, "puborectalis", puborectalis());
+  addPair(list, thin, "pubococcygeus", pubococcygeus());
+  addPair(list, thin, "iliococcygeus", iliococcygeus());
+  addPair(list, thin, "coccygeus", coccygeus());
   addPair(list, musclePalette, "obturator internus", obturatorInternus());
   addPair(list, musclePalette, "piriformis", piriformis());
   addPair(list, musclePalette, "psoas major", psoasMajor());
   addPair(list, musclePalette, "iliacus", iliacus());
+  for (DemoStructure& s : list)
+    if (s.name.ends_with("iliacus"))
+      s.rounding = 3.0f;  // a soft furrow beside the psoas
+
   list.push_back(structure(musclePalette, "external anal sphincter", analSphincter()));
   return list;
 }

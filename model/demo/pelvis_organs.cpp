@@ -187,11 +187,11 @@ Shape tumour(Sex sex) {
 
 std::vector<DemoStructure> pelvisOrgans(Sex sex) {
   std::vector<DemoStructure> list;
-  list.push_back(organ("urinary bladder", urinaryColour, bladder(sex), 1.8f));
+  list.push_back(organ("urinary bladder", urinaryColour, bladder(sex), 2));
   list.push_back(organ("left ureter", urinaryColour, leftUreter(sex), 1.1f));
   list.push_back(organ("right ureter", urinaryColour, rightUreter(sex), 1.1f));
-  list.push_back(organ("rectum", gutColour, rectum(sex), 1.8f));
-  list.push_back(organ("sigmoid colon", gutColour, sigmoid(sex), 1.8f));
+  list.push_back(organ("rectum", gutColour, rectum(sex), 2));
+  list.push_back(organ("sigmoid colon", gutColour, sigmoid(sex), 2.1f));
   DemoStructure mass = organ("rectal tumour", tumourColour, tumour(sex), 1.0f);
   mass.groups = {"Tumour"};
   mass.gamma = Gamma::clamped(5.0f);

@@ -72,14 +72,15 @@ glm::vec3 gradient(const Field& field, const glm::vec3& p, float h) {
   return sum / (4.0f * h);
 }
 
-/// Onto field = 0: Newton's steps along the gradient at the start, which is near enough.
+/// Onto field = 0: Newton's steps along the gradient at the start, which is near enough; none leads
+/// farther than half an edge, whatever the gradient of a crease may say.
 glm::vec3 projected(const Field& field, glm::vec3 p, float edge) {
   const glm::vec3 g = gradient(field, p, 0.05f * edge);
-  const float squared = glm::dot(g, g);
-  if (squared < 1e-6f)
+  const float slope = glm::length(g);
+  if (slope < 0.1f)
     return p;
   for (int step = 0; step < 3; ++step)
-    p -= field(p) / squared * g;
+    p -= std::clamp(field(p) / slope, -0.5f * edge, 0.5f * edge) * g / slope;
   return p;
 }
 

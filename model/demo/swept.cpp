@@ -23,37 +23,23 @@ glm::vec3 direction(const glm::vec3& from, const glm::vec3& to) {
 }
 }  // namespace
 
-float distanceToBox(const Box& box, const glm::vec3& p) {
-  return glm::length(glm::max(glm::max(box.low - p, p - box.high), glm::vec3(0.0f)));
-}
-
-Box grown(Box box, float margin) {
-  box.low -= margin;
-  box.high += margin;
-  return box;
-}
-
 Swept::Swept(std::span<const SweptPoint> through, const glm::vec3& front, float step) {
-  std::vector<TubePoint> widths;
-  std::vector<TubePoint> depths;
-  for (const SweptPoint& p : through) {
-    widths.push_back({p.position, p.radius});
-    depths.push_back({p.position, 10.0f * p.depth});
-  }
-  const Tube width(widths, step);
-  const Tube depth(depths, step);
-  float along = 0.0f;
-  float widthsPassed = 0.0f;
-  for (std::size_t i = 0; i < width.points().size(); ++i) {
-    const TubePoint& at = width.points()[i];
-    if (i > 0) {
-      const TubePoint& before = width.points()[i - 1];
-      const float piece = glm::distance(at.position, before.position);
-      along += piece;
-      widthsPassed += piece / (0.5f * (at.radius + before.radius));
+  std::vector<Curve::Knot> knots;
+  for (const SweptPoint& p : through)
+    knots.push_back({glm::vec4(p.position, p.radius), glm::vec4(p.depth, 0, 0, 0)});
+  const Curve curve(knots, step);
+  for (const Curve::Knot& knot : curve.knots()) {
+    Sample sample{.position = glm::vec3(knot.main),
+                  .radius = std::max(knot.main.w, 0.1f),
+                  .depth = knot.more.x,
+                  .front = front};
+    if (!m_samples.empty()) {
+      const Sample& before = m_samples.back();
+      const float piece = glm::distance(sample.position, before.position);
+      sample.along = before.along + piece;
+      sample.widths = before.widths + piece / (0.5f * (sample.radius + before.radius));
     }
-    const float share = 0.1f * depth.points()[i].radius;
-    m_samples.push_back({at.position, at.radius, share, along, widthsPassed, front});
+    m_samples.push_back(sample);
   }
   smooth();
   carryFrames(front);

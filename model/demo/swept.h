@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "model/demo/implicit.h"
 #include "model/geometry/mesh.h"
 
 namespace sline::model {
@@ -49,12 +50,12 @@ class Swept {
 
  private:
   struct Sample {
-    glm::vec3 position;
-    float radius;
-    float depth;
-    float along;
-    float widths;
-    glm::vec3 front;
+    glm::vec3 position{0.0f};
+    float radius = 0.0f;
+    float depth = 1.0f;
+    float along = 0.0f;
+    float widths = 0.0f;
+    glm::vec3 front{0.0f};
   };
   /// Some segments (or runs of them) in a row and the box that holds their walls.
   struct Run {
@@ -80,9 +81,5 @@ class Swept {
   std::vector<Run> m_stretches;  ///< runs of runs
   Box m_bounds;
 };
-
-/// Distance from a point to a box, 0 inside.
-float distanceToBox(const Box& box, const glm::vec3& p);
-Box grown(Box box, float margin);
 
 }  // namespace sline::model

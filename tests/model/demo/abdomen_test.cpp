@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/demo/abdomen.h"
+
+#include <QTemporaryDir>
+#include <QtTest>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <map>
+#include <set>
+
+#include "model/base/parallel.h"
+#include "model/demo/demo.h"
+#include "model/geometry/bvh.h"
+#include "model/geometry/spatial_order.h"
+#include "model/geometry/topology.h"
+
+using namespace sline;
+
+namespace {
+using model::Box;
+using model::Node;
+
+/// True where a ray from the point leaves the closed mesh an odd number of times.
+bool inside(const model::Bvh& bvh, const glm::vec3& p) {
+  int crossings = 0;
+  model::Ray ray{.origin = p, .direction = {0.577f, 0.211f, 0.789f}};
+  while (const auto hit = bvh.nearest(ray)) {
+    ++crossings;
+    ray.nearest = hit->t * (1.0f + 1e-5f) + 1e-4f;
+  }
+  return crossings % 2 == 1;
+}
+
+double volumeOf(const model::Mesh& mesh) {
+  double sum = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles())
+    sum +=
+        double(glm::dot(mesh.positions()[a], glm::cross(mesh.positions()[b], mesh.positions()[c])));
+  return sum / 6.0;
+}
+
+double areaOf(const model::Mesh& mesh) {
+  double sum = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles())
+    sum += double(glm::length(glm::cross(mesh.positions()[b] - mesh.positions()[a],
+                                         mesh.positions()[c] - mesh.positions()[a])));
+  return 0.5 * sum;
+}
+
+std::vector<const Node*> structuresOf(const model::Scene& scene) {
+  std::vector<const Node*> all;
+  for (const Node& node : scene.nodes())
+    if (!node.isGroup())
+      all.push_back(&node);
+  return all;
+}
+
+/// What the mesh encloses, counted on a lattice of `step` mm.
+std::vector<glm::vec3> pointsInside(const model::Bvh& bvh, const Box& box, float step) {
+  std::vector<glm::vec3> points;
+  for (float z = box.low.z + 0.31f * step; z < box.high.z; z += step)
+    for (float y = box.low.y + 0.47f * step; y < box.high.y; y += step)
+      for (float x = box.low.x + 0.53f * step; x < box.high.x; x += step)
+        if (inside(bvh, {x, y, z}))
+          points.emplace_back(x, y, z);
+  return points;
+}
+
+struct Size {
+  const char* name;
+  glm::vec3 low, high;  ///< mm, the least and the greatest extent along each axis
+  double leastMl, mostMl;
+};
+}  // namespace
+
+class AbdomenTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase();
+  void structuresAndGroups();
+  void closedAndWhole();
+  void overlapsLittle();
+  void notBarePrimitives();
+  void sizes_data();
+  void sizes();
+  void neighbours();
+  void liverHasItsHollows();
+  void womanIsSmallerMan();
+  void cachedSceneIsTheSame();
+  void badCachesAreRemade_data();
+  void badCachesAreRemade();
+
+ private:
+  const model::Mesh& meshOf(const char* name) const {
+    return *m_scene.find(m_scene.named(name).at(0))->mesh;
+  }
+  glm::vec3 middle(const char* name) const { return meshOf(name).bounds().centre(); }
+  QTemporaryDir m_cache;
+  model::Scene m_scene;
+};
+
+void AbdomenTest::initTestCase() {
+  m_scene = model::demo(model::DemoName::abdomen, model::Sex::male, m_cache.path().toStdString());
+}
+
+void AbdomenTest::structuresAndGroups() {
+  const auto structures = structuresOf(m_scene);
+  QVERIFY(structures.size() >= 25);
+  std::set<std::string> names;
+  std::size_t triangles = 0;
+  for (const Node* node : structures) {
+    QVERIFY2(names.insert(node->name).second, node->name.c_str());
+    QVERIFY2(!m_scene.groupPath(node->id).empty(), node->name.c_str());
+    QVERIFY(node->style.colour && node->style.gamma && node->style.fill);
+    triangles += node->mesh->triangleCount();
+  }
+  QVERIFY2(triangles > 150'000 && triangles < 500'000, std::to_string(triangles).c_str());
+  for (const char* group : {"Digestive system", "Urinary system", "Arteries", "Veins", "Bones"})
+    QCOMPARE(m_scene.named(group).size(), std::size_t(1));
+  QCOMPARE(m_scene.views().front().name, std::string("Overview"));
+  for (const model::View& view : m_scene.views())
+    QVERIFY(!model::cameraFault(view.camera));
+}
+
+void AbdomenTest::closedAndWhole() {
+  for (const Node* node : structuresOf(m_scene)) {
+    const model::VertexFaces faces(*node->mesh);
+    QVERIFY2(model::countEdges(*node->mesh, faces).closed(), node->name.c_str());
+    QCOMPARE(model::connectedComponents(*node->mesh).count, std::size_t(1));
+    QVERIFY2(volumeOf(*node->mesh) > 0.0, node->name.c_str());
+  }
+}
+
+void AbdomenTest::overlapsLittle() {
+  const auto structures = structuresOf(m_scene);
+  std::vector<std::unique_ptr<model::Bvh>> trees;
+  for (const Node* node : structures)
+    trees.push_back(std::make_unique<model::Bvh>(node->mesh, model::spatialOrder(*node->mesh)));
+  std::vector<std::string> complaints(structures.size());
+  parallelFor(structures.size(), 1, [&](std::size_t i) {
+    const Box& box = structures[i]->mesh->bounds();
+    const float volume = float(volumeOf(*structures[i]->mesh));
+    const std::vector<glm::vec3> points = pointsInside(*trees[i], box, std::cbrt(volume / 1200.0f));
+    for (std::size_t k = 0; k < structures.size(); ++k) {
+      if (k == i)
+        continue;
+      const auto shared = std::count_if(points.begin(), points.end(), [&](const glm::vec3& p) {
+        const Box& other = structures[k]->mesh->bounds();
+        return glm::all(glm::lessThan(other.low, p)) && glm::all(glm::lessThan(p, other.high)) &&
+               inside(*trees[k], p);
+      });
+      if (double(shared) > 0.01 * double(points.size()))
+        complaints[i] += std::to_string(shared) + " of " + std::to_string(points.size()) +
+                         " points of " + structures[i]->name + " in " + structures[k]->name + "; ";
+    }
+  });
+  for (const std::string& complaint : complaints)
+    QVERIFY2(complaint.empty(), complaint.c_str());
+}
+
+/// A ball, box, capsule or ellipsoid is convex; what anatomy is made of is not: some of what a
+/// structure's own points span lies outside it.
+void AbdomenTest::notBarePrimitives() {
+  for (const Node* node : structuresOf(m_scene)) {
+    const model::Mesh& mesh = *node->mesh;
+    const model::Bvh bvh(node->mesh, model::spatialOrder(mesh));
+    std::size_t outside = 0;
+    std::size_t asked = 0;
+    const std::size_t count = mesh.vertexCount();
+    for (std::size_t i = 0; i < 800; ++i) {
+      const glm::vec3 a = mesh.positions()[i * 7919 % count];
+      const glm::vec3 b = mesh.positions()[(i * 104729 + count / 2) % count];
+      if (glm::distance(a, b) < 0.05f * glm::length(mesh.bounds().size()))
+        continue;
+      ++asked;
+      outside += !inside(bvh, 0.5f * (a + b));
+    }
+    QVERIFY2(
+        outside * 100 > asked,
+        (node->name + ": " + std::to_string(outside) + " of " + std::to_string(asked)).c_str());
+  }
+}
+
+void AbdomenTest::sizes_data() {
+  QTest::addColumn<glm::vec3>("low");
+  QTest::addColumn<glm::vec3>("high");
+  QTest::addColumn<double>("leastMl");
+  QTest::addColumn<double>("mostMl");
+  // What textbooks give for adults, with their range.
+  const std::array<Size, 9> rows{{{"liver", {190, 130, 130}, {240, 190, 190}, 1000, 2000},
+                                  {"spleen", {40, 50, 70}, {100, 110, 130}, 100, 260},
+                                  {"left kidney", {40, 35, 95}, {75, 70, 125}, 100, 200},
+                                  {"right kidney", {40, 35, 95}, {75, 70, 125}, 100, 200},
+                                  {"pancreas", {120, 50, 60}, {200, 110, 130}, 50, 140},
+                                  {"gallbladder", {20, 40, 40}, {60, 100, 100}, 20, 60},
+                                  {"stomach", {110, 90, 130}, {180, 180, 220}, 300, 900},
+                                  {"L3 vertebra", {75, 75, 35}, {110, 105, 60}, 40, 120},
+                                  {"abdominal aorta", {20, 25, 180}, {50, 70, 260}, 50, 130}}};
+  for (const Size& row : rows)
+    QTest::newRow(row.name) << row.low << row.high << row.leastMl << row.mostMl;
+}
+
+void AbdomenTest::sizes() {
+  QFETCH(glm::vec3, low);
+  QFETCH(glm::vec3, high);
+  QFETCH(double, leastMl);
+  QFETCH(double, mostMl);
+  const model::Mesh& mesh = meshOf(QTest::currentDataTag());
+  const glm::vec3 size = mesh.bounds().size();
+  const double ml = volumeOf(mesh) / 1000.0;
+  const std::string is = std::to_string(size.x) + " × " + std::to_string(size.y) + " × " +
+                         std::to_string(size.z) + " mm, " + std::to_string(ml) + " ml";
+  QVERIFY2(glm::all(glm::greaterThan(size, low)) && glm::all(glm::lessThan(size, high)),
+           is.c_str());
+  QVERIFY2(ml > leastMl && ml < mostMl, is.c_str());
+}
+
+/// LPS: +x to the patient's left, +y to the back, +z to the head.
+void AbdomenTest::neighbours() {
+  QVERIFY(middle("liver").x < 0 && middle("spleen").x > 0 && middle("stomach").x > 0);
+  QVERIFY(middle("inferior vena cava").x < middle("abdominal aorta").x);
+  QVERIFY(middle("right kidney").z < middle("left kidney").z);
+  QVERIFY(middle("left kidney").x > 0 && middle("left kidney").y > middle("pancreas").y);
+  QVERIFY(middle("stomach").y < middle("pancreas").y);
+  QVERIFY(middle("gallbladder").z < middle("liver").z);
+  QVERIFY(middle("ascending colon").x < middle("transverse colon").x &&
+          middle("transverse colon").x < middle("descending colon").x);
+  QVERIFY(middle("left adrenal gland").z > middle("left kidney").z);
+  QVERIFY(meshOf("superior mesenteric vein").bounds().high.x <
+          meshOf("superior mesenteric artery").bounds().high.x);
+  QVERIFY(middle("L5 vertebra").z < middle("L1 vertebra").z);
+  // The left renal vein crosses in front of the aorta.
+  const Box vein = meshOf("left renal vein").bounds();
+  QVERIFY(vein.low.x < middle("abdominal aorta").x && vein.high.x > middle("abdominal aorta").x);
+}
+
+/// The visceral surface: from below, a fair part of it is hollow, deeper than the convex dome.
+void AbdomenTest::liverHasItsHollows() {
+  const model::Mesh& liver = meshOf("liver");
+  const double sphere = 36.0 * 3.14159265 * volumeOf(liver) * volumeOf(liver);
+  const double sphericity = std::cbrt(sphere) / areaOf(liver);
+  QVERIFY2(sphericity > 0.45 && sphericity < 0.80, std::to_string(sphericity).c_str());
+  const model::Bvh bvh(m_scene.find(m_scene.named("liver").at(0))->mesh,
+                       model::spatialOrder(liver));
+  // Gallbladder, right kidney and vena cava lie in hollows: beside their middles on both sides
+  // there is liver.
+  const glm::vec3 bladder = middle("gallbladder");
+  QVERIFY(inside(bvh, bladder + glm::vec3(-28, 0, 22)));
+  QVERIFY(inside(bvh, bladder + glm::vec3(20, 0, 26)));
+  QVERIFY(!inside(bvh, bladder));
+}
+
+void AbdomenTest::womanIsSmallerMan() {
+  const model::Scene woman = model::abdomenDemo(model::Sex::female);
+  const auto hers = structuresOf(woman);
+  const auto his = structuresOf(m_scene);
+  QCOMPARE(hers.size(), his.size());
+  for (std::size_t i = 0; i < hers.size(); ++i) {
+    QCOMPARE(hers[i]->name, his[i]->name);
+    const glm::vec3 ratio = hers[i]->mesh->bounds().size() / his[i]->mesh->bounds().size();
+    const std::string is = hers[i]->name + ": " + std::to_string(ratio.x) + ", " +
+                           std::to_string(ratio.y) + ", " + std::to_string(ratio.z);
+    QVERIFY2(glm::length(ratio - 0.93f) < 0.05f, is.c_str());
+  }
+}
+
+namespace {
+void compareScenes(const model::Scene& a, const model::Scene& b) {
+  QCOMPARE(a.nodes().size(), b.nodes().size());
+  QVERIFY(a.views() == b.views());
+  for (std::size_t i = 0; i < a.nodes().size(); ++i) {
+    QCOMPARE(a.nodes()[i].name, b.nodes()[i].name);
+    QVERIFY(a.nodes()[i].style == b.nodes()[i].style);
+    QCOMPARE(a.nodes()[i].isGroup(), b.nodes()[i].isGroup());
+    if (!a.nodes()[i].isGroup())
+      QVERIFY2(*a.nodes()[i].mesh == *b.nodes()[i].mesh, a.nodes()[i].name.c_str());
+  }
+}
+}  // namespace
+
+void AbdomenTest::cachedSceneIsTheSame() {
+  const std::filesystem::path cache = m_cache.path().toStdString();
+  const auto file = cache / model::demoCacheFile(model::DemoName::abdomen, model::Sex::male);
+  QVERIFY(std::filesystem::exists(file));
+  QVERIFY(file != cache / model::demoCacheFile(model::DemoName::abdomen, model::Sex::female));
+  const auto written = std::filesystem::last_write_time(file);
+  compareScenes(m_scene, model::demo(model::DemoName::abdomen, model::Sex::male, cache));
+  QVERIFY(std::filesystem::last_write_time(file) == written);
+}
+
+void AbdomenTest::badCachesAreRemade_data() {
+  QTest::addColumn<QByteArray>("content");
+  QTest::newRow("empty") << QByteArray();
+  QTest::newRow("foreign") << QByteArray("ply\nformat ascii 1.0\n");
+  QTest::newRow("cut") << QByteArray("SlineSc1\1\2\3\4\5\6\7\10\377\377\377\377");
+}
+
+/// Tried with the kidney, which is the quickest to model.
+void AbdomenTest::badCachesAreRemade() {
+  QFETCH(QByteArray, content);
+  const QTemporaryDir folder;
+  const std::filesystem::path cache = folder.path().toStdString();
+  const auto file = cache / model::demoCacheFile(model::DemoName::kidney, model::Sex::female);
+  std::ofstream(file, std::ios::binary) << content.toStdString();
+  const model::Scene scene = model::demo(model::DemoName::kidney, model::Sex::female, cache);
+  QCOMPARE(structuresOf(scene).size(), std::size_t(4));
+  QVERIFY(std::filesystem::file_size(file) > 100'000);
+  // A folder that cannot be made, and none at all, change nothing.
+  compareScenes(scene, model::demo(model::DemoName::kidney, model::Sex::female, file / "below"));
+  compareScenes(scene, model::demo(model::DemoName::kidney, model::Sex::female, {}));
+}
+
+QTEST_APPLESS_MAIN(AbdomenTest)
+#include "abdomen_test.moc"
