@@ -20,8 +20,6 @@ Scene modelled(DemoName name, Sex sex) {
       return pelvisDemo(sex);
     case DemoName::abdomen:
       return abdomenDemo(sex);
-    case DemoName::pelvis:
-      return pelvisDemo(sex);
     case DemoName::kidney:
       break;
   }
