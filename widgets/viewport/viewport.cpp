@@ -200,9 +200,11 @@ void Viewport::showFrom(model::AnatomicalView view) {
 void Viewport::showOverview() {
   m_camera = {};
   showFrom(model::AnatomicalView::anterior);
+  // Views are saved for pictures of 4:3; a narrower window steps back so that the sides stay in.
+  const float narrow = std::min(1.0f, size2().x / size2().y * 3.0f / 4.0f);
   for (const model::View& view : m_session.scene().views())
     if (view.name == "Overview")
-      setCamera(view.camera);
+      setCamera(zoomed(view.camera, view.camera.target, narrow));
 }
 
 void Viewport::fitAll() {
