@@ -7,8 +7,9 @@ set -euo pipefail
 packages=(
   # compiler, build, checks
   build-essential cmake ninja-build ccache git pkg-config clang clang-format clang-tidy
-  # Qt (tests so far), meshes and volumes, pixel files
-  qt6-base-dev libvtk9-dev libglew-dev
+  # Qt, a display for its tests; meshes and volumes, pixel files
+  qt6-base-dev libqt6opengl6-dev libgl-dev libglx-mesa0 fonts-dejavu-core xvfb xauth
+  libvtk9-dev libglew-dev
   libopenimageio-dev openimageio-tools libopencv-dev
   # OpenGL without a display
   libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri

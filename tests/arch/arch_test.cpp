@@ -59,6 +59,13 @@ class ArchTest : public QObject {
                                             << "#include \"render/picture/picture.h\"" << false;
     QTest::newRow("command line skips widgets") << "app/cli/a.cpp"
                                                 << "#include \"widgets/window/window.h\"" << false;
+    QTest::newRow("the session draws") << "widgets/session/a.cpp"
+                                       << "#include \"render/picture/picture.h\"" << false;
+    QTest::newRow("one control uses another")
+        << "widgets/gamma/a.cpp"
+        << "#include \"widgets/viewport/viewport.h\"" << false;
+    QTest::newRow("the viewport draws") << "widgets/viewport/a.cpp"
+                                        << "#include \"render/picture/picture.h\"" << true;
     QTest::newRow("Qt in the model") << "model/scene/a.h"
                                      << "#include <QString>" << false;
     QTest::newRow("Qt in the command line") << "app/cli/a.cpp"

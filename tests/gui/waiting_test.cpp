@@ -27,7 +27,8 @@ class GatedPainter : public widgets::PicturePainter {
  public:
   GatedPainter(std::unique_ptr<widgets::PicturePainter> painter, std::shared_ptr<Gate> gate)
       : m_painter(std::move(painter)), m_gate(std::move(gate)) {}
-  Status paint(const widgets::PictureRequest& request, const render::gpu::Target& target) override {
+  Result<bool> paint(const widgets::PictureRequest& request,
+                     const render::Picture::TargetJob& job) override {
     m_gate->last = request.number;
     ++m_gate->begun;
     if (!m_gate->open)

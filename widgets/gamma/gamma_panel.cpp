@@ -3,6 +3,7 @@
 
 #include <QButtonGroup>
 #include <QDoubleSpinBox>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -107,7 +108,7 @@ QWidget* GammaPanel::makeFill() {
   auto* layout = new QVBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(caption(tr("Where only lines are drawn")));
-  auto* buttons = new QHBoxLayout;
+  auto* buttons = new QGridLayout;
   buttons->setSpacing(4);
   m_fill = new QButtonGroup(this);
   for (const Choice& choice : choices) {
@@ -115,8 +116,9 @@ QWidget* GammaPanel::makeFill() {
     button->setObjectName(QLatin1String(choice.name));
     button->setToolTip(choice.tip);
     button->setCheckable(true);
+    const int place = int(m_fill->buttons().size());
+    buttons->addWidget(button, place / 2, place % 2);
     m_fill->addButton(button, int(choice.fill));
-    buttons->addWidget(button);
   }
   layout->addLayout(buttons);
   return row;

@@ -92,7 +92,8 @@ void GammaSlider::paintGroove(QPainter& painter) const {
 }
 
 void GammaSlider::paintStages(QPainter& painter) const {
-  const int nearest = int(std::lround(m_range.high.value()));
+  // Halfway between two, the stage that is reached counts.
+  const int nearest = int(std::ceil(m_range.high.value() - 0.5f));
   const bool one = m_range.low == m_range.high && isEnabled();
   for (const Stage& stage : gammaStages()) {
     const QPointF at = pointOf(Gamma::clamped(stage.gamma));

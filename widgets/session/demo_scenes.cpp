@@ -3,23 +3,40 @@
 
 #include <QCoreApplication>
 
-#include "model/demo/kidney.h"
+#include "model/demo/demo.h"
+#include "model/files/cache_folder.h"
 
 namespace sline::widgets {
 
 namespace {
 
-SceneMaker modelled(const QString& title, model::Scene (*make)()) {
-  return [title, make](const model::ImportProgress&) -> Result<Loaded> {
-    return Loaded{.scene = make(), .title = title, .remarks = {}};
+QString tr(const char* text) {
+  return QCoreApplication::translate("DemoScenes", text);
+}
+
+DemoScene demoScene(const QString& title, model::DemoName name, model::Sex sex) {
+  const std::string_view id = model::demoNames[std::size_t(name)];
+  const std::string_view sexId = model::sexName(sex);
+  const auto make = [title, name, sex](const model::ImportProgress&) -> Result<Loaded> {
+    return Loaded{
+        .scene = model::demo(name, sex, model::userCacheFolder()), .title = title, .remarks = {}};
   };
+  return {.id = QStringLiteral("%1-%2").arg(QLatin1String(id.data(), qsizetype(id.size())),
+                                            QLatin1String(sexId.data(), qsizetype(sexId.size()))),
+          .title = title,
+          .make = make};
 }
 
 }  // namespace
 
 std::vector<DemoScene> demoScenes() {
-  const QString kidney = QCoreApplication::translate("DemoScenes", "Kidney");
-  return {{QStringLiteral("kidney"), kidney, modelled(kidney, model::kidneyDemo)}};
+  using model::DemoName;
+  using model::Sex;
+  return {demoScene(tr("Pelvis of a Woman"), DemoName::pelvis, Sex::female),
+          demoScene(tr("Pelvis of a Man"), DemoName::pelvis, Sex::male),
+          demoScene(tr("Abdomen of a Woman"), DemoName::abdomen, Sex::female),
+          demoScene(tr("Abdomen of a Man"), DemoName::abdomen, Sex::male),
+          demoScene(tr("Kidney"), DemoName::kidney, Sex::female)};
 }
 
 }  // namespace sline::widgets

@@ -164,7 +164,7 @@ void Session::open(const Loaded& loaded) {
   else
     push(tr("Open %1").arg(loaded.title), std::move(document), {});
   if (!loaded.remarks.isEmpty())
-    emit remarked(loaded.title, loaded.remarks);
+    emit remarked(loaded.remarks);
 }
 
 void Session::openPaths(std::vector<std::filesystem::path> paths) {

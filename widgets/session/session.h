@@ -66,7 +66,7 @@ class Session : public QObject {
   /// Something could not be done; the document is as it was.
   void failed(const sline::Error& error);
   /// A scene came in, but parts of it were left out or mended.
-  void remarked(const QString& title, const QStringList& remarks);
+  void remarked(const QStringList& remarks);
 
  private:
   friend class DocumentStep;

@@ -187,8 +187,9 @@ QVariant StructureTreeModel::describe(const QModelIndex& index) const {
     }
     default:
       return node.isGroup()
-                 ? tr("%1, %n structures", nullptr, int(scene.structuresBelow(node.id).size()))
+                 ? tr("%1, structures: %2")
                        .arg(QString::fromStdString(node.name))
+                       .arg(scene.structuresBelow(node.id).size())
                  : QString::fromStdString(node.name);
   }
 }

@@ -197,6 +197,16 @@ void Viewport::showFrom(model::AnatomicalView view) {
   setCamera(model::fitted(model::anatomicalCamera(view, bounds, aspect), visibleCorners(), aspect));
 }
 
+void Viewport::showOverview() {
+  m_camera = {};
+  showFrom(model::AnatomicalView::anterior);
+  // Views are saved for pictures of 4:3; a narrower window steps back so that the sides stay in.
+  const float narrow = std::min(1.0f, size2().x / size2().y * 3.0f / 4.0f);
+  for (const model::View& view : m_session.scene().views())
+    if (view.name == "Overview")
+      setCamera(zoomed(view.camera, view.camera.target, narrow));
+}
+
 void Viewport::fitAll() {
   const model::Box bounds = m_session.scene().visibleBounds();
   if (bounds.empty())
@@ -215,10 +225,8 @@ void Viewport::setBackground(render::Background background) {
 }
 
 void Viewport::documentChange(const Document& before, const Document& now) {
-  if (before.opening != now.opening) {
-    m_camera = {};
-    showFrom(model::AnatomicalView::anterior);
-  }
+  if (before.opening != now.opening)
+    showOverview();
   if (!(before.scene == now.scene))
     refresh();
 }

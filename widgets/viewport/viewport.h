@@ -31,6 +31,8 @@ class Viewport : public QOpenGLWidget {
   const model::Camera& camera() const { return m_camera; }
   void setCamera(const model::Camera& camera);
   void showFrom(model::AnatomicalView view);
+  /// As a scene is first seen: its view of that name, else the body from the front.
+  void showOverview();
   /// Fits all that is visible without turning the camera; it becomes what the camera turns around.
   void fitAll();
   render::Background background() const { return m_background; }

@@ -68,8 +68,8 @@ QString summaryOf(const model::Scene& scene) {
       ++structures;
       triangles += node.mesh->triangleCount();
     }
-  return MainWindow::tr("%n structures, %1 triangles", nullptr, int(structures))
-      .arg(QLocale().toString(qulonglong(triangles)));
+  return MainWindow::tr("Structures: %1   Triangles: %2")
+      .arg(QLocale().toString(qulonglong(structures)), QLocale().toString(qulonglong(triangles)));
 }
 
 bool hasLocalFiles(const QMimeData& data) {
@@ -193,6 +193,8 @@ void MainWindow::makeViewMenu() {
   for (const std::string_view id : model::anatomicalViewNames)
     view->addAction(&m_actions[QLatin1String(id.data(), qsizetype(id.size()))]);
   view->addAction(&m_actions[QStringLiteral("fit")]);
+  m_savedViews = view->addMenu(tr("Saved &Views"));
+  m_savedViews->setObjectName(QStringLiteral("savedViews"));
   view->addSeparator();
   QMenu* background = view->addMenu(tr("&Background"));
   auto* group = new QActionGroup(this);
@@ -220,6 +222,14 @@ void MainWindow::makeHelpMenu() {
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   help->addAction(&m_actions[QStringLiteral("controls")]);
   help->addAction(&m_actions[QStringLiteral("about")]);
+}
+
+void MainWindow::listSavedViews() {
+  m_savedViews->clear();
+  for (const model::View& view : m_session.scene().views())
+    m_savedViews->addAction(QString::fromStdString(view.name), this,
+                            [this, camera = view.camera] { m_viewport->setCamera(camera); });
+  m_savedViews->setEnabled(!m_savedViews->isEmpty());
 }
 
 void MainWindow::makeTools() {
@@ -254,13 +264,15 @@ void MainWindow::connectSession() {
   });
   connect(&m_session, &Session::jobEnded, this, [this] { jobShown(false); });
   QUndoStack& history = m_session.history();
-  const auto name = [this](const QString& id, const QString& text, const QString& step) {
-    m_actions[id].setText(step.isEmpty() ? text : text + QLatin1Char(' ') + step);
-    m_actions[id].setIconText(tr(id == QStringLiteral("undo") ? "Undo" : "Redo"));
-    m_actions[id].setEnabled(!step.isEmpty());
+  const auto name = [](QAction& action, const QString& text, const QString& step) {
+    action.setText(step.isEmpty() ? text : text + QLatin1Char(' ') + step);
+    action.setIconText(QString(text).remove(QLatin1Char('&')));
+    action.setEnabled(!step.isEmpty());
   };
-  const auto nameUndo = [=](const QString& s) { name(QStringLiteral("undo"), tr("&Undo"), s); };
-  const auto nameRedo = [=](const QString& s) { name(QStringLiteral("redo"), tr("&Redo"), s); };
+  QAction& undo = m_actions[QStringLiteral("undo")];
+  QAction& redo = m_actions[QStringLiteral("redo")];
+  const auto nameUndo = [=, &undo](const QString& s) { name(undo, tr("&Undo"), s); };
+  const auto nameRedo = [=, &redo](const QString& s) { name(redo, tr("&Redo"), s); };
   connect(&history, &QUndoStack::undoTextChanged, this, nameUndo);
   connect(&history, &QUndoStack::redoTextChanged, this, nameRedo);
   nameUndo(history.undoText());
@@ -404,6 +416,7 @@ void MainWindow::documentChange(const Document& before, const Document& now) {
   if (before.opening != now.opening || now.opening == 0) {
     setWindowTitle(now.title.isEmpty() ? tr("Sline") : tr("%1 – Sline").arg(now.title));
     m_summary->setText(now.opening == 0 ? QString() : summaryOf(now.scene));
+    listSavedViews();
   }
   updateActions();
 }

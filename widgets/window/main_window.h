@@ -10,6 +10,7 @@
 #include "widgets/window/window_actions.h"
 
 class QLabel;
+class QMenu;
 class QProgressBar;
 class QSettings;
 class QToolButton;
@@ -46,6 +47,7 @@ class MainWindow : public QMainWindow {
   void makeStructureMenu();
   void makeViewMenu();
   void makeHelpMenu();
+  void listSavedViews();
   void makeTools();
   void connectSession();
   void connectActions();
@@ -67,6 +69,7 @@ class MainWindow : public QMainWindow {
   Viewport* m_viewport = nullptr;
   StructureTree* m_tree = nullptr;
   GammaPanel* m_gamma = nullptr;
+  QMenu* m_savedViews = nullptr;
   QLabel* m_summary = nullptr;
   QLabel* m_job = nullptr;
   QProgressBar* m_progress = nullptr;

@@ -60,9 +60,9 @@ void MessageBar::showError(const Error& error) {
   display(Kind::error, heading, sentence(error.reason) + QLatin1Char(' ') + sentence(error.remedy));
 }
 
-void MessageBar::showRemarks(const QString& heading, const QStringList& remarks) {
+void MessageBar::showRemarks(const QStringList& remarks) {
   m_remarks = remarks;
-  display(Kind::remark, heading, remarks.value(0));
+  display(Kind::remark, tr("Opened, with remarks"), remarks.value(0));
 }
 
 void MessageBar::display(Kind kind, const QString& heading, const QString& body) {

@@ -18,7 +18,7 @@ class MessageBar : public QFrame {
   explicit MessageBar(QWidget* parent = nullptr);
   void showError(const Error& error);
   /// The first is shown, the others on demand.
-  void showRemarks(const QString& heading, const QStringList& remarks);
+  void showRemarks(const QStringList& remarks);
   QString text() const;
 
  private:

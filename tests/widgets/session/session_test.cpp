@@ -207,7 +207,7 @@ class SessionTest : public QObject {
     QTRY_VERIFY(!session.busy());
     QVERIFY(progress.count() > 0);
     QCOMPARE(remarks.count(), 1);
-    QVERIFY(remarks.front()[1].toStringList().join(' ').contains(QStringLiteral("broken.obj")));
+    QVERIFY(remarks.front()[0].toStringList().join(' ').contains(QStringLiteral("broken.obj")));
     QCOMPARE(session.scene().named("left kidney").size(), std::size_t(1));
     // A drawing in the window is solid unless the scene says otherwise.
     QVERIFY(session.scene().resolve(session.scene().named("left kidney").front()).fill ==
