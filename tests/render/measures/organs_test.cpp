@@ -137,6 +137,8 @@ void OrgansTest::strokesAreSteady() {
                                                 .frames = frames},
                                                ways);
   QVERIFY2(flickers.ok(), flickers.ok() ? "" : flickers.error().text().c_str());
+  if (!flickers->front().anyHatching() && !flickers->back().anyHatching())
+    QSKIP("it has no hollow that hatching would show from here");
   const std::vector<std::string> faults =
       render::faults({.strokes = flickers->front(), .asPrinted = flickers->back()});
   QVERIFY2(faults.empty(), listed(faults).constData());
