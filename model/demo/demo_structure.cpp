@@ -24,12 +24,18 @@ struct Cutter {
   Box reach;  ///< outside it the cut is not felt
 };
 
+/// How far from a neighbour the structure's shape may depend on it: an inner surface follows a dent
+/// of the outer one.
+float feltWithin(const DemoStructure& own) {
+  return own.gap + 2.0f * own.rounding + 2.0f * own.wall;
+}
+
 /// The structure's own field less its neighbours'. Far from a neighbour the distance to its box
 /// stands in for the distance to itself: never more, and the sign is the same.
 Field cutField(const DemoStructure& own, std::vector<Cutter> cutters) {
   if (cutters.empty())
     return own.field;
-  const float margin = own.gap + 2.0f * own.rounding;
+  const float margin = feltWithin(own);
   return [&own, cutters = std::move(cutters), margin](const glm::vec3& p) {
     float d = own.field(p);
     for (const Cutter& cutter : cutters) {
@@ -38,6 +44,17 @@ Field cutField(const DemoStructure& own, std::vector<Cutter> cutters) {
                          : blendedDifference(d, (*cutter.field)(p)-own.gap, own.rounding);
     }
     return d;
+  };
+}
+
+Field hollowed(const DemoStructure& own, Field solid) {
+  if (own.wall <= 0.0f)
+    return solid;
+  assert(own.opening);
+  return [&own, solid = std::move(solid)](const glm::vec3& p) {
+    const float d = solid(p);
+    return blendedDifference(blendedDifference(d, d + own.wall, own.rounding), own.opening(p),
+                             own.rounding);
   };
 }
 
@@ -52,11 +69,11 @@ Field cutField(const DemoStructure& own, const std::vector<DemoStructure>& all) 
   for (const std::string& name : own.givesWayTo) {
     const DemoStructure* other = named(all, name);
     assert(other && other != &own);
-    const Box reach = grown(other->box, own.gap + 2.0f * own.rounding);
+    const Box reach = grown(other->box, feltWithin(own));
     if (meet(reach, own.box))
       cutters.push_back({&other->field, reach});
   }
-  return cutField(own, std::move(cutters));
+  return hollowed(own, cutField(own, std::move(cutters)));
 }
 
 /// The component with the most triangles; cutting may leave crumbs.

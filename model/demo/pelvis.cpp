@@ -65,6 +65,10 @@ void append(std::vector<DemoStructure>& list, std::vector<DemoStructure> more) {
 /// Into a woman's pelvis.
 void widen(DemoStructure& s) {
   s.field = [inMan = std::move(s.field)](const glm::vec3& p) { return inMan(fromFemalePelvis(p)); };
+  if (s.opening)
+    s.opening = [inMan = std::move(s.opening)](const glm::vec3& p) {
+      return inMan(fromFemalePelvis(p));
+    };
   s.box = grown(s.box, femaleShift);
 }
 
@@ -72,7 +76,7 @@ std::vector<View> savedViews() {
   const auto view = [](const char* name, const glm::vec3& eye, const glm::vec3& target) {
     return View{name, {.eye = eye, .target = target, .fovyDegrees = 28.0f}};
   };
-  return {view("Overview", {-210, -620, 1215}, {-1, -75, 928}),
+  return {view("Overview", {-210, -630, 1205}, {-1, -75, 916}),
           view("From behind", {150, 590, 1055}, {-1, -75, 925}),
           view("Midsagittal", {-640, -80, 930}, {-1, -80, 922})};
 }

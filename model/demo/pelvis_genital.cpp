@@ -37,7 +37,7 @@ Shape prostate() {
 
 /// One tube, coiled upon itself: bulges left and right of a slanting line.
 Shape seminalVesicle() {
-  std::vector<TubePoint> coil{{{4.2f, -80, 858.5f}, 2.2f}};
+  std::vector<TubePoint> coil{{{4.4f, -80.8f, 858.5f}, 2.3f}};
   for (int i = 1; i < 12; ++i) {
     const float t = float(i) / 12.0f;
     const float turn = (i % 2 == 0 ? 1.0f : -1.0f) * 2.9f * std::sin(3.0f * t + 0.2f);

@@ -177,7 +177,9 @@ std::vector<DemoStructure> pelvisMuscles() {
   addPair(list, thin, "pubococcygeus", pubococcygeus());
   addPair(list, thin, "iliococcygeus", iliococcygeus());
   addPair(list, thin, "coccygeus", coccygeus());
-  addPair(list, musclePalette, "obturator internus", obturatorInternus());
+  Palette grooved = musclePalette;  // by the pudendal vessels
+  grooved.edge = 1.9f;
+  addPair(list, grooved, "obturator internus", obturatorInternus());
   addPair(list, musclePalette, "piriformis", piriformis());
   addPair(list, musclePalette, "psoas major", psoasMajor());
   addPair(list, musclePalette, "iliacus", iliacus());

@@ -22,6 +22,13 @@ DemoStructure organ(const char* name, Colour colour, Shape shape, float edge) {
   return structure(palette, name, std::move(shape));
 }
 
+/// Hollow, with that opening.
+DemoStructure hollow(DemoStructure s, float wall, Field opening) {
+  s.wall = wall;
+  s.opening = std::move(opening);
+  return s;
+}
+
 /// A fold across the wall: the valley that it draws on the outside, on the side of `towards`.
 struct Fold {
   glm::vec3 position;
@@ -66,12 +73,7 @@ Shape rectum(Sex sex) {
     }
     return d - 0.5f * wave(p, 34.0f, 0.4f);
   };
-  // The anus, a pit between the folds that the sphincter draws together.
-  const Tube anus{{{-1, -46.5f, 806}, 4}, {{-1, -46, 815}, 2.6f}, {{-1, -45.5f, 821}, 0.8f}};
-  const Field opened = [field, anus](const glm::vec3& p) {
-    return p.z > 835.0f ? field(p) : blendedDifference(field(p), anus.distance(p), 3.0f);
-  };
-  return cutOff({opened, box}, {-1, -46.5f, 811}, {0, 0.1f, -1});
+  return cutOff({field, box}, {-1, -46.5f, 811}, {0, 0.1f, -1});
 }
 
 /// Haustra between creases that three bands of muscle interrupt.
@@ -92,48 +94,65 @@ Shape sigmoid(Sex sex) {
     box.add(position - radius);
     box.add(position + radius);
   }
-  Shape body{
-      [curve = Curve(knots, 4.0f), bounds = grown(box, 3.0f)](const glm::vec3& p) {
-        if (const float outside = distanceToBox(bounds, p); outside > 12.0f)
-          return outside;
-        const Curve::Place place = curve.nearest(p, 0.0f);
-        const glm::vec3 away = p - glm::vec3(place.main);
-        const float d = glm::length(away) - place.main.w;
-        if (std::abs(d) > 9.0f)
-          return d;
-        const glm::vec3 side = glm::normalize(glm::cross(place.tangent, {0.3f, 0.5f, 0.8f}));
-        const float angle =
-            std::atan2(glm::dot(away, glm::cross(place.tangent, side)), glm::dot(away, side));
-        // Creases are no rings: each third of the wall has its own, a little shifted.
-        const float third = std::cos(1.5f * (angle + 0.02f * place.more.x));
-        const float phase = place.more.x / 17.0f + 0.22f * std::sin(2.0f * angle + 1.0f);
-        const float crease = 2.4f * std::sin(3.14159265f * phase) * std::sin(3.14159265f * phase);
-        const float depth = 3.6f * third * third;
-        return d + depth * std::exp(-1.6f * crease) + 1.1f * std::exp(-14.0f * third * third);
-      },
-      box};
-  return cutOff(std::move(body), {106, -126, 1028}, {0, 0.1f, 1});
+  Shape body{[curve = Curve(knots, 4.0f), bounds = grown(box, 3.0f)](const glm::vec3& p) {
+               if (const float outside = distanceToBox(bounds, p); outside > 12.0f)
+                 return outside;
+               const Curve::Place place = curve.nearest(p, 0.0f);
+               const glm::vec3 away = p - glm::vec3(place.main);
+               const float d = glm::length(away) - place.main.w;
+               if (std::abs(d) > 9.0f)
+                 return d;
+               const glm::vec3 side = glm::normalize(glm::cross(place.tangent, {0.3f, 0.5f, 0.8f}));
+               const float angle = std::atan2(glm::dot(away, glm::cross(place.tangent, side)),
+                                              glm::dot(away, side));
+               // Creases are no rings: each third of the wall has its own, a little shifted.
+               const float third = std::cos(1.5f * (angle + 0.02f * place.more.x));
+               const float phase = place.more.x / 17.0f + 0.22f * std::sin(2.0f * angle + 1.0f);
+               const float crease =
+                   2.4f * std::sin(3.14159265f * phase) * std::sin(3.14159265f * phase);
+               const float depth = 3.6f * third * third;
+               const float outer =
+                   d + depth * std::exp(-1.6f * crease) + 1.1f * std::exp(-14.0f * third * third);
+               return outer;
+             },
+             box};
+  return body;
 }
 
 /// Half full: a rounded body, the apex forward over the pubis, the neck down to the urethra.
 Shape bladder(Sex sex) {
   const float x = pelvisMiddle - 0.6f;
-  if (sex == Sex::male) {
-    const std::vector<Blob> parts{Blob({x, -92, 880}, {35, 26, 18}, {-6, 0, 0}),
-                                  Blob({x, -113, 883}, {19, 24, 9}, {-4, 0, 0}),
-                                  Blob({x, -91, 866}, {17, 14, 8.5f})};
-    Shape body{
-        [parts](const glm::vec3& p) { return blended(std::span<const Blob>(parts), p, 16.0f); },
-        boundsOf(std::span<const Blob>(parts))};
-    return rippled(std::move(body), 48.0f, 0.7f, 2.2f);
-  }
-  const std::vector<Blob> parts{Blob({x, -104, 868}, {32, 24, 15}, {-10, 0, 0}),
-                                Blob({x, -121, 873}, {18, 19, 8}, {-8, 0, 0}),
-                                Blob({x, -99, 856}, {14, 12, 8})};
-  Shape body{
-      [parts](const glm::vec3& p) { return blended(std::span<const Blob>(parts), p, 14.0f); },
-      boundsOf(std::span<const Blob>(parts))};
-  return rippled(std::move(body), 48.0f, 0.7f, 2.2f);
+  const bool male = sex == Sex::male;
+  const std::vector<Blob> parts =
+      male ? std::vector<Blob>{Blob({x, -92, 880}, {35, 26, 18}, {-6, 0, 0}),
+                               Blob({x, -113, 883}, {19, 24, 9}, {-4, 0, 0}),
+                               Blob({x, -91, 866}, {17, 14, 8.5f})}
+           : std::vector<Blob>{Blob({x, -104, 868}, {32, 24, 15}, {-10, 0, 0}),
+                               Blob({x, -121, 873}, {18, 19, 8}, {-8, 0, 0}),
+                               Blob({x, -99, 856}, {14, 12, 8})};
+  return rippled(
+      {[parts](const glm::vec3& p) { return blended(std::span<const Blob>(parts), p, 15.0f); },
+       boundsOf(std::span<const Blob>(parts))},
+      48.0f, 0.7f, 2.2f);
+}
+
+/// The anus, drawn together by the sphincter.
+Field anus() {
+  return shapeOf(Tube{{{-1, -46.5f, 806}, 4},
+                      {{-1, -46, 815}, 2.6f},
+                      {{-1, -45.5f, 824}, 2.4f},
+                      {{-1, -45, 832}, 3.5f}})
+      .field;
+}
+
+/// Of the urethra, from inside.
+Field innerOrifice(Sex sex) {
+  const float x = pelvisMiddle - 0.6f;
+  const glm::vec3 neck = sex == Sex::male ? glm::vec3(x, -90.5f, 856) : glm::vec3(x, -100, 847);
+  return shapeOf(Tube{{neck + glm::vec3(0, 0, -4), 2.4f},
+                      {neck + glm::vec3(0, 0, 4), 2.4f},
+                      {neck + glm::vec3(0, 0, 11), 4}})
+      .field;
 }
 
 /// Over the iliac vessels, down the side wall of the pelvis, forward and inward to the bladder.
@@ -187,12 +206,15 @@ Shape tumour(Sex sex) {
 
 std::vector<DemoStructure> pelvisOrgans(Sex sex) {
   std::vector<DemoStructure> list;
-  list.push_back(organ("urinary bladder", urinaryColour, bladder(sex), 2));
-  list.push_back(organ("left ureter", urinaryColour, leftUreter(sex), 1.1f));
-  list.push_back(organ("right ureter", urinaryColour, rightUreter(sex), 1.1f));
-  list.push_back(organ("rectum", gutColour, rectum(sex), 2));
-  list.push_back(organ("sigmoid colon", gutColour, sigmoid(sex), 2.1f));
-  DemoStructure mass = organ("rectal tumour", tumourColour, tumour(sex), 1.0f);
+  list.push_back(
+      hollow(organ("urinary bladder", urinaryColour, bladder(sex), 2.2f), 4.0f, innerOrifice(sex)));
+  list.push_back(organ("left ureter", urinaryColour, leftUreter(sex), 1.3f));
+  list.push_back(organ("right ureter", urinaryColour, rightUreter(sex), 1.3f));
+  list.push_back(hollow(organ("rectum", gutColour, rectum(sex), 2.2f), 4.0f, anus()));
+  // The descending colon would follow at the iliac crest.
+  list.push_back(hollow(organ("sigmoid colon", gutColour, sigmoid(sex), 2.3f), 3.5f,
+                        [](const glm::vec3& p) { return 1028.0f - p.z - 0.1f * (p.y + 126.0f); }));
+  DemoStructure mass = organ("rectal tumour", tumourColour, tumour(sex), 1.2f);
   mass.groups = {"Tumour"};
   mass.gamma = Gamma::clamped(5.0f);
   list.push_back(std::move(mass));

@@ -8,11 +8,11 @@
 
 namespace sline::model {
 
-const Palette musclePalette{"Muscles", {158, 70, 58}, 1.7f, Fill::tint, 2.4f, 0.8f};
-const Palette organPalette{"Organs", {214, 160, 128}, 4.5f, Fill::paper, 2, 0.4f};
-const Palette arteryPalette{"Arteries", {207, 40, 28}, 4.2f, Fill::paper, 1.4f, 0.25f};
-const Palette veinPalette{"Veins", {52, 92, 176}, 4.2f, Fill::paper, 1.6f, 0.3f};
-const Palette nervePalette{"Nerves", {240, 208, 60}, 4.2f, Fill::paper, 1.2f, 0.25f};
+const Palette musclePalette{"Muscles", {158, 70, 58}, 1.7f, Fill::tint, 2.6f, 0.8f};
+const Palette organPalette{"Organs", {214, 160, 128}, 4.5f, Fill::paper, 2, 0.6f};
+const Palette arteryPalette{"Arteries", {207, 40, 28}, 4.2f, Fill::paper, 1.5f, 0.25f};
+const Palette veinPalette{"Veins", {52, 92, 176}, 4.2f, Fill::paper, 1.8f, 0.35f};
+const Palette nervePalette{"Nerves", {240, 208, 60}, 4.2f, Fill::paper, 1.3f, 0.25f};
 
 namespace {
 template <class Part>

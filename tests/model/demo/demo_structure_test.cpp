@@ -77,6 +77,25 @@ class DemoStructureTest : public QObject {
     QVERIFY(std::abs(volumeOf(meshOf(scene, "biter")) / (whole * 0.216) - 1.0) < 0.01);
   }
 
+  // A hollow ball whose wall follows the dent that another leaves, open below.
+  void hollowBodyKeepsItsWall() {
+    DemoStructure hollow = ball("hollow", {0, 0, 0}, 12);
+    hollow.wall = 2.0f;
+    hollow.rounding = 0.5f;
+    hollow.opening = [](const glm::vec3& p) { return std::max(std::hypot(p.x, p.y) - 2.5f, p.z); };
+    hollow.givesWayTo = {"fist"};
+    const model::Scene scene = model::demoScene({hollow, ball("fist", {14, 0, 0}, 6)});
+    const model::Mesh& mesh = meshOf(scene, "hollow");
+    QVERIFY(model::countEdges(mesh, model::VertexFaces(mesh)).closed());
+    QCOMPARE(model::connectedComponents(mesh).count, std::size_t(1));
+    const double whole = 4.0 / 3.0 * 3.14159265 * (1728.0 - 1000.0);
+    QVERIFY(volumeOf(mesh) > 0.85 * whole && volumeOf(mesh) < 1.1 * whole);
+    for (const glm::vec3& p : mesh.positions()) {
+      const float outer = std::max(sphere({0, 0, 0}, 12)(p), 0.5f - sphere({14, 0, 0}, 6)(p));
+      QVERIFY(outer > -2.1f && outer < 0.6f);
+    }
+  }
+
   // A rod cut by a ball near one end keeps the longer piece only.
   void crumbsAreDropped() {
     const std::array<model::TubePoint, 2> ends{{{{0, 0, 0}, 2.0f}, {{40, 0, 0}, 2.0f}}};
