@@ -20,13 +20,14 @@ constexpr float step = 2.0f;  // λ from point to point
 // Strokes shorter than this many λ each way are dots.
 constexpr float shortest = 2.0f * step;
 // A stroke narrower than this half width (λ) ends rather than become a grey hair.
-constexpr float hair = 0.3f;
-constexpr float pen = 0.42f;  // half width at and above which it is drawn as it is
+constexpr float hair = 0.27f;
+constexpr float pen = 0.5f;  // half width at and above which it is drawn as it is
 // A pen's point opens by no more than this half width per length.
 constexpr float opening = 0.14f;
 // Steps that a stroke may be thinner than a hair before it ends.
 constexpr int longestGap = 3;
-constexpr float faintest = 0.02f;
+constexpr float faintest = 0.01f;
+constexpr float plain = 0.07f;  // opacity from which on a seed counts in full
 
 float smooth(float low, float high, float x) {
   return glm::smoothstep(low, high, x);
@@ -51,7 +52,7 @@ void sharpen(Samples& samples) {
 }
 
 float seedPresence(const PlacedSeed& seed, float opacity) {
-  return seed.presence * smooth(faintest, 0.12f, opacity);
+  return seed.presence * smooth(faintest, plain, opacity);
 }
 
 /// How much ink its seed alone would give: its stroke's width, times the area in the picture that

@@ -125,6 +125,7 @@ class StrokeMaker {
       const HatchPoint& b = points[to];
       if (place(a.position, b.position, stroke)) {
         stroke.tolerance = surfaceTolerance(a, b);
+        stroke.contour = -1.0f;
         finish(stroke, devicePen(2.0f * a.halfWidth * unit * width, opacity),
                devicePen(2.0f * b.halfWidth * unit * width, opacity));
       }
@@ -135,6 +136,7 @@ class StrokeMaker {
       const HatchPoint& at = points.front();
       if (place(at.position, at.position, dot)) {
         dot.tolerance = surfaceTolerance(at, at);
+        dot.contour = -1.0f;
         const Pen pen = devicePen(2.0f * at.halfWidth * unit * width, opacity);
         finish(dot, pen, pen);
       }
