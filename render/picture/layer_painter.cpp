@@ -31,6 +31,22 @@ bool hatches(const PictureInput& input, const Shown& shown) {
   return input.parts.hatching && !shown.printedHatching && showsHatching(shown.style);
 }
 
+/// Makes and uploads what the changed layers need of their surfaces and no other picture did.
+void completeSurfaces(const PictureInput& input, std::span<const Layer> layers,
+                      std::span<const std::size_t> changed) {
+  for (const std::size_t i : changed)
+    for (std::size_t k = 0; k < layers[i].members.size(); ++k) {
+      const Shown& shown = layers[i].members[k];
+      const float shading = shownFill(input, shown).shading;
+      if ((shading > 0.0f && shading < 1.0f) || shown.printedHatching)
+        shown.cached->needShape();
+      if (hatches(input, shown))
+        shown.cached->needNeighbours();
+      if (!layers[i].coverage[k].ranges.empty())
+        shown.cached->needWhole();
+    }
+}
+
 /// Finds the lines of all changed layers that have none in `lines` yet.
 void findLines(const PictureInput& input, std::span<const Layer> layers,
                std::span<const std::size_t> changed, std::map<model::NodeId, StructureLines>& lines,
@@ -327,17 +343,7 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
     if (Status s = m_atlas.allocate(); !s)
       return s.error();
   }
-  for (const std::size_t i : changed)
-    for (std::size_t k = 0; k < layers[i].members.size(); ++k) {
-      const Shown& shown = layers[i].members[k];
-      const float shading = shownFill(input, shown).shading;
-      if ((shading > 0.0f && shading < 1.0f) || shown.printedHatching)
-        shown.cached->needShape();
-      if (hatches(input, shown))
-        shown.cached->needNeighbours();
-      if (!layers[i].coverage[k].ranges.empty())
-        shown.cached->needWhole();
-    }
+  completeSurfaces(input, layers, changed);
   stopwatch.pass(device, "plan");
   if (input.isUnwanted())
     return Outcome::givenUp;

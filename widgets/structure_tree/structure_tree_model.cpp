@@ -186,11 +186,10 @@ QVariant StructureTreeModel::describe(const QModelIndex& index) const {
       return node.isGroup() ? text : tr("%1, from the group above").arg(text);
     }
     default:
-      return node.isGroup()
-                 ? tr("%1, structures: %2")
-                       .arg(QString::fromStdString(node.name))
-                       .arg(scene.structuresBelow(node.id).size())
-                 : QString::fromStdString(node.name);
+      return node.isGroup() ? tr("%1, structures: %2")
+                                  .arg(QString::fromStdString(node.name))
+                                  .arg(scene.structuresBelow(node.id).size())
+                            : QString::fromStdString(node.name);
   }
 }
 
