@@ -24,8 +24,8 @@ constexpr float hair = 0.27f;
 constexpr float pen = 0.5f;  // half width at and above which it is drawn as it is
 // A pen's point opens by no more than this half width per length.
 constexpr float opening = 0.14f;
-// Steps that a stroke may be thinner than a hair before it ends.
-constexpr int longestGap = 3;
+// Times the spacing: lattices with wider cells than that have next to no seeds in a picture.
+constexpr float widestCell = 16.0f;
 constexpr float faintest = 0.01f;
 constexpr float plain = 0.07f;  // opacity from which on a seed counts in full
 
@@ -119,33 +119,45 @@ class Hatcher {
     StrokeSpacing::Mark mark;
   };
 
+  /// Strokes are laid out as for T_H = 1 and with all lattices whole, so that neither Γ nor zooming
+  /// moves them; `share` of that is drawn.
   void addStroke(const PlacedSeed& seed, StrokeSpacing& spacing) {
-    const float opacity = hatchOpacity(seed.weight, seed.angle, m_entered);
-    if (opacity < faintest)
-      return;
+    const float full = hatchOpacity(seed.weight, seed.angle, 1.0f);
     const ViewScale::Point seen = m_scale.project(seed.position);
-    // A stroke is there as far as its seed is: it grows from nothing all along.
-    const float room = spacing.room(seen.at, seed.position, reach(seen));
-    const float presence = seedPresence(seed, opacity) * smooth(0.0f, 0.6f, room);
-    if (presence < faintest)
+    // A stroke is there as far as its seed is: it grows from nothing all along. Seeds of one
+    // lattice keep a distance that belongs to that lattice, so that zooming in takes none away.
+    const float room = spacing.room(place(seen, seed.position, cell(seed.name.level, seen)));
+    const float claim = smooth(faintest, plain, full) * smooth(0.0f, 0.6f, room);
+    if (claim < faintest)
       return;
-    const bool dot = m_request.length < shortest;
-    std::vector<Sample>& samples = m_samples;
-    samples.clear();
-    if (dot) {
-      addDot(seed, presence * room, samples);
+    m_samples.clear();
+    if (m_request.length < shortest) {
+      addDot(seed, {.claim = claim * room, .share = seed.presence, .level = seed.name.level});
     } else {
-      follow(seed, false, presence, spacing);
-      std::reverse(samples.begin(), samples.end());
-      follow(seed, true, presence, spacing);
+      follow(seed, false, {.claim = claim, .share = seed.presence, .level = seed.name.level},
+             spacing);
+      std::reverse(m_samples.begin(), m_samples.end());
+      follow(seed, true, {.claim = claim, .share = seed.presence, .level = seed.name.level},
+             spacing);
     }
-    sharpen(samples);
-    keep(seed, spacing);
+    claimPlace(spacing);
+    sharpen(m_samples);
+    keep(seed);
   }
 
-  /// How far in space two strokes that touch in the picture may lie on the same sheet, mm.
-  float reach(const ViewScale::Point& seen) const {
-    return 3.0f * m_request.spacing / std::max(seen.perMm, 1e-20f);
+  /// The width of a lattice there, λ.
+  float cell(int level, const ViewScale::Point& seen) const {
+    const float width = std::ldexp(m_surface.filigreeSize, -level) * seen.perMm;
+    return std::min(width, widestCell * m_request.spacing);
+  }
+
+  static StrokeSpacing::Place place(const ViewScale::Point& seen, const glm::vec3& position,
+                                    float distance) {
+    // Strokes that touch in the picture lie this near in space if they are on the same sheet.
+    return {.at = seen.at,
+            .position = position,
+            .distance = distance,
+            .reachMm = 3.0f * distance / std::max(seen.perMm, 1e-20f)};
   }
 
   glm::vec3 facingNormal(const glm::vec3& normal, const glm::vec3& position) const {
@@ -153,29 +165,55 @@ class Hatcher {
     return m_request.twoSided && behind ? -normal : normal;
   }
 
-  void addDot(const PlacedSeed& seed, float presence, std::vector<Sample>& samples) {
-    GradientWalk walk(m_surface, m_neighbours, m_fields, {seed.triangle, seed.barycentric});
-    // A disc of radius r in a square of the spacing's side covers πr² of it.
-    const float share =
-        hatchWidth(hatchOpacity(seed.weight, seed.angle, m_entered)) * m_request.tone;
-    const float radius = m_request.spacing * std::sqrt(share / 3.14159265f) * presence;
-    samples.push_back(sample(walk, definite(radius)));
+  /// Marks the stroke's place.
+  void claimPlace(StrokeSpacing& spacing) {
+    for (std::size_t i = 0; i < m_samples.size(); ++i) {
+      StrokeSpacing::Mark& mark = m_samples[i].mark;
+      const glm::vec2 along = m_samples[std::min(i + 1, m_samples.size() - 1)].mark.at -
+                              m_samples[i > 0 ? i - 1 : 0].mark.at;
+      const float length = glm::length(along);
+      mark.direction = length > 0.0f ? along / length : glm::vec2(0.0f);
+      if (mark.strength > 0.0f)
+        spacing.add(mark);
+    }
   }
 
-  Sample sample(const GradientWalk& walk, float halfWidth) const {
+  struct Presence {
+    float claim = 1.0f;  ///< of the place, 0 … 1
+    float share = 1.0f;  ///< of what is claimed that is drawn
+    int level = 0;       ///< of its seed
+  };
+
+  void addDot(const PlacedSeed& seed, const Presence& presence) {
+    const GradientWalk walk(m_surface, m_neighbours, m_fields, {seed.triangle, seed.barycentric});
+    // A disc of radius r in a square of the spacing's side covers πr² of it.
+    const auto radius = [&](float entered) {
+      const float ink = hatchWidth(hatchOpacity(seed.weight, seed.angle, entered));
+      return m_request.spacing * std::sqrt(ink * m_request.tone / 3.14159265f) * presence.claim;
+    };
+    m_samples.push_back(sample(walk, radius(1.0f), presence.share * radius(m_entered)));
+  }
+
+  /// Half widths: what it claims and what is drawn of it.
+  Sample sample(const GradientWalk& walk, float claimed, float drawn) const {
     const glm::vec3 position = walk.position();
-    const ViewScale::Point seen = m_scale.project(position);
-    return {.point = {position, facingNormal(walk.normal(), position), halfWidth},
-            .mark = {.at = seen.at, .position = position, .strength = halfWidth / pen}};
+    return {.point = {position, facingNormal(walk.normal(), position), definite(drawn)},
+            .mark = {.at = m_scale.project(position).at,
+                     .position = position,
+                     .strength = std::min(definite(claimed) / pen, 1.0f)}};
   }
 
   /// Appends the points from the seed onwards, the seed's own only when going along k.
-  void follow(const PlacedSeed& seed, bool along, float presence, const StrokeSpacing& spacing) {
+  void follow(const PlacedSeed& seed, bool along, const Presence& presence,
+              const StrokeSpacing& spacing) {
     GradientWalk walk(m_surface, m_neighbours, m_fields, {seed.triangle, seed.barycentric});
     if (!walk.start(along))
       return;
-    const float half = 0.5f * m_request.length;
-    int gap = 0;
+    // In cells of the seed's lattice, so that zooming in shortens no stroke on the surface.
+    const float cells = cell(presence.level, m_scale.project(seed.position)) / m_request.spacing;
+    const float half = 0.5f * m_request.length * cells;
+    const float longestGap = m_request.spacing * cells;
+    float gap = 0.0f;
     float gone = 0.0f;
     bool more = true;
     if (along)
@@ -187,25 +225,29 @@ class Hatcher {
       more = walk.advance(step / perMm);
       gone += step;
       const float taper = 1.0f - smooth(0.6f, 1.0f, gone / half);
-      m_samples.push_back(inked(walk, presence * taper, spacing));
-      gap = m_samples.back().point.halfWidth > 0.0f ? 0 : gap + 1;
+      m_samples.push_back(
+          inked(walk, {presence.claim * taper, presence.share, presence.level}, spacing));
+      gap = m_samples.back().mark.strength > 0.0f ? 0.0f : gap + step;
     }
   }
 
-  Sample inked(const GradientWalk& walk, float presence, const StrokeSpacing& spacing) const {
+  Sample inked(const GradientWalk& walk, const Presence& presence,
+               const StrokeSpacing& spacing) const {
+    const float weight = walk.weight();
+    const float angle = std::min(walk.angle(), 0.999f);
     const glm::vec3 position = walk.position();
     const ViewScale::Point seen = m_scale.project(position);
-    float halfWidth = 0.0f;
-    if (seen.perMm > 0.0f) {
-      const float opacity = hatchOpacity(walk.weight(), std::min(walk.angle(), 0.999f), m_entered);
-      const float room = opacity > 0.0f ? spacing.room(seen.at, position, reach(seen)) : 0.0f;
-      halfWidth = 0.5f * m_request.spacing * hatchWidth(opacity) * m_request.tone * room * presence;
-    }
-    return sample(walk, definite(halfWidth));
+    const float full = hatchOpacity(weight, angle, 1.0f);
+    if (!(seen.perMm > 0.0f) || !(full > 0.0f))
+      return sample(walk, 0.0f, 0.0f);
+    const float room = spacing.room(place(seen, position, cell(presence.level, seen)));
+    const float most = 0.5f * m_request.spacing * m_request.tone * room * presence.claim;
+    return sample(walk, most * hatchWidth(full),
+                  most * hatchWidth(hatchOpacity(weight, angle, m_entered)) * presence.share);
   }
 
-  /// Takes the stroke's samples over, without what has no width at its ends.
-  void keep(const PlacedSeed& seed, StrokeSpacing& spacing) {
+  /// Takes over what is drawn of the samples: without what has no width at the ends.
+  void keep(const PlacedSeed& seed) {
     const auto bare = [](const Sample& s) { return !(s.point.halfWidth > 0.0f); };
     auto first = std::find_if_not(m_samples.begin(), m_samples.end(), bare);
     auto last = std::find_if_not(m_samples.rbegin(), m_samples.rend(), bare).base();
@@ -215,21 +257,12 @@ class Hatcher {
       --first;
     if (last != m_samples.end())
       ++last;
-    const HatchStroke stroke{.seed = seed.name,
-                             .seedPosition = seed.position,
-                             .first = std::uint32_t(m_hatching.points.size()),
-                             .count = std::uint32_t(last - first)};
-    for (auto it = first; it != last; ++it) {
-      const glm::vec2 before = (it == first ? it : it - 1)->mark.at;
-      const glm::vec2 after = (it + 1 == last ? it : it + 1)->mark.at;
-      const float length = glm::length(after - before);
-      it->mark.direction = length > 0.0f ? (after - before) / length : glm::vec2(0.0f);
-      it->mark.strength = std::min(it->mark.strength, 1.0f);
-      if (it->mark.strength > 0.0f)
-        spacing.add(it->mark);
+    m_hatching.strokes.push_back({.seed = seed.name,
+                                  .seedPosition = seed.position,
+                                  .first = std::uint32_t(m_hatching.points.size()),
+                                  .count = std::uint32_t(last - first)});
+    for (auto it = first; it != last; ++it)
       m_hatching.points.push_back(it->point);
-    }
-    m_hatching.strokes.push_back(stroke);
   }
 
   const model::Surface& m_surface;

@@ -24,37 +24,36 @@ StrokeSpacing::StrokeSpacing(float distance, const glm::vec2& low, const glm::ve
   m_first.assign(std::size_t(m_columns) * std::size_t(m_rows), -1);
 }
 
-std::size_t StrokeSpacing::cell(const glm::vec2& at) const {
+StrokeSpacing::Cell StrokeSpacing::cell(const glm::vec2& at) const {
   const glm::vec2 c = glm::clamp((at - m_low) / m_distance, glm::vec2(0.0f),
                                  glm::vec2(float(m_columns - 1), float(m_rows - 1)));
-  return std::size_t(c.y) * std::size_t(m_columns) + std::size_t(c.x);
+  return {int(c.x), int(c.y)};
 }
 
 void StrokeSpacing::add(const Mark& mark) {
-  std::int32_t& first = m_first[cell(mark.at)];
+  std::int32_t& first = m_first[index(cell(mark.at))];
   m_marks.push_back({mark, first});
   first = std::int32_t(m_marks.size()) - 1;
 }
 
-float StrokeSpacing::room(const glm::vec2& at, const glm::vec3& position, float reachMm) const {
-  const std::size_t here = cell(at);
-  const int column = int(here % std::size_t(m_columns));
-  const int row = int(here / std::size_t(m_columns));
+float StrokeSpacing::room(const Place& place) const {
+  const Cell low = cell(place.at - place.distance);
+  const Cell high = cell(place.at + place.distance);
+  const float squared = clear * clear * place.distance * place.distance;
   float left = 1.0f;
-  for (int y = std::max(row - 1, 0); y <= std::min(row + 1, m_rows - 1); ++y)
-    for (int x = std::max(column - 1, 0); x <= std::min(column + 1, m_columns - 1); ++x)
-      for (std::int32_t i = m_first[std::size_t(y) * std::size_t(m_columns) + std::size_t(x)];
-           i >= 0; i = m_marks[std::size_t(i)].next) {
+  for (int y = low.row; y <= high.row; ++y)
+    for (int x = low.column; x <= high.column; ++x)
+      for (std::int32_t i = m_first[index({x, y})]; i >= 0; i = m_marks[std::size_t(i)].next) {
         const Mark& mark = m_marks[std::size_t(i)].mark;
-        const glm::vec2 d = at - mark.at;
+        const glm::vec2 d = place.at - mark.at;
         const float along = glm::dot(d, mark.direction);
         const float away2 = glm::dot(d, d) + (past * past - 1.0f) * along * along;
-        if (away2 >= clear * clear * m_distance * m_distance)
+        if (away2 >= squared)
           continue;
-        const glm::vec3 apart = position - mark.position;
-        if (glm::dot(apart, apart) > reachMm * reachMm)
+        const glm::vec3 apart = place.position - mark.position;
+        if (glm::dot(apart, apart) > place.reachMm * place.reachMm)
           continue;
-        const float away = std::sqrt(away2) / m_distance;
+        const float away = std::sqrt(away2) / place.distance;
         const float free = std::clamp((away - touching) / (clear - touching), 0.0f, 1.0f);
         left = std::min(left, 1.0f - mark.strength * (1.0f - free));
         if (left <= 0.0f)

@@ -20,15 +20,27 @@ class StrokeSpacing {
     float strength = 0.0f;      ///< 0 … 1: how much of a stroke is here
   };
 
-  /// `distance` λ between the middles of strokes; marks lie between `low` and `high`.
+  /// Marks lie between `low` and `high`; strokes are about `distance` λ apart.
   StrokeSpacing(float distance, const glm::vec2& low, const glm::vec2& high);
   void add(const Mark& mark);
-  /// What is left of a stroke here, 1 where none is near, 0 where one runs. Strokes farther than
-  /// `reachMm` in space are on another sheet of the surface.
-  float room(const glm::vec2& at, const glm::vec3& position, float reachMm) const;
+  struct Place {
+    glm::vec2 at{0.0f};
+    glm::vec3 position{0.0f};
+    float distance = 1.0f;  ///< λ wanted between the middles of strokes
+    float reachMm = 0.0f;   ///< strokes farther than this in space are on another sheet
+  };
+  /// What is left of a stroke there, 1 where none is near, 0 where one runs.
+  float room(const Place& place) const;
 
  private:
-  std::size_t cell(const glm::vec2& at) const;
+  struct Cell {
+    int column;
+    int row;
+  };
+  Cell cell(const glm::vec2& at) const;
+  std::size_t index(const Cell& c) const {
+    return std::size_t(c.row) * std::size_t(m_columns) + std::size_t(c.column);
+  }
 
   struct Listed {
     Mark mark;
