@@ -19,6 +19,7 @@ constexpr int coarsestLevel = -8;
 constexpr int finestLevel = 24;
 // A triangle larger than this many cells each way gets coarser seeds: it fills many pictures.
 constexpr float largestSpan = 512.0f;
+constexpr float cellShare = 0.7f;
 constexpr float faintest = 0.01f;
 
 /// Scatters the lattice's points; the same for a point and its mirror images.
@@ -70,10 +71,10 @@ class Seeder {
   }
 
  private:
-  /// The level, with its fraction, whose cells are as wide as strokes are apart; those of the whole
-  /// level below are up to twice as wide.
+  /// The level, with its fraction, whose cells are `cellShare` times as wide as strokes are apart;
+  /// those of the whole level below are up to twice as wide.
   float levelAt(float perMm) const {
-    return std::log2(m_surface.filigreeSize * perMm / m_request.spacing);
+    return std::log2(m_surface.filigreeSize * perMm / (cellShare * m_request.spacing));
   }
 
   glm::vec3 nearestPoint(const model::Sphere& bounds) const {

@@ -25,7 +25,7 @@ struct PlacedSeed {
 /// Seeds on the hatched clusters within the picture, the coarsest lattice first and then in an
 /// order that scatters them: the order in which strokes may take their place. The lattice's origin
 /// is the middle of the bounding sphere. The cells of the finest whole
-/// lattice are once to twice as wide as `spacing`.
+/// lattice are 0.7 to 1.4 times as wide as `spacing`.
 std::vector<PlacedSeed> hatchSeeds(const model::Surface& surface, const HatchFields& fields,
                                    const ViewScale& scale, const HatchingRequest& request);
 

@@ -20,14 +20,12 @@ constexpr float step = 2.0f;  // λ from point to point
 // Strokes shorter than this many λ each way are dots.
 constexpr float shortest = 2.0f * step;
 // A stroke narrower than this half width (λ) ends rather than become a grey hair.
-constexpr float hair = 0.27f;
-constexpr float pen = 0.5f;  // half width at and above which it is drawn as it is
+constexpr float hair = 0.3f;
+constexpr float pen = 0.42f;  // half width at and above which it is drawn as it is
 // A pen's point opens by no more than this half width per length.
 constexpr float opening = 0.14f;
-// Times the spacing: lattices with wider cells than that have next to no seeds in a picture.
-constexpr float widestCell = 16.0f;
-constexpr float faintest = 0.01f;
-constexpr float plain = 0.07f;  // opacity from which on a seed counts in full
+constexpr float faintest = 0.02f;
+constexpr float plain = 0.12f;  // opacity from which on a seed counts in full
 
 float smooth(float low, float high, float x) {
   return glm::smoothstep(low, high, x);
@@ -119,45 +117,34 @@ class Hatcher {
     StrokeSpacing::Mark mark;
   };
 
-  /// Strokes are laid out as for T_H = 1 and with all lattices whole, so that neither Γ nor zooming
-  /// moves them; `share` of that is drawn.
+  /// Strokes are laid out as for T_H = 1 and with all lattices whole, so that Γ does not rearrange
+  /// them; `share` of that is drawn.
   void addStroke(const PlacedSeed& seed, StrokeSpacing& spacing) {
     const float full = hatchOpacity(seed.weight, seed.angle, 1.0f);
     const ViewScale::Point seen = m_scale.project(seed.position);
-    // A stroke is there as far as its seed is: it grows from nothing all along. Seeds of one
-    // lattice keep a distance that belongs to that lattice, so that zooming in takes none away.
-    const float room = spacing.room(place(seen, seed.position, cell(seed.name.level, seen)));
-    const float claim = smooth(faintest, plain, full) * smooth(0.0f, 0.6f, room);
+    // A stroke is there as far as its seed is: it grows from nothing all along.
+    const float room = spacing.room(place(seen, seed.position));
+    const float claim = smooth(faintest, plain, full) * smooth(0.0f, 0.9f, room);
     if (claim < faintest)
       return;
     m_samples.clear();
     if (m_request.length < shortest) {
-      addDot(seed, {.claim = claim * room, .share = seed.presence, .level = seed.name.level});
+      addDot(seed, {.claim = claim * room, .share = seed.presence});
     } else {
-      follow(seed, false, {.claim = claim, .share = seed.presence, .level = seed.name.level},
-             spacing);
+      follow(seed, false, {.claim = claim, .share = seed.presence}, spacing);
       std::reverse(m_samples.begin(), m_samples.end());
-      follow(seed, true, {.claim = claim, .share = seed.presence, .level = seed.name.level},
-             spacing);
+      follow(seed, true, {.claim = claim, .share = seed.presence}, spacing);
     }
     claimPlace(spacing);
     sharpen(m_samples);
     keep(seed);
   }
 
-  /// The width of a lattice there, λ.
-  float cell(int level, const ViewScale::Point& seen) const {
-    const float width = std::ldexp(m_surface.filigreeSize, -level) * seen.perMm;
-    return std::min(width, widestCell * m_request.spacing);
-  }
-
-  static StrokeSpacing::Place place(const ViewScale::Point& seen, const glm::vec3& position,
-                                    float distance) {
+  StrokeSpacing::Place place(const ViewScale::Point& seen, const glm::vec3& position) const {
     // Strokes that touch in the picture lie this near in space if they are on the same sheet.
     return {.at = seen.at,
             .position = position,
-            .distance = distance,
-            .reachMm = 3.0f * distance / std::max(seen.perMm, 1e-20f)};
+            .reachMm = 3.0f * m_request.spacing / std::max(seen.perMm, 1e-20f)};
   }
 
   glm::vec3 facingNormal(const glm::vec3& normal, const glm::vec3& position) const {
@@ -181,7 +168,6 @@ class Hatcher {
   struct Presence {
     float claim = 1.0f;  ///< of the place, 0 … 1
     float share = 1.0f;  ///< of what is claimed that is drawn
-    int level = 0;       ///< of its seed
   };
 
   void addDot(const PlacedSeed& seed, const Presence& presence) {
@@ -209,10 +195,8 @@ class Hatcher {
     GradientWalk walk(m_surface, m_neighbours, m_fields, {seed.triangle, seed.barycentric});
     if (!walk.start(along))
       return;
-    // In cells of the seed's lattice, so that zooming in shortens no stroke on the surface.
-    const float cells = cell(presence.level, m_scale.project(seed.position)) / m_request.spacing;
-    const float half = 0.5f * m_request.length * cells;
-    const float longestGap = m_request.spacing * cells;
+    const float half = 0.5f * m_request.length;
+    const float longestGap = m_request.spacing;
     float gap = 0.0f;
     float gone = 0.0f;
     bool more = true;
@@ -225,8 +209,7 @@ class Hatcher {
       more = walk.advance(step / perMm);
       gone += step;
       const float taper = 1.0f - smooth(0.6f, 1.0f, gone / half);
-      m_samples.push_back(
-          inked(walk, {presence.claim * taper, presence.share, presence.level}, spacing));
+      m_samples.push_back(inked(walk, {presence.claim * taper, presence.share}, spacing));
       gap = m_samples.back().mark.strength > 0.0f ? 0.0f : gap + step;
     }
   }
@@ -240,7 +223,7 @@ class Hatcher {
     const float full = hatchOpacity(weight, angle, 1.0f);
     if (!(seen.perMm > 0.0f) || !(full > 0.0f))
       return sample(walk, 0.0f, 0.0f);
-    const float room = spacing.room(place(seen, position, cell(presence.level, seen)));
+    const float room = spacing.room(place(seen, position));
     const float most = 0.5f * m_request.spacing * m_request.tone * room * presence.claim;
     return sample(walk, most * hatchWidth(full),
                   most * hatchWidth(hatchOpacity(weight, angle, m_entered)) * presence.share);

@@ -47,10 +47,9 @@ struct Hatching {
 
 struct HatchingRequest {
   float entered = 1.0f;         ///< T_H, 0 … 1; the amount of ink grows with it evenly
-  float spacing = 6.5f;         ///< λ between the middles of neighbouring strokes, at least
+  float spacing = 7.5f;         ///< λ between the middles of neighbouring strokes
   float tone = 1.0f;            ///< times the strokes' width
-  float length = 140.0f;        ///< λ, the longest stroke where lattice and spacing are equal (it
-                                ///< grows with its lattice's cells); 0 makes dots (S fig. 10)
+  float length = 140.0f;        ///< λ, the longest stroke; 0 makes dots (stippling, S fig. 10)
   float aspect = 16.0f / 9.0f;  ///< of the picture: seeds outside of it are left out
   bool twoSided = false;        ///< see LineRequest
 };

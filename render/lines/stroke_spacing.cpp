@@ -9,8 +9,8 @@ namespace sline::render {
 
 namespace {
 // Shares of the distance: nearer than the first nothing is left, beyond the second all.
-constexpr float touching = 0.62f;
-constexpr float clear = 1.0f;
+constexpr float touching = 0.5f;
+constexpr float clear = 1.1f;
 // Along a stroke, past its end, others may come nearer than across it: so they join end to end.
 constexpr float past = 1.6f;
 constexpr int mostCells = 1 << 20;
@@ -37,9 +37,9 @@ void StrokeSpacing::add(const Mark& mark) {
 }
 
 float StrokeSpacing::room(const Place& place) const {
-  const Cell low = cell(place.at - place.distance);
-  const Cell high = cell(place.at + place.distance);
-  const float squared = clear * clear * place.distance * place.distance;
+  const Cell low = cell(place.at - clear * m_distance);
+  const Cell high = cell(place.at + clear * m_distance);
+  const float squared = clear * clear * m_distance * m_distance;
   float left = 1.0f;
   for (int y = low.row; y <= high.row; ++y)
     for (int x = low.column; x <= high.column; ++x)
@@ -53,7 +53,7 @@ float StrokeSpacing::room(const Place& place) const {
         const glm::vec3 apart = place.position - mark.position;
         if (glm::dot(apart, apart) > place.reachMm * place.reachMm)
           continue;
-        const float away = std::sqrt(away2) / place.distance;
+        const float away = std::sqrt(away2) / m_distance;
         const float free = std::clamp((away - touching) / (clear - touching), 0.0f, 1.0f);
         left = std::min(left, 1.0f - mark.strength * (1.0f - free));
         if (left <= 0.0f)

@@ -20,14 +20,13 @@ class StrokeSpacing {
     float strength = 0.0f;      ///< 0 … 1: how much of a stroke is here
   };
 
-  /// Marks lie between `low` and `high`; strokes are about `distance` λ apart.
+  /// `distance` λ between the middles of strokes; marks lie between `low` and `high`.
   StrokeSpacing(float distance, const glm::vec2& low, const glm::vec2& high);
   void add(const Mark& mark);
   struct Place {
     glm::vec2 at{0.0f};
     glm::vec3 position{0.0f};
-    float distance = 1.0f;  ///< λ wanted between the middles of strokes
-    float reachMm = 0.0f;   ///< strokes farther than this in space are on another sheet
+    float reachMm = 0.0f;  ///< strokes farther than this in space are on another sheet
   };
   /// What is left of a stroke there, 1 where none is near, 0 where one runs.
   float room(const Place& place) const;

@@ -47,6 +47,13 @@ Pen devicePen(float width, float opacity) {
   return width >= 1.0f ? Pen{width, opacity} : Pen{1.0f, opacity * std::max(width, 0.0f)};
 }
 
+/// Pixels over which the edge of hatching is softened. Its strokes are nearly all edge: in print,
+/// at two pixels to λ and more, they would turn grey (METHOD §6.8); on the screen they must not
+/// crawl.
+float hatchEdge(float outputUnit) {
+  return std::clamp(1.4f - 0.4f * outputUnit, 0.6f, 1.0f);
+}
+
 float pixelsPerMillimetre(const model::Surface& surface, const PictureView& view) {
   const float mm = view.millimetresPerPixel(surface.boundingSphere.centre);
   return mm > 0.0f ? 1.0f / mm : 0.0f;
@@ -125,7 +132,7 @@ class StrokeMaker {
       const HatchPoint& b = points[to];
       if (place(a.position, b.position, stroke)) {
         stroke.tolerance = surfaceTolerance(a, b);
-        stroke.contour = -1.0f;
+        stroke.contour = -hatchEdge(unit);
         finish(stroke, devicePen(2.0f * a.halfWidth * unit * width, opacity),
                devicePen(2.0f * b.halfWidth * unit * width, opacity));
       }
@@ -136,7 +143,7 @@ class StrokeMaker {
       const HatchPoint& at = points.front();
       if (place(at.position, at.position, dot)) {
         dot.tolerance = surfaceTolerance(at, at);
-        dot.contour = -1.0f;
+        dot.contour = -hatchEdge(unit);
         const Pen pen = devicePen(2.0f * at.halfWidth * unit * width, opacity);
         finish(dot, pen, pen);
       }

@@ -23,10 +23,6 @@ uniform vec3 key;          // towards the key light, x and y in the picture; 0: 
 
 out vec4 fragment;
 
-// Pixels over which the edge of hatching is softened: its strokes are nearly all edge, and would turn
-// grey (METHOD §6.8).
-const float hatchEdge = 0.6;
-
 float depthAt(vec2 pixel) {
   ivec2 texel = ivec2(floor(pixel)) + toAtlas;
   if (any(lessThan(texel, slot.xy)) || any(greaterThan(texel, slot.zw)))
@@ -91,7 +87,7 @@ void main() {
   } else if (!surfaceLineVisible(c, depth)) {
     discard;
   }
-  float edge = lineDepths.w < 0.0 ? hatchEdge : 1.0;
+  float edge = lineDepths.w < 0.0 ? -lineDepths.w : 1.0;
   float coverage = clamp((halfWidth - distance) / edge + 0.5, 0.0, 1.0) * opacity;
   if (coverage <= 0.002)
     discard;

@@ -23,8 +23,9 @@ struct InkSegment {
   float tolerance = 0.0f;  ///< mm that its own surface may lie before it
   float contour = 0.0f;    ///< 0: a line on the surface, its stroke is centred; else a contour, its
                            ///< stroke lies outside of the line, and 1 … 2: 1 + the share of it
-                           ///< that is left within the surface's own mask. −1: a stroke of
-                           ///< hatching, a line on the surface whose edge is definite
+                           ///< that is left within the surface's own mask. Negative: a stroke of
+                           ///< hatching, a line on the surface with a softer or harder edge: over
+                           ///< that many pixels
   glm::vec2 outwardA{0.0f};
   glm::vec2 outwardB{0.0f};
   float halfWidthA = 1.0f;  ///< px, at least 0.5
