@@ -49,17 +49,14 @@ void sharpen(Samples& samples) {
     limit(samples[i], samples[i - 1]);
 }
 
-float seedPresence(const PlacedSeed& seed, float opacity) {
-  return seed.presence * smooth(faintest, plain, opacity);
-}
-
 /// How much ink its seed alone would give: its stroke's width, times the area in the picture that
 /// the seed stands for.
 float seedInk(const PlacedSeed& seed, float entered, const HatchingRequest& request) {
+  const float claim = smooth(faintest, plain, hatchOpacity(seed.weight, seed.angle, 1.0f));
   const float opacity = hatchOpacity(seed.weight, seed.angle, entered);
   const float nv = std::cos(1.5707963f * std::min(seed.angle, 1.0f));
-  return nv * definite(0.5f * request.spacing * hatchWidth(opacity) * request.tone *
-                       seedPresence(seed, opacity));
+  return nv * definite(0.5f * request.spacing * hatchWidth(opacity) * request.tone * seed.presence *
+                       claim);
 }
 
 /// θ_c is re-timed (METHOD §7 ▲) so that the amount of ink grows evenly with T_H: the value of
