@@ -112,8 +112,7 @@ void LayoutTest::stagesOfGamma_data() {
   QTest::newRow("0") << 0.0f << QList<float>{0.0f, 0.0f, 0.0f, 0.0f, 1.0f};
   QTest::newRow("0.5") << 0.5f << QList<float>{0.5f, 0.0f, 0.0f, 0.0f, 1.0f};
   QTest::newRow("1.25") << 1.25f << QList<float>{1.0f, 0.25f, 0.0f, 0.0f, 1.0f};
-  QTest::newRow("3.5") << 3.5f
-                       << QList<float>{1.0f, 1.0f, std::pow(0.5f, 0.45f), 0.0f, 1.0f};
+  QTest::newRow("3.5") << 3.5f << QList<float>{1.0f, 1.0f, std::pow(0.5f, 0.45f), 0.0f, 1.0f};
   QTest::newRow("4") << 4.0f << QList<float>{1.0f, 1.0f, 1.0f, 0.0f, 1.0f};
   QTest::newRow("4.75") << 4.75f << QList<float>{1.0f, 1.0f, 1.0f, 0.75f, 0.25f};
   QTest::newRow("5") << 5.0f << QList<float>{1.0f, 1.0f, 1.0f, 1.0f, 0.0f};
