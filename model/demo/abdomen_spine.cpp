@@ -214,6 +214,7 @@ DemoStructure psoas(const char* name, float side) {
 
 std::vector<DemoStructure> abdomenBones() {
   std::vector<DemoStructure> bones;
+  bones.reserve(2 * levels.size() + 1);  // between two vertebrae a disc, and two ribs
   for (const Level& level : levels)
     bones.push_back(vertebra(level));
   for (std::size_t i = 0; i + 1 < levels.size(); ++i)

@@ -107,6 +107,7 @@ MeshPtr largestComponent(const MeshPtr& mesh) {
 
 [[maybe_unused]] bool namesAreUnique(const std::vector<DemoStructure>& structures) {
   std::vector<std::string> names;
+  names.reserve(structures.size());
   for (const DemoStructure& s : structures)
     names.push_back(s.name);
   std::sort(names.begin(), names.end());

@@ -34,7 +34,7 @@ Lamina::Lamina(std::span<const LaminaPoint> points, std::size_t columns)
     : m_rows(int(points.size() / columns)), m_columns(int(columns)) {
   assert(points.size() == std::size_t(m_rows) * columns && m_rows > 1 && m_columns > 1);
   const auto given = [&](int row, int column) {
-    const LaminaPoint& p = points[std::size_t(row * m_columns + column)];
+    const LaminaPoint& p = points[std::size_t(row) * columns + std::size_t(column)];
     return glm::vec4(p.position, p.halfThickness);
   };
   // Beyond the rims the sheet continues straight on.
@@ -52,7 +52,8 @@ Lamina::Lamina(std::span<const LaminaPoint> points, std::size_t columns)
 }
 
 glm::vec4 Lamina::control(int row, int column) const {
-  return m_controls[std::size_t((row + 1) * (m_columns + 2) + column + 1)];
+  const std::size_t width = std::size_t(m_columns) + 2;
+  return m_controls[std::size_t(row + 1) * width + std::size_t(column + 1)];
 }
 
 Lamina::Place Lamina::at(float u, float v) const {
