@@ -36,7 +36,7 @@ Json flickerJson(const render::Flicker& flicker) {
           {"over_hatching", jsonNumber(float(flicker.overHatching))},
           {"hatched_share", jsonNumber(float(flicker.hatchedShare))},
           {"mid_tones", jsonNumber(float(flicker.midTones))},
-          {"mid_tones_doubled", jsonNumber(float(flicker.midTonesDoubled))}};
+          {"mid_tones_in_print", jsonNumber(float(flicker.midTonesInPrint))}};
 }
 
 Json steadinessJson(const MeasuredSteadiness& measured) {
@@ -52,11 +52,11 @@ Json steadinessJson(const MeasuredSteadiness& measured) {
 void printFlicker(const char* name, const render::Flicker& flicker) {
   std::printf("  %-11s %8.4f %9.4f %8.1f %%  %7.1f %% %7.1f %%\n", name, flicker.overSurface,
               flicker.overHatching, 100.0 * flicker.hatchedShare, 100.0 * flicker.midTones,
-              100.0 * flicker.midTonesDoubled);
+              100.0 * flicker.midTonesInPrint);
 }
 
 void printSteadiness(const MeasuredSteadiness& measured) {
-  std::printf("%s\n  %-11s  surface  hatching  hatched  mid-tones  doubled\n",
+  std::printf("%s\n  %-11s  surface  hatching  hatched  mid-tones in print\n",
               measured.name.c_str(), "change of");
   printFlicker("strokes", measured.steadiness.strokes);
   printFlicker("as printed", measured.steadiness.asPrinted);
@@ -152,9 +152,11 @@ void declareSteadiness(CLI::App& command, SteadinessFlags& flags) {
       "moves each picture onto the next by depth and camera: what differs then, on average over "
       "the\n"
       "surface that both see, has not stayed on the surface. Strokes may change half as much as\n"
-      "hatching as the paper prints it; of their pixels at most 25 % may be mid-tones (ink "
-      "between\n"
-      "0.2 and 0.8), at this size and at twice it.");
+      "hatching as the paper prints it, at the size given. Of the pixels with ink in print, a\n"
+      "picture of the same sides 2160 pixels high (183 mm at 300 dpi), at most 25 % may be\n"
+      "mid-tones, ink between 0.2 and 0.8: strokes have a definite edge. At the size given the\n"
+      "share is told, but nothing is asked of it: on a screen thin strokes are nearly all edge,\n"
+      "and an edge that is not softened crawls.");
 }
 
 }  // namespace

@@ -147,7 +147,7 @@ void MeasuresTest::steadinessJsonHasItsShape() {
                                           "ratio_over_hatching", "strokes"}));
   for (const char* way : {"strokes", "as_printed"}) {
     const QJsonObject flicker = structure[way].toObject();
-    QCOMPARE(flicker.keys(), QStringList({"hatched_share", "mid_tones", "mid_tones_doubled",
+    QCOMPARE(flicker.keys(), QStringList({"hatched_share", "mid_tones", "mid_tones_in_print",
                                           "over_hatching", "over_surface"}));
     QVERIFY(flicker["over_surface"].toDouble() >= 0.0);
     QVERIFY(flicker["over_hatching"].toDouble() >= flicker["over_surface"].toDouble());
