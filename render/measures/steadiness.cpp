@@ -76,6 +76,7 @@ struct Fine {
 struct Sums {
   double change = 0.0;
   double hatchedChange = 0.0;
+  double ink = 0.0;
   std::size_t pixels = 0;
   std::size_t hatched = 0;
 
@@ -85,6 +86,7 @@ struct Sums {
       const float is = now.pixel(w.pixel);
       const double difference = std::abs(is - then);
       change += difference;
+      ink += 0.5 * (is + then);
       if (is > leastInk || then > leastInk) {
         hatchedChange += difference;
         ++hatched;
@@ -117,6 +119,7 @@ Result<Flicker> flickerOf(const Turntable& table, const Turn& turn, const Hatchi
     *share = midToneShare(*drawn);
   }
   flicker.overSurface = sums.change / double(sums.pixels);
+  flicker.ink = sums.ink / double(sums.pixels);
   flicker.overHatching = sums.hatched > 0 ? sums.hatchedChange / double(sums.hatched) : 0.0;
   flicker.hatchedShare = double(sums.hatched) / double(sums.pixels);
   return flicker;
@@ -185,6 +188,12 @@ std::optional<double> Steadiness::ratio() const {
 
 std::optional<double> Steadiness::hatchedRatio() const {
   return strokes.anyHatching() ? share(strokes.overHatching, asPrinted.overHatching) : std::nullopt;
+}
+
+std::optional<double> Steadiness::inkRatio() const {
+  const std::optional<double> most = share(asPrinted.overSurface, asPrinted.ink);
+  const std::optional<double> least = share(strokes.overSurface, strokes.ink);
+  return most && least ? share(*least, *most) : std::nullopt;
 }
 
 std::vector<std::string> faults(const Steadiness& steadiness) {

@@ -75,6 +75,7 @@ struct Flicker {
   double overSurface = 0.0;
   double overHatching = 0.0;
   double hatchedShare = 0.0;  ///< of the surface seen in both
+  double ink = 0.0;           ///< mean over it and over both pictures
   /// Share of mid-tones among hatched pixels of the first picture, and of the same in print.
   double midTones = 0.0;
   double midTonesInPrint = 0.0;
@@ -100,6 +101,8 @@ struct Steadiness {
   std::optional<double> ratio() const;
   /// The same over hatched pixels.
   std::optional<double> hatchedRatio() const;
+  /// The same for as much ink: who draws less changes less, and the first ratio does not tell.
+  std::optional<double> inkRatio() const;
 };
 
 /// Which rules are broken, a sentence each.

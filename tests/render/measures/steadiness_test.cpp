@@ -210,6 +210,7 @@ void SteadinessTest::onlyWhatBothSeeCounts() {
   QVERIFY2(flicker.overSurface >= 0.0 && flicker.overSurface < 1e-6,
            qPrintable(QString::number(flicker.overSurface)));
   QVERIFY(flicker.hatchedShare > 0.3 && flicker.hatchedShare < 0.7);
+  QVERIFY(flicker.ink > 0.0 && flicker.ink <= flicker.hatchedShare + 1e-6);
 }
 
 void SteadinessTest::turnedCamera() {
@@ -325,15 +326,18 @@ void SteadinessTest::rules() {
       .strokes = {.overSurface = strokes,
                   .overHatching = 2.0 * strokes,
                   .hatchedShare = 0.5,
+                  .ink = 0.02,
                   .midTones = middle,
                   .midTonesInPrint = middleInPrint},
-      .asPrinted = {.overSurface = printed, .overHatching = printed, .hatchedShare = 0.5}};
+      .asPrinted = {
+          .overSurface = printed, .overHatching = printed, .hatchedShare = 0.5, .ink = 0.08}};
   QStringList found;
   for (const std::string& fault : render::faults(steadiness))
     found.append(QString::fromStdString(fault));
   QCOMPARE(found, faults);
   QCOMPARE(*steadiness.ratio(), strokes / printed);
   QCOMPARE(*steadiness.hatchedRatio(), 2.0 * strokes / printed);
+  QCOMPARE(*steadiness.inkRatio(), 4.0 * strokes / printed);
 }
 
 void SteadinessTest::printSize_data() {
