@@ -197,8 +197,9 @@ void OrgansTest::strokesHaveDefiniteEdges_data() {
   organRows({{"liver", ""},
              {"right kidney", ""},
              {"spleen", ""},
-             {"sacrum", "25.3 %: many of its strokes are short, and taper at both ends"},
-             {"right hip bone", "35 %: its few strokes are hairs, nearly all edge in print too"},
+             {"sacrum", "25.3 %: its strokes are short, and much of each is a tapering end"},
+             {"right hip bone",
+              "35 %: only a handful of its strokes can be seen, nearly all edge in print too"},
              {"left ventricle", ""}});
 }
 
