@@ -171,13 +171,14 @@ const render::Steadiness* OrgansTest::steadinessOf(const QString& name) {
 }
 
 void OrgansTest::strokesStayOnTheSurface_data() {
-  organRows(
-      {{"liver", ""},
-       {"right kidney", "0.56: hatching as printed is faint here and changes little itself"},
-       {"spleen", ""},
-       {"sacrum", ""},
-       {"right hip bone", ""},
-       {"left ventricle", "0.62: hatching as printed is faint here and changes little itself"}});
+  organRows({{"liver", ""},
+             {"right kidney",
+              "0.56: with 37 % of the ink of hatching as printed, more than on most organs"},
+             {"spleen", ""},
+             {"sacrum", ""},
+             {"right hip bone", ""},
+             {"left ventricle",
+              "0.62: with 62 % of the ink of hatching as printed, more than on any other"}});
 }
 
 void OrgansTest::strokesStayOnTheSurface() {
