@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline lines`: the line segments of a mesh for one camera, as JSON.
+// `sline lines`: the line segments and strokes of a mesh for one camera, as JSON.
 #include "render/lines/lines.h"
 
 #include <algorithm>
@@ -11,10 +11,14 @@
 #include "app/cli/section_options.h"
 #include "app/cli/text_file.h"
 #include "app/cli/values.h"
+#include "model/geometry/face_neighbours.h"
 #include "model/geometry/spatial_order.h"
 #include "render/lines/clipping.h"
 #include "render/lines/cut_faces.h"
+#include "render/lines/view_scale.h"
 #include "render/lines/visibility.h"
+#include "render/picture/layer_lines.h"
+#include "render/picture/transitions.h"
 
 namespace sline::cli {
 
@@ -25,16 +29,18 @@ struct LinesFlags {
   std::string camera;
   std::string size;
   std::string output;
-  std::string gamma = "2";
+  std::string gamma;  ///< empty: where all of the kinds have entered
   std::vector<std::string> kinds{"contour", "suggestive"};
   SectionFlags sections;
 };
 
-constexpr std::array<const char*, 4> kindNames{"contour", "suggestive", "silhouette", "section"};
+constexpr std::array<const char*, 5> kindNames{"contour", "suggestive", "silhouette", "section",
+                                               "hatching"};
 
 struct LinesOrder {
   model::ImportOptions import;
   model::Camera camera;
+  Size size;
   Gamma gamma;
   std::vector<std::string> kinds;
   SectionsOrder sections;
@@ -53,9 +59,13 @@ Result<LinesOrder> understoodLines(const LinesFlags& flags) {
   if (!options.ok())
     return options.error();
   order.import = *options;
-  if (const Result<Size> size = parseSize(flags.size); !size.ok())
+  const Result<Size> size = parseSize(flags.size);
+  if (!size.ok())
     return size.error();
-  const Result<Gamma> gamma = parseGamma(flags.gamma);
+  order.size = *size;
+  order.kinds = flags.kinds;
+  const std::string allEntered = order.wants("hatching") ? "3" : "2";
+  const Result<Gamma> gamma = parseGamma(flags.gamma.empty() ? allEntered : flags.gamma);
   if (!gamma.ok())
     return gamma.error();
   order.gamma = *gamma;
@@ -63,7 +73,6 @@ Result<LinesOrder> understoodLines(const LinesFlags& flags) {
   if (!camera.ok())
     return camera.error();
   order.camera = *camera;
-  order.kinds = flags.kinds;
   const Result<SectionsOrder> sections = understood(flags.sections);
   if (!sections.ok())
     return sections.error();
@@ -71,12 +80,17 @@ Result<LinesOrder> understoodLines(const LinesFlags& flags) {
   return order;
 }
 
-/// Collects the segments of all structures, kind by kind.
+Json jsonSeed(const render::HatchSeed& seed) {
+  return {{"axis", seed.axis}, {"level", seed.level}, {"i", seed.i}, {"j", seed.j}};
+}
+
+/// Collects the segments and strokes of all structures, kind by kind.
 class LinesDocument {
  public:
   explicit LinesDocument(const LinesOrder& order) : m_order(order) {
     for (const std::string& kind : order.kinds)
-      m_kinds[kind] = {{"segments", Json::array()}, {"thresholds", Json::object()}};
+      m_kinds[kind] = {{kind == "hatching" ? "strokes" : "segments", Json::array()},
+                       {"thresholds", Json::object()}};
   }
 
   void add(const model::MeshPtr& mesh, std::span<const model::Plane> planes) {
@@ -98,6 +112,8 @@ class LinesDocument {
     const auto visible = [&](const std::vector<render::Segment>& segments) {
       return render::visibleSegments(*surface, bvh, m_order.camera, segments, faces);
     };
+    if (m_order.wants("hatching"))
+      addHatching(*surface, bvh, planes, faces);
     if (m_order.wants("contour"))
       append("contour", lines.contours, visible(lines.contours));
     if (m_order.wants("suggestive"))
@@ -128,12 +144,50 @@ class LinesDocument {
         used["t_d"] = jsonNumber(thresholds.minimumDerivative);
         used["theta_c"] = jsonNumber(thresholds.minimumAngle);
       }
+      if (name == "hatching")
+        used["t_h"] = jsonNumber(render::transitions(m_order.gamma).hatching);
       used["feature_size_mm"] = featureSize;
     }
     return jsonText(Json{{"kinds", m_kinds}}) + "\n";
   }
 
  private:
+  void addHatching(const model::Surface& surface, const model::Bvh& bvh,
+                   std::span<const model::Plane> planes,
+                   const std::vector<render::CutFace>& faces) {
+    const render::PictureView view(m_order.camera, surface.mesh->bounds(), m_order.size.width,
+                                   m_order.size.height);
+    render::Hatching hatching = render::styledHatching(
+        surface, model::FaceNeighbours(*surface.mesh), view, {.gamma = m_order.gamma});
+    render::clip(hatching, planes);
+    const std::vector<bool> visible =
+        render::visiblePoints(surface, bvh, m_order.camera, hatching, faces);
+    for (const render::HatchStroke& stroke : hatching.strokes)
+      append(stroke, hatching.points, visible);
+  }
+
+  void append(const render::HatchStroke& stroke, const std::vector<render::HatchPoint>& points,
+              const std::vector<bool>& visible) {
+    const render::ViewScale scale(m_order.camera);
+    Json positions = Json::array();
+    Json millimetres = Json::array();
+    Json units = Json::array();
+    Json seen = Json::array();
+    for (std::size_t i = stroke.first; i < stroke.first + stroke.count; ++i) {
+      const render::HatchPoint& point = points[i];
+      const float perMm = scale.project(point.position).perMm;
+      positions.push_back(jsonPoint(point.position));
+      millimetres.push_back(jsonNumber(perMm > 0.0f ? point.halfWidth / perMm : 0.0f));
+      units.push_back(jsonNumber(point.halfWidth));
+      seen.push_back(bool(visible[i]));
+    }
+    m_kinds["hatching"]["strokes"].push_back({{"seed", jsonSeed(stroke.seed)},
+                                              {"points", std::move(positions)},
+                                              {"half_widths_mm", std::move(millimetres)},
+                                              {"half_widths", std::move(units)},
+                                              {"visible", std::move(seen)}});
+  }
+
   void append(const char* kind, const std::vector<render::Segment>& segments,
               const std::vector<bool>& visible) {
     Json& list = m_kinds[kind]["segments"];
@@ -177,7 +231,8 @@ void declareLines(CLI::App& command, LinesFlags& flags) {
       ->type_name("FILE.json");
   command
       .add_option("--size", flags.size,
-                  "The picture's width and height in pixels; segments outside of it are kept")
+                  "The picture's width and height in pixels: hatching far outside of it is "
+                  "left out, other lines are not")
       ->required()
       ->type_name("WxH");
   command.add_option("-o,--output", flags.output, "Where to write the JSON")
@@ -185,12 +240,15 @@ void declareLines(CLI::App& command, LinesFlags& flags) {
       ->type_name("FILE.json");
   command.add_option("--kinds", flags.kinds, "Which lines")
       ->delimiter(',')
-      ->check(CLI::IsMember({kindNames[0], kindNames[1], kindNames[2], kindNames[3]}))
-      ->type_name("contour,suggestive,silhouette,section")
+      ->check(CLI::IsMember({kindNames[0], kindNames[1], kindNames[2], kindNames[3], kindNames[4]}))
+      ->type_name("contour,suggestive,silhouette,section,hatching")
       ->default_str("contour,suggestive");
-  command.add_option("--gamma", flags.gamma, "Sets the thresholds of suggestive contours, above 1")
+  command
+      .add_option("--gamma", flags.gamma,
+                  "Sets the thresholds of suggestive contours, above 1, and how much hatching has "
+                  "entered, above 2")
       ->type_name("G")
-      ->capture_default_str();
+      ->default_str("2; with hatching 3");
   addSectionOptions(command, flags.sections);
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
@@ -203,13 +261,20 @@ void declareLines(CLI::App& command, LinesFlags& flags) {
       "which suggestive contours were kept, and F, the radius of the bounding sphere, that makes\n"
       "them dimensionless (a list where the file holds several structures). Lines end at the\n"
       "planes of --section; kind `section` is the line of the cut. With `--frame file`\n"
-      "the camera is in the file's coordinates too.");
+      "the camera is in the file's coordinates too.\n\n"
+      "Kind `hatching` is {\"strokes\":[{\"seed\":{\"axis\":1,\"level\":4,\"i\":3,\"j\":-2},\n"
+      "\"points\":[[x,y,z], …],\"half_widths_mm\":[…],\"half_widths\":[…],\"visible\":[…]}, …],\n"
+      "\"thresholds\":{…}}: curves over the surface, with an entry per point in each list. A seed\n"
+      "names a point of the structure's own lattice, so that a stroke can be found again from\n"
+      "another camera; parts of one that is interrupted share its name. Half widths lie\n"
+      "across the view, in mm at the point's depth and in output units of 1/720 of the picture's\n"
+      "height; `visible` is told for each point. t_h is the share of hatching that has entered.");
 }
 
 }  // namespace
 
 void addLines(CLI::App& program, Exit& exit) {
-  addCommand<LinesFlags>(program, exit, {"lines", "Write the line segments of a mesh as JSON"},
+  addCommand<LinesFlags>(program, exit, {"lines", "Write the lines and hatching of a mesh as JSON"},
                          declareLines, runLines);
 }
 

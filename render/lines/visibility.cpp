@@ -91,6 +91,18 @@ std::vector<bool> tested(const model::Surface& surface, const std::vector<Segmen
   });
   return {results.begin(), results.end()};
 }
+
+/// True where nothing is between the eye and the surface at p with unit normal n.
+bool seen(const Obstacles& obstacles, const model::EyePoint& eye, const glm::vec3& p,
+          const glm::vec3& n, float edge) {
+  const glm::vec3 origin = p + liftInEdges * edge * n;
+  const float distance =
+      eye.atInfinity ? std::numeric_limits<float>::infinity() : glm::distance(eye.value, origin);
+  return !obstacles.block({.origin = origin,
+                           .direction = directionTo(eye, origin),
+                           .nearest = overlookedInEdges * edge,
+                           .farthest = distance});
+}
 }  // namespace
 
 std::vector<bool> visibleSegments(const model::Surface& surface, const model::Bvh& bvh,
@@ -99,15 +111,21 @@ std::vector<bool> visibleSegments(const model::Surface& surface, const model::Bv
   const model::EyePoint eye = eyeOf(camera);
   const Obstacles obstacles(bvh, faces);
   return tested(surface, segments, [&](const glm::vec3& p, const glm::vec3& n, float edge) {
-    const glm::vec3 origin = p + liftInEdges * edge * n;
-    const glm::vec3 direction = directionTo(eye, origin);
-    const float distance =
-        eye.atInfinity ? std::numeric_limits<float>::infinity() : glm::distance(eye.value, origin);
-    return !obstacles.block({.origin = origin,
-                             .direction = direction,
-                             .nearest = overlookedInEdges * edge,
-                             .farthest = distance});
+    return seen(obstacles, eye, p, n, edge);
   });
+}
+
+std::vector<bool> visiblePoints(const model::Surface& surface, const model::Bvh& bvh,
+                                const model::Camera& camera, const Hatching& hatching,
+                                std::span<const CutFace> faces) {
+  const model::EyePoint eye = eyeOf(camera);
+  const Obstacles obstacles(bvh, faces);
+  std::vector<char> results(hatching.points.size());
+  parallelFor(hatching.points.size(), 64, [&](std::size_t i) {
+    const HatchPoint& point = hatching.points[i];
+    results[i] = seen(obstacles, eye, point.position, point.normal, surface.meanEdge);
+  });
+  return {results.begin(), results.end()};
 }
 
 std::vector<bool> silhouetteSegments(const model::Surface& surface, const model::Bvh& bvh,

@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Does hatching stay on the surface while the camera turns (METHOD §6.10), and has a stroke a
 // definite edge (§6.8)?
+//
+// The second is asked of print. An edge is as soft as a pixel, whatever lies in it is a mid-tone,
+// and on a screen a stroke one or two pixels wide is nearly all edge: no method of hatching that
+// takes part in anti-aliasing could keep METHOD's limit there, and one that does without it crawls.
+// What §6.8 forbids, strokes that smear to grey, does not go away with size; the edge does. So the
+// share of mid-tones is told at the picture's own size, and its limit holds at the size of a plate.
 #pragma once
 
 #include <functional>
@@ -18,8 +24,10 @@ namespace sline::render {
 
 /// Strokes may change at most this share of what hatching as printed changes.
 inline constexpr double flickerLimit = 0.5;
-/// Of the pixels with ink at most this share may be neither light nor dark.
+/// Of the pixels with ink in print at most this share may be neither light nor dark.
 inline constexpr double midToneLimit = 0.25;
+/// Rows of a plate in print: 183 mm, the width of a journal's page, at 300 dots to an inch.
+inline constexpr int printHeight = 2160;
 /// A pixel is hatched where its ink is more than this.
 inline constexpr float leastInk = 0.02f;
 /// Ink between these is a mid-tone.
@@ -31,6 +39,12 @@ inline constexpr float turnStep = 0.5f;
 /// Hatching alone, black on white, from that camera at that size: a larger picture is the same
 /// drawing, finer.
 using HatchingPicture = std::function<Result<Image>(const model::Camera&, int width, int height)>;
+
+struct PictureSize {
+  int width = 0;
+  int height = 0;
+  bool operator==(const PictureSize&) const = default;
+};
 
 /// What is turned before which camera.
 struct Turntable {
@@ -44,7 +58,12 @@ struct Turntable {
   /// lies: strokes a pixel wide that move across themselves with the surface seem to change by 0.17
   /// of what they could. At 3 it is 0.06; but what a method owes to pixels, a larger picture lacks.
   int oversampling = 1;
+  int printHeight = render::printHeight;  ///< at which the edges of strokes are looked at
 };
+
+/// The size of the same picture in print: less than `printHeight` high where it would be wider than
+/// 20 000.
+PictureSize printSize(const Turntable& turntable);
 
 /// The camera turned about the picture's vertical through the point, to the right of what it sees.
 model::Camera turned(const model::Camera& camera, const glm::vec3& middle, float degrees);
@@ -56,9 +75,10 @@ struct Flicker {
   double overSurface = 0.0;
   double overHatching = 0.0;
   double hatchedShare = 0.0;  ///< of the surface seen in both
-  /// Share of mid-tones among hatched pixels of the first picture, and of one of twice its size.
+  double ink = 0.0;           ///< mean over it and over both pictures
+  /// Share of mid-tones among hatched pixels of the first picture, and of the same in print.
   double midTones = 0.0;
-  double midTonesDoubled = 0.0;
+  double midTonesInPrint = 0.0;
 
   bool anyHatching() const { return hatchedShare > 0.0; }
 };
@@ -81,6 +101,8 @@ struct Steadiness {
   std::optional<double> ratio() const;
   /// The same over hatched pixels.
   std::optional<double> hatchedRatio() const;
+  /// The same for as much ink: who draws less changes less, and the first ratio does not tell.
+  std::optional<double> inkRatio() const;
 };
 
 /// Which rules are broken, a sentence each.

@@ -4,6 +4,7 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
+#include <array>
 #include <cmath>
 
 #include "tests/cli/sline_process.h"
@@ -15,6 +16,26 @@ namespace {
 double distance(const QJsonValue& a, const QJsonValue& b) {
   return std::hypot(a[0].toDouble() - b[0].toDouble(), a[1].toDouble() - b[1].toDouble(),
                     a[2].toDouble() - b[2].toDouble());
+}
+
+/// Area of ink on the surface and its middle along x, mm.
+struct Inked {
+  double area = 0.0;
+  double x = 0.0;
+};
+Inked inked(const QJsonArray& strokes) {
+  Inked sum;
+  for (const QJsonValue& stroke : strokes)
+    for (int i = 0; i + 1 < stroke["points"].toArray().size(); ++i) {
+      const QJsonValue a = stroke["points"][i];
+      const QJsonValue b = stroke["points"][i + 1];
+      const double area = distance(a, b) * (stroke["half_widths_mm"][i].toDouble() +
+                                            stroke["half_widths_mm"][i + 1].toDouble());
+      sum.area += area;
+      sum.x += area * 0.5 * (a[0].toDouble() + b[0].toDouble());
+    }
+  sum.x /= sum.area;
+  return sum;
 }
 
 }  // namespace
@@ -31,8 +52,17 @@ class LinesCommandTest : public QObject {
   void hiddenLinesAreMarked();
   void sectionIsACircle();
   void frameFileKeepsCoordinates();
+  void hatchingHasItsShape();
+  void hatchingEntersWithGamma();
+  void roundBodiesHaveNoHatching();
+  void hatchingIsHiddenPointByPoint();
+  void hatchingEndsAtSections();
+  void mirroredHatchingIsMirrored();
+  void hatchingEndsWithThePicture();
 
  private:
+  QJsonArray strokes(const QString& mesh, const QStringList& flags = {},
+                     const QString& camera = "above.json");
   QJsonValue lines(const QString& mesh, const QStringList& flags = {},
                    const QString& camera = "front.json");
   QTemporaryDir m_folder;
@@ -42,10 +72,9 @@ QJsonValue LinesCommandTest::lines(const QString& mesh, const QStringList& flags
                                    const QString& camera) {
   const QString file = m_folder.filePath("lines.json");
   QFile::remove(file);
-  const Finished finished =
-      runSline(QStringList{"lines", mesh, "--camera", m_folder.filePath(camera), "--size",
-                           "640x480", "-o", file} +
-               flags);
+  const Finished finished = runSline(
+      QStringList{"lines", mesh, "--camera", m_folder.filePath(camera), "-o", file} +
+      (flags.contains("--size") ? QStringList{} : QStringList{"--size", "640x480"}) + flags);
   if (finished.code != 0 || !finished.out.isEmpty() || !finished.err.isEmpty())
     qWarning("%s", finished.err.constData());
   QFile text(file);
@@ -53,7 +82,23 @@ QJsonValue LinesCommandTest::lines(const QString& mesh, const QStringList& flags
                                         : QJsonObject();
 }
 
+QJsonArray LinesCommandTest::strokes(const QString& mesh, const QStringList& flags,
+                                     const QString& camera) {
+  return lines(m_folder.filePath(mesh), QStringList{"--kinds", "hatching"} + flags,
+               camera)["kinds"]["hatching"]["strokes"]
+      .toArray();
+}
+
 void LinesCommandTest::initTestCase() {
+  writeFile(m_folder.filePath("above.json"),
+            R"({"eye":[0,-150,300],"target":[0,0,10],"up":[0,0,1],"fovy_deg":20})");
+  writeFile(m_folder.filePath("low.json"),
+            R"({"eye":[0,-330,70],"target":[0,0,10],"up":[0,0,1],"fovy_deg":20})");
+  writeObj(m_folder.filePath("bowl.obj"), *paraboloid(0.05f, 0.05f, 30.0f, 60));
+  const model::MeshPtr aside =
+      moved(*paraboloid(0.08f, 0.04f, 20.0f, 60), 1.0f, {22.0f, 0.0f, 0.0f});
+  writeObj(m_folder.filePath("aside.obj"), *aside);
+  writeObj(m_folder.filePath("mirrored.obj"), *mirrored(*aside));
   writeFile(m_folder.filePath("front.json"), frontCamera());
   writeFile(m_folder.filePath("slanted.json"),
             R"({"eye":[0,-300,250],"target":[0,0,0],"up":[0,0,1],"fovy_deg":30})");
@@ -106,8 +151,8 @@ void LinesCommandTest::kindsAreChosen_data() {
   QTest::addColumn<QStringList>("found");
   QTest::newRow("one") << "suggestive" << QStringList{"suggestive"};
   QTest::newRow("two") << "silhouette,contour" << QStringList{"contour", "silhouette"};
-  QTest::newRow("all") << "contour,suggestive,silhouette,section"
-                       << QStringList{"contour", "section", "silhouette", "suggestive"};
+  QTest::newRow("all") << "contour,suggestive,silhouette,section,hatching"
+                       << QStringList{"contour", "hatching", "section", "silhouette", "suggestive"};
 }
 
 void LinesCommandTest::kindsAreChosen() {
@@ -151,10 +196,10 @@ void LinesCommandTest::sectionIsACircle() {
 }
 
 void LinesCommandTest::frameFileKeepsCoordinates() {
-  writeObj(m_folder.filePath("aside.obj"), *moved(*sphere(10.0f, 3), 1.0f, {50.0f, 0.0f, 0.0f}));
+  writeObj(m_folder.filePath("shifted.obj"), *moved(*sphere(10.0f, 3), 1.0f, {50.0f, 0.0f, 0.0f}));
   const auto middle = [this](const QString& frame) {
     const QJsonArray segments =
-        lines(m_folder.filePath("aside.obj"), {"--frame", frame})["kinds"]["contour"]["segments"]
+        lines(m_folder.filePath("shifted.obj"), {"--frame", frame})["kinds"]["contour"]["segments"]
             .toArray();
     double sum = 0.0;
     for (const QJsonValue& segment : segments)
@@ -163,6 +208,109 @@ void LinesCommandTest::frameFileKeepsCoordinates() {
   };
   QVERIFY(middle("file") > 40.0);
   QVERIFY(middle("RAS") < -40.0);
+}
+
+void LinesCommandTest::hatchingHasItsShape() {
+  const QJsonValue hatching = lines(m_folder.filePath("bowl.obj"), {"--kinds", "hatching"},
+                                    "above.json")["kinds"]["hatching"];
+  QCOMPARE(hatching.toObject().keys(), QStringList({"strokes", "thresholds"}));
+  QCOMPARE(hatching["thresholds"]["gamma"].toDouble(), 3.0);
+  QCOMPARE(hatching["thresholds"]["t_h"].toDouble(), 1.0);
+  const QJsonArray strokes = hatching["strokes"].toArray();
+  QVERIFY2(strokes.size() > 50, qPrintable(QString::number(strokes.size())));
+  // From 335 mm a picture 20° high shows 118 mm, so λ is 0.164 mm around its middle.
+  const double unit = 2.0 * std::hypot(150.0, 290.0) * std::tan(10.0 * M_PI / 180.0) / 720.0;
+  for (const QJsonValue& stroke : strokes) {
+    QCOMPARE(stroke.toObject().keys(),
+             QStringList({"half_widths", "half_widths_mm", "points", "seed", "visible"}));
+    QCOMPARE(stroke["seed"].toObject().keys(), QStringList({"axis", "i", "j", "level"}));
+    const auto count = stroke["points"].toArray().size();
+    QVERIFY(count > 0);
+    for (const char* list : {"half_widths", "half_widths_mm", "visible"})
+      QCOMPARE(stroke[list].toArray().size(), count);
+    double widest = 0.0;
+    for (int i = 0; i < count; ++i) {
+      const QJsonValue p = stroke["points"][i];
+      const double x = p[0].toDouble();
+      const double y = p[1].toDouble();
+      QVERIFY(std::abs(p[2].toDouble() - 0.025 * (x * x + y * y)) < 0.02);
+      const double width = stroke["half_widths"][i].toDouble();
+      QVERIFY(width >= 0.0);
+      QVERIFY(std::abs(stroke["half_widths_mm"][i].toDouble() - unit * width) <=
+              0.2 * unit * width);
+      widest = std::max(widest, width);
+    }
+    QVERIFY(widest > 0.0);  // strokes end in points, but none is nothing
+  }
+}
+
+void LinesCommandTest::hatchingEntersWithGamma() {
+  QVERIFY(strokes("bowl.obj", {"--gamma", "2"}).isEmpty());
+  const double half = inked(strokes("bowl.obj", {"--gamma", "2.5"})).area;
+  const double whole = inked(strokes("bowl.obj", {"--gamma", "3"})).area;
+  QVERIFY2(half > 0.2 * whole && half < 0.8 * whole,
+           qPrintable(QString("%1 of %2").arg(half).arg(whole)));
+}
+
+void LinesCommandTest::roundBodiesHaveNoHatching() {
+  QVERIFY(strokes("ball.obj").isEmpty());
+  // The bowl from below is round as well.
+  writeFile(m_folder.filePath("below.json"),
+            R"({"eye":[0,-150,-300],"target":[0,0,10],"up":[0,0,1],"fovy_deg":20})");
+  QVERIFY(strokes("bowl.obj", {}, "below.json").isEmpty());
+}
+
+void LinesCommandTest::hatchingIsHiddenPointByPoint() {
+  const auto shown = [this](const QString& camera) {
+    std::array<int, 2> count{};
+    for (const QJsonValue& stroke : strokes("bowl.obj", {}, camera))
+      for (const QJsonValue& visible : stroke["visible"].toArray())
+        ++count[visible.toBool()];
+    return count;
+  };
+  const auto [hiddenAbove, seenAbove] = shown("above.json");
+  QCOMPARE(hiddenAbove, 0);
+  QVERIFY(seenAbove > 1000);
+  // From low down the near rim hides the bottom.
+  const auto [hiddenLow, seenLow] = shown("low.json");
+  QVERIFY2(hiddenLow > 100, qPrintable(QString::number(hiddenLow)));
+  QVERIFY2(seenLow > 100, qPrintable(QString::number(seenLow)));
+}
+
+void LinesCommandTest::hatchingEndsAtSections() {
+  const QJsonArray cut = strokes("bowl.obj", {"--section", "axial=12:inferior"});
+  QVERIFY(cut.size() > 10);
+  double highest = 0.0;
+  for (const QJsonValue& stroke : cut)
+    for (const QJsonValue& point : stroke["points"].toArray())
+      highest = std::max(highest, point[2].toDouble());
+  QVERIFY2(std::abs(highest - 12.0) < 1e-3, qPrintable(QString::number(highest)));
+}
+
+void LinesCommandTest::mirroredHatchingIsMirrored() {
+  const Inked here = inked(strokes("aside.obj"));
+  const Inked there = inked(strokes("mirrored.obj"));
+  QVERIFY(here.area > 1.0);
+  // Seeds have other names there and take their places in another order.
+  QVERIFY2(std::abs(there.area / here.area - 1.0) < 0.1,
+           qPrintable(QString("%1 and %2").arg(here.area).arg(there.area)));
+  QVERIFY2(std::abs(there.x + here.x) < 1.0,
+           qPrintable(QString("%1 and %2").arg(here.x).arg(there.x)));
+}
+
+void LinesCommandTest::hatchingEndsWithThePicture() {
+  writeFile(m_folder.filePath("near.json"),
+            R"({"eye":[0,-150,300],"target":[0,0,10],"up":[0,0,1],"fovy_deg":6})");
+  const auto widest = [this](const QString& size) {
+    double x = 0.0;
+    for (const QJsonValue& stroke : strokes("bowl.obj", {"--size", size}, "near.json"))
+      for (const QJsonValue& point : stroke["points"].toArray())
+        x = std::max(x, std::abs(point[0].toDouble()));
+    return x;
+  };
+  const double wide = widest("640x480");
+  const double narrow = widest("120x480");
+  QVERIFY2(narrow > 5.0 && narrow < 0.7 * wide, qPrintable(QString::number(narrow)));
 }
 
 }  // namespace sline::test

@@ -144,10 +144,10 @@ void MeasuresTest::steadinessJsonHasItsShape() {
   QCOMPARE(root.keys(), QStringList({"passes", "structures"}));
   const QJsonObject structure = firstOf(root);
   QCOMPARE(structure.keys(), QStringList({"as_printed", "faults", "group", "name", "ratio",
-                                          "ratio_over_hatching", "strokes"}));
+                                          "ratio_over_hatching", "ratio_per_ink", "strokes"}));
   for (const char* way : {"strokes", "as_printed"}) {
     const QJsonObject flicker = structure[way].toObject();
-    QCOMPARE(flicker.keys(), QStringList({"hatched_share", "mid_tones", "mid_tones_doubled",
+    QCOMPARE(flicker.keys(), QStringList({"hatched_share", "ink", "mid_tones", "mid_tones_in_print",
                                           "over_hatching", "over_surface"}));
     QVERIFY(flicker["over_surface"].toDouble() >= 0.0);
     QVERIFY(flicker["over_hatching"].toDouble() >= flicker["over_surface"].toDouble());

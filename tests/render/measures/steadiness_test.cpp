@@ -31,7 +31,12 @@ model::Camera front(model::Projection projection) {
 }
 
 render::Turntable turntable(const model::MeshPtr& mesh, model::Projection projection) {
-  return {.mesh = mesh, .camera = front(projection), .width = 240, .height = 180, .frames = 2};
+  return {.mesh = mesh,
+          .camera = front(projection),
+          .width = 240,
+          .height = 180,
+          .frames = 2,
+          .printHeight = 240};
 }
 
 /// A picture of the surface whose ink is a function of the point.
@@ -116,6 +121,9 @@ class SteadinessTest : public QObject {
   void samplesBetweenPixels();
   void midTones_data();
   void midTones();
+  void printSize_data();
+  void printSize();
+  void midTonesAreLookedAtInPrint();
   void rules_data();
   void rules();
   void refusesWhatShowsNothing();
@@ -202,6 +210,7 @@ void SteadinessTest::onlyWhatBothSeeCounts() {
   QVERIFY2(flicker.overSurface >= 0.0 && flicker.overSurface < 1e-6,
            qPrintable(QString::number(flicker.overSurface)));
   QVERIFY(flicker.hatchedShare > 0.3 && flicker.hatchedShare < 0.7);
+  QVERIFY(flicker.ink > 0.0 && flicker.ink <= flicker.hatchedShare + 1e-6);
 }
 
 void SteadinessTest::turnedCamera() {
@@ -293,39 +302,78 @@ void SteadinessTest::rules_data() {
   QTest::addColumn<double>("strokes");
   QTest::addColumn<double>("printed");
   QTest::addColumn<double>("middle");
-  QTest::addColumn<double>("middleDoubled");
+  QTest::addColumn<double>("middleInPrint");
   QTest::addColumn<QStringList>("faults");
   QTest::newRow("as it should be") << 0.01 << 0.03 << 0.24 << 0.1 << QStringList{};
   QTest::newRow("restless") << 0.02 << 0.03 << 0.24 << 0.1
                             << QStringList{
                                    "strokes: change 67 % as much as hatching as printed, "
                                    "not at most 50 %"};
-  QTest::newRow("smeared") << 0.01 << 0.03 << 0.30 << 0.26
+  QTest::newRow("soft on a screen") << 0.01 << 0.03 << 0.60 << 0.24 << QStringList{};
+  QTest::newRow("smeared") << 0.01 << 0.03 << 0.60 << 0.26
                            << QStringList{
-                                  "strokes: 30 % of hatched pixels are mid-tones, not at most 25 %",
-                                  "strokes: 26 % of hatched pixels are mid-tones at twice the "
-                                  "size, not at most 25 %"};
+                                  "strokes: 26 % of hatched pixels are mid-tones in print, not at "
+                                  "most 25 %"};
 }
 
 void SteadinessTest::rules() {
   QFETCH(double, strokes);
   QFETCH(double, printed);
   QFETCH(double, middle);
-  QFETCH(double, middleDoubled);
+  QFETCH(double, middleInPrint);
   QFETCH(QStringList, faults);
   const render::Steadiness steadiness{
       .strokes = {.overSurface = strokes,
                   .overHatching = 2.0 * strokes,
                   .hatchedShare = 0.5,
+                  .ink = 0.02,
                   .midTones = middle,
-                  .midTonesDoubled = middleDoubled},
-      .asPrinted = {.overSurface = printed, .overHatching = printed, .hatchedShare = 0.5}};
+                  .midTonesInPrint = middleInPrint},
+      .asPrinted = {
+          .overSurface = printed, .overHatching = printed, .hatchedShare = 0.5, .ink = 0.08}};
   QStringList found;
   for (const std::string& fault : render::faults(steadiness))
     found.append(QString::fromStdString(fault));
   QCOMPARE(found, faults);
   QCOMPARE(*steadiness.ratio(), strokes / printed);
   QCOMPARE(*steadiness.hatchedRatio(), 2.0 * strokes / printed);
+  QCOMPARE(*steadiness.inkRatio(), 4.0 * strokes / printed);
+}
+
+void SteadinessTest::printSize_data() {
+  QTest::addColumn<int>("width");
+  QTest::addColumn<int>("height");
+  QTest::addColumn<QList<int>>("print");
+  QTest::newRow("4:3") << 640 << 480 << QList<int>{2880, 2160};
+  QTest::newRow("portrait") << 600 << 800 << QList<int>{1620, 2160};
+  QTest::newRow("larger than print") << 9000 << 6000 << QList<int>{3240, 2160};
+  QTest::newRow("a strip") << 2000 << 100 << QList<int>{20000, 1000};
+  QTest::newRow("a column") << 16 << 20000 << QList<int>{2, 2160};
+}
+
+void SteadinessTest::printSize() {
+  QFETCH(int, width);
+  QFETCH(int, height);
+  QFETCH(QList<int>, print);
+  const render::PictureSize size = render::printSize({.width = width, .height = height});
+  QCOMPARE((QList<int>{size.width, size.height}), print);
+}
+
+void SteadinessTest::midTonesAreLookedAtInPrint() {
+  // Edges one pixel wide at every size: nearly all of a small picture, next to none in print.
+  const model::MeshPtr ball = sphere(40.0f, 4);
+  render::Turntable table = turntable(ball, model::Projection::perspective);
+  table.printHeight = 1080;
+  const auto soft = [](const model::Camera&, int width, int height) -> Result<Image> {
+    const int stripe = height / 20;
+    return painted(width, height, [stripe](int x, int) {
+      const int grey = x % stripe == 0 ? 128 : 0;
+      return Pixel{grey, grey, grey, 255};
+    });
+  };
+  const render::Flicker flicker = flickerOf(table, soft);
+  QVERIFY(std::abs(flicker.midTones - 1.0 / 9.0) < 0.01);
+  QVERIFY(std::abs(flicker.midTonesInPrint - 1.0 / 54.0) < 0.002);
 }
 
 void SteadinessTest::refusesWhatShowsNothing() {
