@@ -46,18 +46,19 @@ plate abdomen_left abdomen --view left "${abdomen[@]}" --gamma stomach=4.3 --gam
 plate abdomen_back abdomen --view "Posterior abdominal wall" "${abdomen[@]}" \
   --gamma "Urinary system=4.5" --gamma "right adrenal gland=4.5" --gamma "left adrenal gland=4.5"
 
-# Pelvis
+# Pelvis: first as the program opens with it.
+plate pelvis pelvis --size 1100x880
 pelvis=(--size 1000x800 "${vessels[@]}")
 plate pelvis_front pelvis --view Overview "${pelvis[@]}"
 plate pelvis_back pelvis --view posterior "${pelvis[@]}" --gamma Nerves=4.5
-plate pelvis_left pelvis --sex male --view left "${pelvis[@]}" --gamma Bones=1
+plate pelvis_left pelvis --view left "${pelvis[@]}" --fill veil --gamma Bones=1
 
 # Half pelves
 plate half_pelvis_male pelvis --sex male --view Midsagittal --section sagittal --size 900x900
 plate half_pelvis_female pelvis --view Midsagittal --section sagittal --size 900x900
 
 # Print, cut
-plate print abdomen --bw --view Overview --gamma 3 --size 1200x1200
+plate print pelvis --bw --view Midsagittal --section sagittal --size 1000x1000
 plate abdomen_axial abdomen --view inferior --section axial=-10:superior --size 1100x800
 
 row gamma_liver abdomen liver anterior
@@ -68,7 +69,7 @@ row gamma_hip_bone pelvis "left hip bone" left
 if [ -n "$trachea" ]; then
   for gamma in 3 4.5; do
     "$sline" render "$trachea" -o "$scratch/trachea.png" --camera trachea_camera.json \
-      --size 800x800 --gamma "$gamma"
+      --size 800x800 --gamma "$gamma" --fill veil
     keep "$scratch/trachea.png" "trachea_gamma_$gamma.png"
   done
 fi
