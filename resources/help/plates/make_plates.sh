@@ -47,7 +47,7 @@ plate abdomen_back abdomen --view "Posterior abdominal wall" "${abdomen[@]}" \
   --gamma "Urinary system=4.5" --gamma "right adrenal gland=4.5" --gamma "left adrenal gland=4.5"
 
 # Pelvis: first as the program opens with it.
-plate pelvis pelvis --size 1100x880
+plate pelvis pelvis --size 1000x800
 pelvis=(--size 1000x800 "${vessels[@]}")
 plate pelvis_front pelvis --view Overview "${pelvis[@]}"
 plate pelvis_back pelvis --view posterior "${pelvis[@]}" --gamma Nerves=4.5
