@@ -67,9 +67,12 @@ row gamma_stomach abdomen stomach anterior
 row gamma_hip_bone pelvis "left hip bone" left
 
 if [ -n "$trachea" ]; then
+  # Strokes alone let the cartilages behind the wall show as on tracing paper.
+  "$sline" render "$trachea" -o "$scratch/trachea_3.png" --camera trachea_camera.json \
+    --size 800x800 --gamma 3 --fill veil
+  "$sline" render "$trachea" -o "$scratch/trachea_4.5.png" --camera trachea_camera.json \
+    --size 800x800 --gamma 4.5
   for gamma in 3 4.5; do
-    "$sline" render "$trachea" -o "$scratch/trachea.png" --camera trachea_camera.json \
-      --size 800x800 --gamma "$gamma" --fill veil
-    keep "$scratch/trachea.png" "trachea_gamma_$gamma.png"
+    keep "$scratch/trachea_$gamma.png" "trachea_gamma_$gamma.png"
   done
 fi
