@@ -81,6 +81,10 @@ std::vector<DemoStructure> inOrderOfFirmness() {
   append(abdomenMuscles());
   for (DemoStructure& s : all) {
     s.fill = Fill::paper;
+    if (s.groups.front() == "Bones" || s.groups.front() == "Discs and cartilage")
+      s.inkColour = boneInk;
+    if (s.groups.front() == "Muscles")
+      s.inkColour = muscleInk;
     cutOff(s);
   }
   for (std::size_t i = 0; i < all.size(); ++i)

@@ -95,7 +95,7 @@ DemoStructure stretch(const char* name, const std::shared_ptr<const Swept>& tube
   DemoStructure s{.name = name,
                   .groups = {"Digestive system"},
                   .colour = bowelColour,
-                  .gamma = Gamma::clamped(2.4f),
+                  .gamma = Gamma::clamped(4.2f),
                   .field = field,
                   .box = grown(tube->bounds(from, to), 4.0f)};
   s.edge = 2.3f;

@@ -157,7 +157,7 @@ DemoStructure colonPart(const char* name, const std::shared_ptr<const Swept>& tu
     return within(*tube, stretch, p, at, haustrated(at));
   };
   const Box box = tube->bounds(stretch.from.value_or(0.0f), stretch.to.value_or(tube->length()));
-  DemoStructure s = organ(name, colonColour, 3.0f, field, grown(box, 4.0f));
+  DemoStructure s = organ(name, colonColour, 4.2f, field, grown(box, 4.0f));
   s.edge = 2.6f;
   s.rounding = 2.0f;
   return s;

@@ -150,11 +150,12 @@ Scene demoScene(const std::vector<DemoStructure>& structures) {
   std::map<std::vector<std::string>, NodeId> groups;
   for (std::size_t i = 0; i < structures.size(); ++i) {
     const DemoStructure& s = structures[i];
-    scene.append({.parent = groupAt(scene, groups, s.groups),
-                  .name = s.name,
-                  .style = {.colour = s.colour, .gamma = s.gamma, .fill = s.fill},
-                  .mesh = std::move(meshes[i]),
-                  .provenance = {.frame = "LPS", .frameReason = "modelled in it"}});
+    scene.append(
+        {.parent = groupAt(scene, groups, s.groups),
+         .name = s.name,
+         .style = {.colour = s.colour, .inkColour = s.inkColour, .gamma = s.gamma, .fill = s.fill},
+         .mesh = std::move(meshes[i]),
+         .provenance = {.frame = "LPS", .frameReason = "modelled in it"}});
   }
   return scene;
 }

@@ -16,12 +16,17 @@ namespace sline::model {
 /// Whose anatomy where it differs; also the scene's name in messages.
 enum class Sex { female, male };
 
+/// Context is drawn in the ink of its kind, so that black is left to what is in focus.
+inline constexpr Colour boneInk{94, 79, 56};
+inline constexpr Colour muscleInk{122, 44, 34};
+
 struct DemoStructure {
   std::string name;                 ///< "left ureter"
   std::vector<std::string> groups;  ///< outermost first
   Colour colour;
   Gamma gamma = Gamma::clamped(1.0f);
   std::optional<Fill> fill;
+  std::optional<Colour> inkColour;      ///< as Style's
   Field field;                          ///< mm, patient frame (LPS); negative inside
   Box box;                              ///< holds the surface field = 0 with room to spare
   float edge = 1.5f;                    ///< mm: mean edge of its triangles

@@ -62,6 +62,19 @@ void append(std::vector<DemoStructure>& list, std::vector<DemoStructure> more) {
               std::make_move_iterator(more.end()));
 }
 
+/// Muscles are context in red ink. Thin plates that lie one behind the other hide each other, since
+/// from behind their outlines would cross.
+void inkMuscles(std::vector<DemoStructure>& structures) {
+  static constexpr std::array<std::string_view, 5> plates{
+      "puborectalis", "pubococcygeus", "iliococcygeus", "coccygeus", "sphincter"};
+  for (DemoStructure& s : structures) {
+    s.inkColour = muscleInk;
+    const auto isPlate = [&](std::string_view part) { return s.name.find(part) != s.name.npos; };
+    if (std::any_of(plates.begin(), plates.end(), isPlate))
+      s.fill = Fill::paper;
+  }
+}
+
 /// Into a woman's pelvis.
 void widen(DemoStructure& s) {
   s.field = [inMan = std::move(s.field)](const glm::vec3& p) { return inMan(fromFemalePelvis(p)); };
@@ -76,7 +89,7 @@ std::vector<View> savedViews() {
   const auto view = [](const char* name, const glm::vec3& eye, const glm::vec3& target) {
     return View{name, {.eye = eye, .target = target, .fovyDegrees = 28.0f}};
   };
-  return {view("Overview", {-210, -630, 1205}, {-1, -75, 916}),
+  return {view("Overview", {-1, -730, 1127}, {-1, -75, 912}),
           view("From behind", {150, 590, 1055}, {-1, -75, 925}),
           view("Midsagittal", {-640, -80, 930}, {-1, -80, 922})};
 }
@@ -84,6 +97,7 @@ std::vector<View> savedViews() {
 
 std::vector<DemoStructure> pelvisStructures(Sex sex) {
   std::vector<DemoStructure> soft = pelvisMuscles();
+  inkMuscles(soft);
   append(soft, pelvisOrgans(sex));
   append(soft, sex == Sex::male ? maleOrgans() : femaleOrgans());
   append(soft, pelvisArteries());

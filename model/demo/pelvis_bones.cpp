@@ -51,6 +51,7 @@ DemoStructure structure(const char* name, Shape shape, Colour colour, float edge
           .colour = colour,
           .gamma = Gamma::clamped(1.2f),
           .fill = Fill::paper,
+          .inkColour = boneInk,
           .field = std::move(shape.field),
           .box = shape.box,
           .edge = edge};

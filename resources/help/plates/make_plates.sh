@@ -1,0 +1,78 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Draws the pictures of plates.md anew, from scenes that ship with the program:
+#   make_plates.sh SLINE [TRACHEA.glb]
+# SLINE is the built program. With the trachea of the Human Reference Atlas (plates.md says where it
+# is published) the endoscopic view is drawn too.
+set -euo pipefail
+
+sline=$(realpath "${1:?usage: make_plates.sh SLINE [TRACHEA.glb]}")
+trachea=${2:+$(realpath "$2")}
+cd "$(dirname "$0")"
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+# Small files: no alpha, strongest compression.
+keep() { # FROM TO
+  oiiotool "$1" --ch R,G,B --attrib "png:compressionLevel" 9 -o "$2"
+}
+
+plate() { # NAME SCENE FLAGS...
+  local name=$1
+  shift
+  "$sline" demo "$@" -o "$scratch/$name.png"
+  keep "$scratch/$name.png" "$name.png"
+}
+
+row() { # NAME SCENE STRUCTURE VIEW: gamma 0 to 5 side by side
+  local cells=()
+  for gamma in 0 1 2 3 4 5; do
+    cells+=("$scratch/$1_$gamma.png")
+    "$sline" demo "$2" --only "$3" --view "$4" --gamma "$gamma" --size 220x220 -o "${cells[-1]}"
+  done
+  oiiotool "${cells[@]}" --mosaic 6x1 -o "$scratch/$1.png"
+  keep "$scratch/$1.png" "$1.png"
+}
+
+vessels=(--gamma Arteries=3 --gamma Veins=3 --ink-colour Arteries=#a81c14 --ink-colour Veins=#1f468f)
+
+# Abdomen: what is in focus shaded, vessels hatched, the rest contours.
+abdomen=(--size 900x900 --gamma 1.4 --fill paper "${vessels[@]}" --gamma "Portal system=3"
+  --ink-colour "Portal system=#56439c")
+plate abdomen_front abdomen --view Overview "${abdomen[@]}" --gamma liver=4.3 --gamma stomach=4.3 \
+  --gamma "Biliary system=4.5" --gamma pancreas=4.5 --gamma spleen=4.3
+plate abdomen_left abdomen --view left "${abdomen[@]}" --gamma stomach=4.3 --gamma spleen=4.5 \
+  --gamma "descending colon=4.3" --gamma "left kidney=4.5"
+plate abdomen_back abdomen --view "Posterior abdominal wall" "${abdomen[@]}" \
+  --gamma "Urinary system=4.5" --gamma "right adrenal gland=4.5" --gamma "left adrenal gland=4.5"
+
+# Pelvis: first as the program opens with it.
+plate pelvis pelvis --size 1000x800
+pelvis=(--size 1000x800 "${vessels[@]}")
+plate pelvis_front pelvis --view Overview "${pelvis[@]}"
+plate pelvis_back pelvis --view posterior "${pelvis[@]}" --gamma Nerves=4.5
+plate pelvis_left pelvis --view left "${pelvis[@]}" --fill veil --gamma Bones=1
+
+# Half pelves
+plate half_pelvis_male pelvis --sex male --view Midsagittal --section sagittal --size 900x900
+plate half_pelvis_female pelvis --view Midsagittal --section sagittal --size 900x900
+
+# Print, cut
+plate print pelvis --bw --view Midsagittal --section sagittal --size 1000x1000
+plate abdomen_axial abdomen --view inferior --section axial=-10:superior --size 1100x800
+
+row gamma_liver abdomen liver anterior
+row gamma_kidney kidney "left kidney" anterior
+row gamma_stomach abdomen stomach anterior
+row gamma_hip_bone pelvis "left hip bone" left
+
+if [ -n "$trachea" ]; then
+  # Strokes alone let the cartilages behind the wall show as on tracing paper.
+  "$sline" render "$trachea" -o "$scratch/trachea_3.png" --camera trachea_camera.json \
+    --size 800x800 --gamma 3 --fill veil
+  "$sline" render "$trachea" -o "$scratch/trachea_4.5.png" --camera trachea_camera.json \
+    --size 800x800 --gamma 4.5
+  for gamma in 3 4.5; do
+    keep "$scratch/trachea_$gamma.png" "trachea_gamma_$gamma.png"
+  done
+fi
