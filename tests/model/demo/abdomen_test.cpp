@@ -16,31 +16,15 @@
 #include "model/geometry/bvh.h"
 #include "model/geometry/spatial_order.h"
 #include "model/geometry/topology.h"
+#include "tests/model/demo/demo_measures.h"
 
 using namespace sline;
+using test::inside;
+using test::volumeOf;
 
 namespace {
 using model::Box;
 using model::Node;
-
-/// True where a ray from the point leaves the closed mesh an odd number of times.
-bool inside(const model::Bvh& bvh, const glm::vec3& p) {
-  int crossings = 0;
-  model::Ray ray{.origin = p, .direction = {0.577f, 0.211f, 0.789f}};
-  while (const auto hit = bvh.nearest(ray)) {
-    ++crossings;
-    ray.nearest = hit->t * (1.0f + 1e-5f) + 1e-4f;
-  }
-  return crossings % 2 == 1;
-}
-
-double volumeOf(const model::Mesh& mesh) {
-  double sum = 0.0;
-  for (const auto& [a, b, c] : mesh.triangles())
-    sum +=
-        double(glm::dot(mesh.positions()[a], glm::cross(mesh.positions()[b], mesh.positions()[c])));
-  return sum / 6.0;
-}
 
 double areaOf(const model::Mesh& mesh) {
   double sum = 0.0;

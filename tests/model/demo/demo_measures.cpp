@@ -21,6 +21,16 @@ double volumeOf(const model::Mesh& mesh) {
   return sum / 6.0;
 }
 
+bool inside(const model::Bvh& bvh, const glm::vec3& p) {
+  int crossings = 0;
+  model::Ray ray{.origin = p, .direction = {0.577f, 0.211f, 0.789f}};
+  while (const auto hit = bvh.nearest(ray)) {
+    ++crossings;
+    ray.nearest = hit->t * (1.0f + 1e-5f) + 1e-4f;
+  }
+  return crossings % 2 == 1;
+}
+
 double misfitOfBestEllipsoid(const model::Mesh& mesh) {
   // Points spread over an ellipsoid's surface, mapped by the root of their inverse second moments,
   // lie nearly on a sphere: qᵀ M⁻¹ q is the square of the radius there.
@@ -44,7 +54,7 @@ double misfitOfBestEllipsoid(const model::Mesh& mesh) {
   return std::sqrt(std::max(squares - sum * sum, 0.0)) / sum;
 }
 
-model::Box boundsOfObj(const std::filesystem::path& file) {
+model::Box boundsOfObj(const std::filesystem::path& file, float lowest) {
   model::Box box;
   std::ifstream in(file);
   for (std::string line; std::getline(in, line);) {
@@ -53,7 +63,8 @@ model::Box boundsOfObj(const std::filesystem::path& file) {
     std::istringstream numbers(line.substr(2));
     glm::vec3 p;
     numbers >> p.x >> p.y >> p.z;
-    box.add(p);
+    if (p.z >= lowest)
+      box.add(p);
   }
   return box;
 }
@@ -62,13 +73,7 @@ Solid::Solid(model::MeshPtr mesh)
     : m_mesh(std::move(mesh)), m_bvh(m_mesh, model::spatialOrder(*m_mesh)) {}
 
 bool Solid::contains(const glm::vec3& p) const {
-  int crossings = 0;
-  model::Ray ray{.origin = p, .direction = {0.577f, 0.211f, 0.789f}};
-  while (const auto hit = m_bvh.nearest(ray)) {
-    ++crossings;
-    ray.nearest = hit->t * (1.0f + 1e-5f) + 1e-4f;
-  }
-  return crossings % 2 == 1;
+  return inside(m_bvh, p);
 }
 
 double Solid::shareOf(const model::Mesh& other) const {

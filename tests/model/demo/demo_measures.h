@@ -10,14 +10,19 @@
 
 namespace sline::test {
 
+/// mm³; positive where the triangles face outwards.
 double volumeOf(const model::Mesh& mesh);
+
+/// True where a ray from the point leaves the closed mesh an odd number of times.
+bool inside(const model::Bvh& bvh, const glm::vec3& p);
 
 /// Root mean square of the distances of a body's vertices, as a share of the radius, from the
 /// ellipsoid with the body's second moments: 0 for an ellipsoid.
 double misfitOfBestEllipsoid(const model::Mesh& mesh);
 
-/// Bounds of the vertices of an OBJ file, in its own coordinates.
-model::Box boundsOfObj(const std::filesystem::path& file);
+/// Bounds of the vertices of an OBJ file, in its own coordinates, down to a height below which the
+/// body is not compared.
+model::Box boundsOfObj(const std::filesystem::path& file, float lowest = -1e9f);
 
 /// A closed mesh that can be asked what lies inside.
 class Solid {

@@ -9,11 +9,13 @@
 #include "model/demo/polygonise.h"
 #include "model/geometry/surface.h"
 #include "model/geometry/topology.h"
+#include "tests/model/demo/demo_measures.h"
 
 using namespace sline;
 using model::Box;
 using model::DemoStructure;
 using model::Field;
+using test::volumeOf;
 
 namespace {
 Field sphere(const glm::vec3& centre, float radius) {
@@ -33,13 +35,6 @@ const model::Mesh& meshOf(const model::Scene& scene, const char* name) {
   return *scene.find(scene.named(name).front())->mesh;
 }
 
-double volumeOf(const model::Mesh& mesh) {
-  double sum = 0.0;
-  for (const auto& [a, b, c] : mesh.triangles())
-    sum +=
-        double(glm::dot(mesh.positions()[a], glm::cross(mesh.positions()[b], mesh.positions()[c])));
-  return sum / 6.0;
-}
 }  // namespace
 
 class DemoStructureTest : public QObject {

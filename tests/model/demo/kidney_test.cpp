@@ -11,21 +11,10 @@
 #include "model/geometry/spatial_order.h"
 #include "model/geometry/surface.h"
 #include "model/geometry/topology.h"
+#include "tests/model/demo/demo_measures.h"
 
 using namespace sline;
-
-namespace {
-/// True where a ray from the point leaves the closed mesh an odd number of times.
-bool inside(const model::Bvh& bvh, const glm::vec3& p) {
-  int crossings = 0;
-  model::Ray ray{.origin = p, .direction = {0.577f, 0.211f, 0.789f}};
-  while (const auto hit = bvh.nearest(ray)) {
-    ++crossings;
-    ray.nearest = hit->t * (1.0f + 1e-5f) + 1e-4f;
-  }
-  return crossings % 2 == 1;
-}
-}  // namespace
+using test::inside;
 
 class KidneyTest : public QObject {
   Q_OBJECT

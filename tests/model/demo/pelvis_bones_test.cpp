@@ -14,49 +14,17 @@
 #include "model/geometry/spatial_order.h"
 #include "model/geometry/surface.h"
 #include "model/geometry/topology.h"
+#include "tests/model/demo/demo_measures.h"
 
 using namespace sline;
+using test::inside;
+using test::volumeOf;
 
 namespace {
-/// Crossings of a ray with the closed mesh are odd from inside.
-bool inside(const model::Bvh& bvh, const glm::vec3& p) {
-  int crossings = 0;
-  model::Ray ray{.origin = p, .direction = {0.577f, 0.211f, 0.789f}};
-  while (const auto hit = bvh.nearest(ray)) {
-    ++crossings;
-    ray.nearest = hit->t * (1.0f + 1e-5f) + 1e-4f;
-  }
-  return crossings % 2 == 1;
-}
-
-double signedVolume(const model::Mesh& mesh) {
-  double volume = 0.0;
-  for (const auto& [a, b, c] : mesh.triangles())
-    volume +=
-        double(glm::dot(mesh.positions()[a], glm::cross(mesh.positions()[b], mesh.positions()[c])));
-  return volume / 6.0;
-}
-
 long eulerCharacteristic(const model::Mesh& mesh) {
   return long(mesh.vertexCount()) - long(mesh.triangleCount()) / 2;
 }
 
-/// Bounds of the vertices of an OBJ file, down to a height below which the body is not compared.
-model::Box boundsOfFile(const QString& path, float lowest) {
-  model::Box box;
-  QFile file(path);
-  if (!file.open(QIODevice::ReadOnly))
-    return box;
-  while (!file.atEnd()) {
-    const QList<QByteArray> words = file.readLine().simplified().split(' ');
-    if (words.size() < 4 || words[0] != "v")
-      continue;
-    const glm::vec3 p(words[1].toFloat(), words[2].toFloat(), words[3].toFloat());
-    if (p.z >= lowest)
-      box.add(p);
-  }
-  return box;
-}
 }  // namespace
 
 class PelvisBonesTest : public QObject {
@@ -96,7 +64,7 @@ class PelvisBonesTest : public QObject {
       const model::MeshPtr mesh = meshOf(*scene, name.toUtf8().constData());
       QVERIFY(model::prepareSurface(mesh)->closed);
       QCOMPARE(model::connectedComponents(*mesh).count, std::size_t(1));
-      QVERIFY(signedVolume(*mesh) > 0.0);
+      QVERIFY(volumeOf(*mesh) > 0.0);
       QCOMPARE(eulerCharacteristic(*mesh), 2L - 2L * holes);
     }
   }
@@ -151,7 +119,8 @@ class PelvisBonesTest : public QObject {
     if (found.isEmpty())
       QSKIP("the folder pelvis/bodyparts3d of the test data is absent");
     const model::Box made = meshOf(m_male, name.toUtf8().constData())->bounds();
-    model::Box real = boundsOfFile(folder.filePath(found.front()), cut ? made.low.z : -1e9f);
+    model::Box real =
+        test::boundsOfObj(folder.filePath(found.front()).toStdString(), cut ? made.low.z : -1e9f);
     QVERIFY(!real.empty());
     if (cut)
       real.low.z = made.low.z;
@@ -181,7 +150,7 @@ class PelvisBonesTest : public QObject {
             for (float y = low.y; y < high.y; y += step)
               for (float x = low.x; x < high.x; x += step)
                 shared += inside(bvhA, {x, y, z}) && inside(bvhB, {x, y, z});
-          const double smaller = std::min(signedVolume(*a.mesh), signedVolume(*b.mesh));
+          const double smaller = std::min(volumeOf(*a.mesh), volumeOf(*b.mesh));
           QVERIFY2(double(shared) * std::pow(double(step), 3) <= 0.01 * smaller,
                    (a.name + " and " + b.name).c_str());
         }
