@@ -11,7 +11,6 @@
 #include "app/cli/section_options.h"
 #include "app/cli/text_file.h"
 #include "app/cli/values.h"
-#include "model/geometry/face_neighbours.h"
 #include "model/geometry/spatial_order.h"
 #include "render/lines/clipping.h"
 #include "render/lines/cut_faces.h"
@@ -113,7 +112,7 @@ class LinesDocument {
       return render::visibleSegments(*surface, bvh, m_order.camera, segments, faces);
     };
     if (m_order.wants("hatching"))
-      addHatching(*surface, bvh, planes, faces);
+      addHatching(surface, bvh, planes, faces);
     if (m_order.wants("contour"))
       append("contour", lines.contours, visible(lines.contours));
     if (m_order.wants("suggestive"))
@@ -152,16 +151,16 @@ class LinesDocument {
   }
 
  private:
-  void addHatching(const model::Surface& surface, const model::Bvh& bvh,
+  void addHatching(const model::SurfacePtr& surface, const model::Bvh& bvh,
                    std::span<const model::Plane> planes,
                    const std::vector<render::CutFace>& faces) {
-    const render::PictureView view(m_order.camera, surface.mesh->bounds(), m_order.size.width,
+    const render::PictureView view(m_order.camera, surface->mesh->bounds(), m_order.size.width,
                                    m_order.size.height);
-    render::Hatching hatching = render::styledHatching(
-        surface, model::FaceNeighbours(*surface.mesh), view, {.gamma = m_order.gamma});
+    render::StrokeLayout layout(surface, render::longestHatchStroke / render::hatchSpacing);
+    render::Hatching hatching = render::styledHatching(layout, view, {.gamma = m_order.gamma});
     render::clip(hatching, planes);
     const std::vector<bool> visible =
-        render::visiblePoints(surface, bvh, m_order.camera, hatching, faces);
+        render::visiblePoints(*surface, bvh, m_order.camera, hatching, faces);
     for (const render::HatchStroke& stroke : hatching.strokes)
       append(stroke, hatching.points, visible);
   }

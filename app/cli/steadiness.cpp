@@ -3,7 +3,6 @@
 #include "render/measures/steadiness.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 
 #include "app/cli/json_values.h"
@@ -17,7 +16,7 @@ struct SteadinessFlags {
   MeasureFlags measure;
   std::string gamma = "3";
   int frames = 10;
-  int oversampling = 1;
+  int oversampling = 3;
 };
 
 struct MeasuredSteadiness {
@@ -66,7 +65,8 @@ void printSteadiness(const MeasuredSteadiness& measured) {
   const auto hatched = measured.steadiness.hatchedRatio();
   const auto perInk = measured.steadiness.inkRatio();
   if (ratio && hatched && perInk)
-    std::printf("  ratio       %8.2f %9.2f; for as much ink %.2f\n", *ratio, *hatched, *perInk);
+    std::printf("  for as much ink %4.2f; plain %.2f, over hatching %.2f\n", *perInk, *ratio,
+                *hatched);
   for (const std::string& fault : measured.faults)
     std::printf("  ✗ %s\n", fault.c_str());
   std::printf("\n");
@@ -74,24 +74,12 @@ void printSteadiness(const MeasuredSteadiness& measured) {
 
 Result<MeasuredSteadiness> measure(render::Picture& picture, const render::Subject& subject,
                                    Gamma gamma, const SteadinessFlags& flags) {
-  const std::array<render::HatchingPicture, 2> ways{
-      hatchingPicture(picture, subject, gamma, render::HatchingMethod::strokes),
-      hatchingPicture(picture, subject, gamma, render::HatchingMethod::asPrinted)};
-  const auto flickers = render::measureFlicker({.mesh = subject.structure().mesh,
-                                                .camera = subject.camera,
-                                                .width = subject.width,
-                                                .height = subject.height,
-                                                .frames = flags.frames,
-                                                .oversampling = flags.oversampling},
-                                               ways);
-  if (!flickers.ok()) {
-    Error error = flickers.error();
-    error.where = subject.structure().name;
-    return error;
-  }
-  MeasuredSteadiness measured{
-      .name = subject.structure().name,
-      .steadiness = {.strokes = flickers->front(), .asPrinted = flickers->back()}};
+  const auto steadiness = measureSteadiness(
+      picture, subject,
+      {.gamma = gamma, .frames = flags.frames, .oversampling = flags.oversampling});
+  if (!steadiness.ok())
+    return steadiness.error();
+  MeasuredSteadiness measured{.name = subject.structure().name, .steadiness = *steadiness};
   measured.faults = render::faults(measured.steadiness);
   return measured;
 }
@@ -145,8 +133,8 @@ void declareSteadiness(CLI::App& command, SteadinessFlags& flags) {
   command
       .add_option(
           "--oversampling", flags.oversampling,
-          "Draws pictures that many times as large and compares them at their size, so that "
-          "less is lost between pixels; 1 to 4")
+          "Draws strokes, which are the same drawing at any size, that many times as large and "
+          "compares them at the size given, so that nothing is lost between pixels; 1 to 4")
       ->check(CLI::Range(1, 4))
       ->capture_default_str();
   command.footer(
@@ -154,14 +142,14 @@ void declareSteadiness(CLI::App& command, SteadinessFlags& flags) {
       "and\n"
       "moves each picture onto the next by depth and camera: what differs then, on average over "
       "the\n"
-      "surface that both see, has not stayed on the surface. Strokes may change half as much as\n"
-      "hatching as the paper prints it, at the size given. Of the pixels with ink in print, a\n"
+      "surface that both see, has not stayed on the surface. For as much ink strokes may change "
+      "half\n"
+      "as much as hatching as the paper prints it. Of the pixels with ink in print, a\n"
       "picture of the same sides 2160 pixels high (183 mm at 300 dpi), at most 25 % may be\n"
       "mid-tones, ink between 0.2 and 0.8: strokes have a definite edge. At the size given the\n"
       "share is told, but nothing is asked of it: on a screen thin strokes are nearly all edge,\n"
-      "and an edge that is not softened crawls. Who draws less changes less: `ink` is the mean ink "
-      "on\n"
-      "the surface, and the ratio for as much ink is told beside the one that counts.");
+      "and an edge that is not softened crawls. `ink` is the mean ink on the surface: who draws\n"
+      "less changes less.");
 }
 
 }  // namespace

@@ -1,32 +1,42 @@
 // SPDX-License-Identifier: Apache-2.0
 // Seeds of hatching: where lattice lines pierce the surface (METHOD §6.2, §6.7). ▲ S projects along
 // the normal onto the faces of a grid's cells; here lattice points are projected along the axis
-// nearest to the face's normal, so a seed is a point of the surface, and lattices nest: zooming
-// adds seeds and moves none.
+// nearest to the face's normal, so a seed is a point of the surface, and lattices nest.
 #pragma once
 
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
-#include "render/lines/hatch_tone.h"
-#include "render/lines/view_scale.h"
+#include "model/geometry/surface.h"
+#include "render/lines/surface_walk.h"
 
 namespace sline::render {
 
-struct PlacedSeed {
-  HatchSeed name;
-  std::uint32_t triangle = 0;
-  glm::vec3 barycentric{0.0f};
-  glm::vec3 position{0.0f};
-  float weight = 0.0f;    ///< see HatchField
-  float angle = 0.0f;     ///< see HatchField
-  float presence = 0.0f;  ///< 0 … 1: seeds of the finest lattice grow from nothing
+/// Names a seed for as long as its mesh lives: a point of the lattice with cells of F_c·2^−level in
+/// the plane across `axis`, the coarsest lattice that has it.
+struct HatchSeed {
+  int axis = 0;   ///< 0 … 2: the axis nearest to the surface's normal
+  int level = 0;  ///< lattices of higher levels contain those of lower ones
+  std::int32_t i = 0;
+  std::int32_t j = 0;
+  bool operator==(const HatchSeed&) const = default;
 };
 
-/// Seeds on the hatched clusters within the picture, the coarsest lattice first and then in an
-/// order that scatters them: the order in which strokes may take their place. The lattice's origin
-/// is the middle of the bounding sphere. The cells of the finest whole
-/// lattice are 0.7 to 1.4 times as wide as `spacing`.
-std::vector<PlacedSeed> hatchSeeds(const model::Surface& surface, const HatchFields& fields,
-                                   const ViewScale& scale, const HatchingRequest& request);
+struct PlacedSeed {
+  HatchSeed name;
+  SurfacePoint at;
+  glm::vec3 position{0.0f};
+};
+
+inline constexpr int coarsestHatchLevel = -8;
+inline constexpr int finestHatchLevel = 24;
+
+/// Seeds of the lattice of `level` on those clusters within the box, which takes its low sides and
+/// not its high ones, relative to the middle of the bounding sphere: the lattices' origin. In an
+/// order that scatters them, the coarsest first: in which strokes may take their place.
+std::vector<PlacedSeed> hatchSeeds(const model::Surface& surface, int level, const model::Box& box,
+                                   std::span<const std::uint32_t> clusters);
 
 }  // namespace sline::render

@@ -16,12 +16,25 @@ float quarterTurns(float x) {
          (1.5707288f + x * (-0.2121144f + x * (0.0742610f - 0.0187293f * x)));
 }
 
+// The light's direction in the camera's frame, from the surface (METHOD §7: from the upper left).
+constexpr glm::vec3 light{-0.538f, 0.606f, 0.587f};
+// Cosines to it: below the first all is shadow, above the second nothing.
+constexpr float wholeShadow = -0.35f;
+constexpr float noShadow = 0.3f;
+constexpr float shadowWeight = 0.45f;
+
+struct View {
+  model::EyePoint eye;
+  glm::vec3 light;
+  bool twoSided;
+};
+
 /// METHOD §3: k = S w + (nv/d)·w. Seen from behind n and S change sign and w does not, so k turns.
-HatchField fieldAt(const model::ClusterVertices& in, std::size_t i, const model::EyePoint& eye,
-                   bool twoSided) {
+HatchField fieldAt(const model::ClusterVertices& in, std::size_t i, const View& view,
+                   float filigreeSize) {
   const glm::vec3 p{in.position[0][i], in.position[1][i], in.position[2][i]};
   const glm::vec3 n{in.normal[0][i], in.normal[1][i], in.normal[2][i]};
-  const glm::vec3 toEye = eye.atInfinity ? eye.value : eye.value - p;
+  const glm::vec3 toEye = view.eye.atInfinity ? view.eye.value : view.eye.value - p;
   const float distance = glm::length(toEye);
   const glm::vec3 v = toEye / std::max(distance, 1e-20f);
   const float nv = glm::dot(n, v);
@@ -29,15 +42,14 @@ HatchField fieldAt(const model::ClusterVertices& in, std::size_t i, const model:
   glm::vec3 k{in.s[0][i] * w.x + in.s[1][i] * w.y + in.s[2][i] * w.z,
               in.s[1][i] * w.x + in.s[3][i] * w.y + in.s[4][i] * w.z,
               in.s[2][i] * w.x + in.s[4][i] * w.y + in.s[5][i] * w.z};
-  if (!eye.atInfinity)
+  if (!view.eye.atInfinity)
     k += nv / distance * w;
-  float facing = nv;
-  if (twoSided && nv < 0.0f) {
-    k = -k;
-    facing = -nv;
-  }
-  return {.k = k,
-          .weight = -glm::dot(k, v),
+  const float side = view.twoSided && nv < 0.0f ? -1.0f : 1.0f;
+  const float facing = side * nv;
+  const float lit = std::clamp(
+      (side * glm::dot(n, view.light) - wholeShadow) / (noShadow - wholeShadow), 0.0f, 1.0f);
+  const float shadow = 1.0f - lit * lit * (3.0f - 2.0f * lit);
+  return {.weight = std::max(-side * glm::dot(k, v) * filigreeSize, shadowWeight * shadow),
           .angle = facing > 0.0f ? quarterTurns(std::min(facing, 1.0f)) : 1.0f - facing};
 }
 constexpr std::size_t tableSize = 64;
@@ -57,31 +69,28 @@ float hatchWidth(float opacity) {
   return table[i] + (x - float(i)) * (table[i + 1] - table[i]);
 }
 
-HatchFields::HatchFields(const model::Surface& surface, const model::EyePoint& eye, bool twoSided)
+HatchFields::HatchFields(const model::Surface& surface, const model::Camera& camera, bool twoSided)
     : m_fields(surface.mesh->vertexCount()) {
+  const model::CameraFrame frame = model::cameraFrame(camera);
+  const View view{.eye = eyeOf(camera),
+                  .light = light.x * frame.right + light.y * frame.up + light.z * frame.back,
+                  .twoSided = twoSided};
   const model::Clusters& clusters = surface.clusters;
-  std::vector<std::uint8_t> hatched(clusters.items.size(), 0);
-  const auto look = [&](std::size_t c) {
+  for (std::size_t c = 0; c < clusters.items.size(); ++c) {
     const model::Cluster& cluster = clusters.items[c];
-    // κr lies between the principal curvatures, so one sign for all means no concave direction.
-    if (!twoSided &&
-        (!(cluster.lowestCurvature < 0.0f) || model::facing(cluster, eye) == model::Facing::back))
-      return;
+    if (!twoSided && model::facing(cluster, view.eye) == model::Facing::back)
+      continue;
+    bool hatched = false;
+    // Clusters share vertices at their seams and write the same value to the same place.
     for (std::uint32_t i = 0; i < cluster.vertexCount; ++i) {
       const std::size_t slot = cluster.firstVertex + i;
-      HatchField field = fieldAt(clusters.fields, slot, eye, twoSided);
-      field.weight *= surface.filigreeSize;
-      if (field.weight > 0.0f && field.angle < 1.0f)
-        hatched[c] = 1;
+      const HatchField field = fieldAt(clusters.fields, slot, view, surface.filigreeSize);
+      hatched |= field.weight > 0.0f && field.angle < 1.0f;
       m_fields[clusters.vertices[slot]] = field;
     }
-  };
-  // Clusters share vertices at their seams and would write the same value to the same place.
-  for (std::size_t c = 0; c < clusters.items.size(); ++c)
-    look(c);
-  for (std::size_t c = 0; c < hatched.size(); ++c)
-    if (hatched[c])
+    if (hatched)
       m_clusters.push_back(std::uint32_t(c));
+  }
 }
 
 }  // namespace sline::render

@@ -4,25 +4,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/vec3.hpp>
+#include <cstdint>
 #include <vector>
 
 #include "model/geometry/surface.h"
-#include "render/lines/hatching.h"
+#include "model/scene/camera.h"
 
 namespace sline::render {
 
 /// What hatching is made of at a vertex; all on the side that faces the eye.
 struct HatchField {
-  glm::vec3 k{0.0f};    ///< light gradient, 1/mm
-  float weight = 0.0f;  ///< w_k·F_c = −⟨k, v̂⟩·F_c: positive on concave parts
-  float angle = 2.0f;   ///< acos(nv) / (π/2): 0 facing the eye, 1 on the contour, more behind it
+  float weight = 0.0f;  ///< of a hollow, w_k·F_c = −⟨k, v̂⟩·F_c (S eq. 6), or of a form's own shadow
+  float angle = 2.0f;  ///< acos(nv) / (π/2): 0 facing the eye, 1 on the contour, more behind it
 };
 
 /// One entry per vertex; only clusters that may carry hatching are looked at.
+///
+/// ▲ w_k is positive in hollows alone: on a liver seen from the front S draws nothing, and Γ = 3
+/// looks like Γ = 2. So a form has a shadow of its own too, on the side away from the light from
+/// the upper left, as everything in an atlas has; w_a (S eq. 6) lets it grow towards the contour.
 class HatchFields {
  public:
-  HatchFields(const model::Surface& surface, const model::EyePoint& eye, bool twoSided);
+  HatchFields(const model::Surface& surface, const model::Camera& camera, bool twoSided);
   const HatchField& operator[](std::uint32_t vertex) const { return m_fields[vertex]; }
   /// Clusters with a vertex of positive weight, ascending.
   const std::vector<std::uint32_t>& clusters() const { return m_clusters; }

@@ -8,245 +8,263 @@
 #include <glm/geometric.hpp>
 
 #include "render/lines/coarse_depth.h"
-#include "render/lines/hatch_seeds.h"
-#include "render/lines/stroke_spacing.h"
-#include "render/lines/surface_walk.h"
+#include "render/lines/hatch_tone.h"
 #include "render/lines/view_fields.h"
+#include "render/lines/view_scale.h"
 
 namespace sline::render {
 
 namespace {
-constexpr float step = 2.0f;  // λ from point to point
-// Strokes shorter than this many λ each way are dots.
-constexpr float shortest = 2.0f * step;
+constexpr float pictureHeight = 720.0f;  // λ, by definition
 // A stroke narrower than this half width (λ) ends rather than become a grey hair.
-constexpr float hair = 0.3f;
-constexpr float pen = 0.42f;  // half width at and above which it is drawn as it is
+constexpr float hair = 0.36f;
+constexpr float pen = 0.5f;  // half width at and above which it is drawn as it is
 // A pen's point opens by no more than this half width per length.
 constexpr float opening = 0.14f;
-constexpr float faintest = 0.02f;
-constexpr float plain = 0.12f;  // opacity from which on a seed counts in full
-
-float smooth(float low, float high, float x) {
-  return glm::smoothstep(low, high, x);
-}
+constexpr float halfPi = 1.5707963f;
 
 /// The thinnest strokes taper off quickly instead of fading.
 float definite(float halfWidth) {
   return halfWidth >= pen ? halfWidth : std::max(halfWidth - hair, 0.0f) * pen / (pen - hair);
 }
 
-/// Points strokes where they begin and end, without touching ends that stop at a contour.
-template <class Samples>
-void sharpen(Samples& samples) {
-  const auto limit = [](const auto& before, auto& sample) {
-    float& width = sample.point.halfWidth;
-    width = std::min(width, before.point.halfWidth + opening * step);
-  };
-  for (std::size_t i = 1; i < samples.size(); ++i)
-    limit(samples[i - 1], samples[i]);
-  for (std::size_t i = samples.size(); i-- > 1;)
-    limit(samples[i], samples[i - 1]);
-}
-
-/// How much ink its seed alone would give: its stroke's width, times the area in the picture that
-/// the seed stands for.
-float seedInk(const PlacedSeed& seed, float entered, const HatchingRequest& request) {
-  const float claim = smooth(faintest, plain, hatchOpacity(seed.weight, seed.angle, 1.0f));
-  const float opacity = hatchOpacity(seed.weight, seed.angle, entered);
-  const float nv = std::cos(1.5707963f * std::min(seed.angle, 1.0f));
-  return nv * definite(0.5f * request.spacing * hatchWidth(opacity) * request.tone * seed.presence *
-                       claim);
-}
-
-/// θ_c is re-timed (METHOD §7 ▲) so that the amount of ink grows evenly with T_H: the value of
-/// `entered` at which the seeds' ink is that share of all of it.
-float evenlyEntered(const std::vector<PlacedSeed>& seeds, const HatchingRequest& request,
-                    const CoarseDepth& depth) {
-  constexpr int samples = 32;
-  std::array<float, samples + 1> ink{};
-  for (const PlacedSeed& s : seeds)
-    if (depth.sees(s.position))
-      for (int i = 1; i <= samples; ++i)
-        ink[std::size_t(i)] += seedInk(s, float(i) / float(samples), request);
-  const float wanted = request.entered * ink[samples];
-  for (std::size_t i = 1; i <= samples; ++i)
-    if (ink[i] >= wanted && ink[i] > ink[i - 1])
-      return (float(i - 1) + (wanted - ink[i - 1]) / (ink[i] - ink[i - 1])) / float(samples);
-  return 1.0f;
-}
+/// A point of a laid stroke in this view.
+struct Sample {
+  glm::vec3 position{0.0f};
+  SurfacePoint at;
+  float weight = 0.0f;  ///< see HatchField
+  float angle = 2.0f;
+  float presence = 0.0f;  ///< 0 … 1: strokes of the finest level grow from nothing
+  glm::vec2 seen{0.0f};   ///< λ
+  bool inked() const { return weight > 0.0f && angle < 1.0f && presence > 0.0f; }
+};
 
 class Hatcher {
  public:
-  Hatcher(const model::Surface& surface, const model::FaceNeighbours& neighbours,
-          const model::Camera& camera, const HatchingRequest& request)
-      : m_surface(surface),
-        m_neighbours(neighbours),
+  Hatcher(StrokeLayout& layout, const model::Camera& camera, const HatchingRequest& request)
+      : m_layout(layout),
         m_camera(camera),
         m_request(request),
         m_eye(eyeOf(camera)),
         m_scale(camera),
-        m_fields(surface, m_eye, request.twoSided) {}
+        m_fields(layout.surface(), camera, request.twoSided) {}
 
   Hatching hatch() {
-    const std::vector<PlacedSeed> seeds = hatchSeeds(m_surface, m_fields, m_scale, m_request);
-    if (seeds.empty())
-      return {};
+    const std::vector<LaidCell> cells = neededCells();
     m_entered = m_request.entered;
     if (m_entered < 1.0f)
-      m_entered = evenlyEntered(seeds, m_request, CoarseDepth(m_surface, m_camera));
-    glm::vec2 low = m_scale.project(seeds.front().position).at;
-    glm::vec2 high = low;
-    for (const PlacedSeed& s : seeds) {
-      const glm::vec2 at = m_scale.project(s.position).at;
-      low = glm::min(low, at);
-      high = glm::max(high, at);
-    }
-    StrokeSpacing spacing(m_request.spacing, low, high);
-    for (const PlacedSeed& s : seeds)
-      addStroke(s, spacing);
+      m_entered = evenlyEntered(cells);
+    forEachStroke(cells, [this](const LaidCell& cell, const LaidTile& tile, const LaidStroke& s) {
+      sample(cell.level, tile, s);
+      keepPieces(m_layout.position(tile.points[s.seedPoint]), s.seed);
+    });
     return std::move(m_hatching);
   }
 
  private:
-  struct Sample {
-    HatchPoint point;
-    StrokeSpacing::Mark mark;
-  };
+  bool outside(const model::Sphere& sphere) const {
+    const ViewScale::Point nearest = m_scale.project(nearestPoint(sphere));
+    if (!(nearest.perMm > 0.0f))
+      return m_scale.project(sphere.centre).distanceMm < -sphere.radius;
+    const glm::vec2 at = nearest.at;
+    // A sphere seen aslant reaches farther out than its radius.
+    const float reach = 1.5f * sphere.radius * nearest.perMm + 0.5f * pictureHeight;
+    return std::abs(at.y) > reach ||
+           std::abs(at.x) > reach + 0.5f * pictureHeight * (m_request.aspect - 1.0f);
+  }
 
-  /// Strokes are laid out as for T_H = 1 and with all lattices whole, so that Γ does not rearrange
-  /// them; `share` of that is drawn.
-  void addStroke(const PlacedSeed& seed, StrokeSpacing& spacing) {
-    const float full = hatchOpacity(seed.weight, seed.angle, 1.0f);
-    const ViewScale::Point seen = m_scale.project(seed.position);
-    // A stroke is there as far as its seed is: it grows from nothing all along.
-    const float room = spacing.room(place(seen, seed.position));
-    const float claim = smooth(faintest, plain, full) * smooth(0.0f, 0.9f, room);
-    if (claim < faintest)
+  glm::vec3 nearestPoint(const model::Sphere& sphere) const {
+    const float distance = m_scale.project(sphere.centre).distanceMm;
+    return sphere.centre + m_scale.towardsEye() * std::min(sphere.radius, 0.9f * distance);
+  }
+
+  /// The level, with its fraction, at which strokes are `spacing` apart.
+  float levelAt(float perMm) const {
+    return std::log2(std::max(m_layout.spacing(0) * perMm / m_request.spacing, 1e-20f));
+  }
+
+  /// Those that hold something of what is hatched here, the coarsest first.
+  std::vector<LaidCell> neededCells() const {
+    std::vector<LaidCell> cells;
+    std::vector<LaidCell> found;
+    for (const std::uint32_t c : m_fields.clusters()) {
+      const model::Cluster& cluster = m_layout.surface().clusters.items[c];
+      if (outside(cluster.bounds))
+        continue;
+      const float perMm = m_scale.project(nearestPoint(cluster.bounds)).perMm;
+      const int finest = std::clamp(int(std::ceil(levelAt(perMm))), -100, finestHatchLevel);
+      for (int level = m_layout.firstLevel(); level <= finest; ++level)
+        m_layout.addCells(level, cluster, found);
+      if (found.size() > (1u << 14)) {
+        std::sort(found.begin(), found.end());
+        found.erase(std::unique(found.begin(), found.end()), found.end());
+      }
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    std::copy_if(found.begin(), found.end(), std::back_inserter(cells),
+                 [this](const LaidCell& cell) { return !outside(m_layout.bounds(cell)); });
+    return cells;
+  }
+
+  template <class Body>
+  void forEachStroke(const std::vector<LaidCell>& cells, const Body& body) {
+    for (const LaidCell& cell : cells) {
+      const LaidTile& tile = m_layout.tile(cell);
+      for (const LaidStroke& stroke : tile.strokes)
+        if (!outside(stroke.bounds))
+          body(cell, tile, stroke);
+    }
+  }
+
+  void sample(int level, const LaidTile& tile, const LaidStroke& stroke) {
+    m_samples.resize(stroke.count);
+    for (std::uint32_t i = 0; i < stroke.count; ++i) {
+      Sample& s = m_samples[i];
+      s.at = m_layout.at(tile.points[stroke.first + i]);
+      const model::Triangle& t = m_layout.surface().mesh->triangles()[s.at.triangle];
+      const glm::vec3& b = s.at.barycentric;
+      const HatchField& f0 = m_fields[t[0]];
+      const HatchField& f1 = m_fields[t[1]];
+      const HatchField& f2 = m_fields[t[2]];
+      s.weight = b.x * f0.weight + b.y * f1.weight + b.z * f2.weight;
+      s.angle = b.x * f0.angle + b.y * f1.angle + b.z * f2.angle;
+      s.position = valueAt(*m_layout.surface().mesh, m_layout.surface().mesh->positions(), s.at);
+    }
+    for (std::uint32_t i = 0; i < stroke.count; ++i)
+      if (m_samples[i].weight > 0.0f && m_samples[i].angle < 1.0f)
+        place(level, i);
+      else
+        m_samples[i].presence = 0.0f;
+  }
+
+  /// Where the sample is seen, and how much of it for its level.
+  void place(int level, std::uint32_t i) {
+    Sample& s = m_samples[i];
+    const ViewScale::Point seen = m_scale.project(s.position);
+    s.seen = seen.at;
+    s.presence = 0.0f;
+    if (!(seen.perMm > 0.0f))
       return;
-    m_samples.clear();
-    if (m_request.length < shortest) {
-      addDot(seed, {.claim = claim * room, .share = seed.presence});
-    } else {
-      follow(seed, false, {.claim = claim, .share = seed.presence}, spacing);
-      std::reverse(m_samples.begin(), m_samples.end());
-      follow(seed, true, {.claim = claim, .share = seed.presence}, spacing);
+    const glm::vec3& next = m_samples[std::min<std::size_t>(i + 1, m_samples.size() - 1)].position;
+    const glm::vec3 along = next - m_samples[i > 0 ? i - 1 : 0].position;
+    const float nv = std::cos(halfPi * s.angle);
+    // A square on the surface, one side along the stroke, is seen with nv of its area and the
+    // stroke's side as long as its direction lies across the view: the rest is its other side.
+    float across = std::sqrt(nv);
+    if (const float length = glm::length(along); length > 0.0f) {
+      const float towards = glm::dot(along, directionTo(m_eye, s.position)) / length;
+      across = nv / std::sqrt(std::max(1.0f - towards * towards, nv * nv));
     }
-    claimPlace(spacing);
-    sharpen(m_samples);
-    keep(seed);
+    s.presence = std::clamp(levelAt(seen.perMm * across) + 1.0f - float(level), 0.0f, 1.0f);
   }
 
-  StrokeSpacing::Place place(const ViewScale::Point& seen, const glm::vec3& position) const {
-    // Strokes that touch in the picture lie this near in space if they are on the same sheet.
-    return {.at = seen.at,
-            .position = position,
-            .reachMm = 3.0f * m_request.spacing / std::max(seen.perMm, 1e-20f)};
-  }
-
-  glm::vec3 facingNormal(const glm::vec3& normal, const glm::vec3& position) const {
-    const bool behind = glm::dot(normal, directionTo(m_eye, position)) < 0.0f;
-    return m_request.twoSided && behind ? -normal : normal;
-  }
-
-  /// Marks the stroke's place.
-  void claimPlace(StrokeSpacing& spacing) {
-    for (std::size_t i = 0; i < m_samples.size(); ++i) {
-      StrokeSpacing::Mark& mark = m_samples[i].mark;
-      const glm::vec2 along = m_samples[std::min(i + 1, m_samples.size() - 1)].mark.at -
-                              m_samples[i > 0 ? i - 1 : 0].mark.at;
-      const float length = glm::length(along);
-      mark.direction = length > 0.0f ? along / length : glm::vec2(0.0f);
-      if (mark.strength > 0.0f)
-        spacing.add(mark);
-    }
-  }
-
-  struct Presence {
-    float claim = 1.0f;  ///< of the place, 0 … 1
-    float share = 1.0f;  ///< of what is claimed that is drawn
-  };
-
-  void addDot(const PlacedSeed& seed, const Presence& presence) {
-    const GradientWalk walk(m_surface, m_neighbours, m_fields, {seed.triangle, seed.barycentric});
+  float halfWidth(const Sample& s, float entered) const {
+    const float share = hatchWidth(hatchOpacity(s.weight, s.angle, entered)) * m_request.tone;
+    if (m_layout.length() > 0.0f)
+      return definite(0.5f * m_request.spacing * share * s.presence);
     // A disc of radius r in a square of the spacing's side covers πr² of it.
-    const auto radius = [&](float entered) {
-      const float ink = hatchWidth(hatchOpacity(seed.weight, seed.angle, entered));
-      return m_request.spacing * std::sqrt(ink * m_request.tone / 3.14159265f) * presence.claim;
-    };
-    m_samples.push_back(sample(walk, radius(1.0f), presence.share * radius(m_entered)));
+    return definite(m_request.spacing * std::sqrt(share / 3.14159265f) * s.presence);
   }
 
-  /// Half widths: what it claims and what is drawn of it.
-  Sample sample(const GradientWalk& walk, float claimed, float drawn) const {
-    const glm::vec3 position = walk.position();
-    return {.point = {position, facingNormal(walk.normal(), position), definite(drawn)},
-            .mark = {.at = m_scale.project(position).at,
-                     .position = position,
-                     .strength = std::min(definite(claimed) / pen, 1.0f)}};
+  /// θ_c is re-timed (METHOD §7 ▲) so that the amount of ink grows evenly with T_H: the value of
+  /// `entered` at which the strokes' ink is that share of all of it.
+  float evenlyEntered(const std::vector<LaidCell>& cells) {
+    constexpr int steps = 32;
+    constexpr std::uint32_t stride = 3;
+    std::array<float, steps + 1> ink{};
+    const CoarseDepth depth(m_layout.surface(), m_camera);
+    forEachStroke(cells, [&](const LaidCell& cell, const LaidTile& tile, const LaidStroke& stroke) {
+      sample(cell.level, tile, stroke);
+      for (std::uint32_t i = 0; i < stroke.count; i += stride) {
+        const Sample& s = m_samples[i];
+        if (!s.inked() || !depth.sees(s.position))
+          continue;
+        const Sample& before = m_samples[i > 0 ? i - 1 : 0];
+        const float length = before.inked() ? glm::distance(before.seen, s.seen) : 0.0f;
+        for (int step = 1; step <= steps; ++step) {
+          const float width = halfWidth(s, float(step) / float(steps));
+          ink[std::size_t(step)] += m_layout.length() > 0.0f ? width * length : width * width;
+        }
+      }
+    });
+    const float wanted = m_request.entered * ink[steps];
+    for (std::size_t i = 1; i <= steps; ++i)
+      if (ink[i] >= wanted && ink[i] > ink[i - 1])
+        return (float(i - 1) + (wanted - ink[i - 1]) / (ink[i] - ink[i - 1])) / float(steps);
+    return 1.0f;
   }
 
-  /// Appends the points from the seed onwards, the seed's own only when going along k.
-  void follow(const PlacedSeed& seed, bool along, const Presence& presence,
-              const StrokeSpacing& spacing) {
-    GradientWalk walk(m_surface, m_neighbours, m_fields, {seed.triangle, seed.barycentric});
-    if (!walk.start(along))
-      return;
-    const float half = 0.5f * m_request.length;
-    const float longestGap = m_request.spacing;
-    float gap = 0.0f;
-    float gone = 0.0f;
-    bool more = true;
-    if (along)
-      m_samples.push_back(inked(walk, presence, spacing));
-    while (more && gone < half && gap <= longestGap) {
-      const float perMm = m_scale.project(walk.position()).perMm;
-      if (!(perMm > 0.0f))
-        break;
-      more = walk.advance(step / perMm);
-      gone += step;
-      const float taper = 1.0f - smooth(0.6f, 1.0f, gone / half);
-      m_samples.push_back(inked(walk, {presence.claim * taper, presence.share}, spacing));
-      gap = m_samples.back().mark.strength > 0.0f ? 0.0f : gap + step;
+  HatchPoint pointOf(const Sample& s) const {
+    const model::Surface& surface = m_layout.surface();
+    glm::vec3 normal = valueAt(*surface.mesh, surface.normals, s.at);
+    normal /= std::max(glm::length(normal), 1e-20f);
+    if (m_request.twoSided && glm::dot(normal, directionTo(m_eye, s.position)) < 0.0f)
+      normal = -normal;
+    return {s.position, normal, halfWidth(s, m_entered)};
+  }
+
+  /// Takes over what is drawn of the samples, piece by piece.
+  void keepPieces(const glm::vec3& seedPosition, const HatchSeed& seed) {
+    for (std::size_t i = 0; i < m_samples.size();) {
+      if (!m_samples[i].inked()) {
+        ++i;
+        continue;
+      }
+      std::size_t end = i;
+      m_piece.clear();
+      m_along.clear();
+      for (; end < m_samples.size() && m_samples[end].inked(); ++end) {
+        m_piece.push_back(pointOf(m_samples[end]));
+        m_along.push_back(m_samples[end].seen);
+      }
+      if (m_piece.size() > 1)
+        sharpen(i > 0 && m_samples[i - 1].angle >= 1.0f,
+                end < m_samples.size() && m_samples[end].angle >= 1.0f);
+      keepInk(seedPosition, seed);
+      i = end;
     }
   }
 
-  Sample inked(const GradientWalk& walk, const Presence& presence,
-               const StrokeSpacing& spacing) const {
-    const float weight = walk.weight();
-    const float angle = std::min(walk.angle(), 0.999f);
-    const glm::vec3 position = walk.position();
-    const ViewScale::Point seen = m_scale.project(position);
-    const float full = hatchOpacity(weight, angle, 1.0f);
-    if (!(seen.perMm > 0.0f) || !(full > 0.0f))
-      return sample(walk, 0.0f, 0.0f);
-    const float room = spacing.room(place(seen, position));
-    const float most = 0.5f * m_request.spacing * m_request.tone * room * presence.claim;
-    return sample(walk, most * hatchWidth(full),
-                  most * hatchWidth(hatchOpacity(weight, angle, m_entered)) * presence.share);
+  /// Points a piece at its ends but where it goes on behind a contour.
+  void sharpen(bool fromBehind, bool onBehind) {
+    if (!fromBehind)
+      m_piece.front().halfWidth = 0.0f;
+    if (!onBehind)
+      m_piece.back().halfWidth = 0.0f;
+    const auto limit = [this](std::size_t i, std::size_t neighbour) {
+      const float length = glm::distance(m_along[i], m_along[neighbour]);
+      float& width = m_piece[i].halfWidth;
+      width = std::min(width, m_piece[neighbour].halfWidth + opening * length);
+    };
+    for (std::size_t i = 1; i < m_piece.size(); ++i)
+      limit(i, i - 1);
+    for (std::size_t i = m_piece.size() - 1; i-- > 0;)
+      limit(i, i + 1);
   }
 
-  /// Takes over what is drawn of the samples: without what has no width at the ends.
-  void keep(const PlacedSeed& seed) {
-    const auto bare = [](const Sample& s) { return !(s.point.halfWidth > 0.0f); };
-    auto first = std::find_if_not(m_samples.begin(), m_samples.end(), bare);
-    auto last = std::find_if_not(m_samples.rbegin(), m_samples.rend(), bare).base();
-    if (first == m_samples.end())
-      return;
-    if (first != m_samples.begin())
-      --first;
-    if (last != m_samples.end())
-      ++last;
-    m_hatching.strokes.push_back({.seed = seed.name,
-                                  .seedPosition = seed.position,
-                                  .first = std::uint32_t(m_hatching.points.size()),
-                                  .count = std::uint32_t(last - first)});
-    for (auto it = first; it != last; ++it)
-      m_hatching.points.push_back(it->point);
+  /// Without points that have no width, but for one at either end.
+  void keepInk(const glm::vec3& seedPosition, const HatchSeed& seed) {
+    const auto bare = [](const HatchPoint& p) { return !(p.halfWidth > 0.0f); };
+    for (auto it = m_piece.begin(); it != m_piece.end();) {
+      auto first = std::find_if_not(it, m_piece.end(), bare);
+      if (first == m_piece.end())
+        return;
+      auto last = std::find_if(first, m_piece.end(), bare);
+      it = last;
+      if (first != m_piece.begin())
+        --first;
+      if (last != m_piece.end())
+        ++last;
+      m_hatching.strokes.push_back({.seed = seed,
+                                    .seedPosition = seedPosition,
+                                    .first = std::uint32_t(m_hatching.points.size()),
+                                    .count = std::uint32_t(last - first)});
+      m_hatching.points.insert(m_hatching.points.end(), first, last);
+    }
   }
 
-  const model::Surface& m_surface;
-  const model::FaceNeighbours& m_neighbours;
+  StrokeLayout& m_layout;
   const model::Camera& m_camera;
   const HatchingRequest& m_request;
   model::EyePoint m_eye;
@@ -254,16 +272,18 @@ class Hatcher {
   HatchFields m_fields;
   float m_entered = 1.0f;
   std::vector<Sample> m_samples;
+  std::vector<HatchPoint> m_piece;
+  std::vector<glm::vec2> m_along;
   Hatching m_hatching;
 };
 
 }  // namespace
 
-Hatching extractHatching(const model::Surface& surface, const model::FaceNeighbours& neighbours,
-                         const model::Camera& camera, const HatchingRequest& request) {
+Hatching extractHatching(StrokeLayout& layout, const model::Camera& camera,
+                         const HatchingRequest& request) {
   if (!(request.entered > 0.0f) || !(request.tone > 0.0f) || !(request.spacing > 0.0f))
     return {};
-  return Hatcher(surface, neighbours, camera, request).hatch();
+  return Hatcher(layout, camera, request).hatch();
 }
 
 }  // namespace sline::render

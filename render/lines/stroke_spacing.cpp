@@ -3,63 +3,55 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 namespace sline::render {
 
 namespace {
-// Shares of the distance: nearer than the first nothing is left, beyond the second all.
-constexpr float touching = 0.5f;
-constexpr float clear = 1.1f;
-// Along a stroke, past its end, others may come nearer than across it: so they join end to end.
-constexpr float past = 1.6f;
-constexpr int mostCells = 1 << 20;
+constexpr float mostCells = 128.0f;  // each way
+// Cosine between normals of one sheet.
+constexpr float sameSheet = 0.2f;
 }  // namespace
 
-StrokeSpacing::StrokeSpacing(float distance, const glm::vec2& low, const glm::vec2& high)
-    : m_distance(distance), m_low(low) {
-  const glm::vec2 size = glm::max(high - low, glm::vec2(0.0f)) / distance;
-  m_columns = std::clamp(int(size.x) + 1, 1, 4096);
-  m_rows = std::clamp(int(size.y) + 1, 1, mostCells / m_columns);
-  m_first.assign(std::size_t(m_columns) * std::size_t(m_rows), -1);
+StrokeSpacing::StrokeSpacing(float distance, const model::Box& box)
+    : m_distance(distance), m_box(box) {
+  const glm::vec3 size = glm::clamp(glm::ceil(box.size() / distance), 1.0f, mostCells);
+  m_size = {int(size.x), int(size.y), int(size.z)};
+  m_first.assign(std::size_t(m_size.x) * std::size_t(m_size.y) * std::size_t(m_size.z), -1);
 }
 
-StrokeSpacing::Cell StrokeSpacing::cell(const glm::vec2& at) const {
-  const glm::vec2 c = glm::clamp((at - m_low) / m_distance, glm::vec2(0.0f),
-                                 glm::vec2(float(m_columns - 1), float(m_rows - 1)));
-  return {int(c.x), int(c.y)};
+StrokeSpacing::Cell StrokeSpacing::cell(const glm::vec3& p) const {
+  const glm::vec3 last(float(m_size.x - 1), float(m_size.y - 1), float(m_size.z - 1));
+  const glm::vec3 c = glm::clamp((p - m_box.low) / m_distance, glm::vec3(0.0f), last);
+  return {int(c.x), int(c.y), int(c.z)};
 }
 
 void StrokeSpacing::add(const Mark& mark) {
-  std::int32_t& first = m_first[index(cell(mark.at))];
+  if (glm::any(glm::lessThan(mark.position, m_box.low)) ||
+      glm::any(glm::greaterThan(mark.position, m_box.high)))
+    return;
+  std::int32_t& first = m_first[index(cell(mark.position))];
   m_marks.push_back({mark, first});
   first = std::int32_t(m_marks.size()) - 1;
 }
 
-float StrokeSpacing::room(const Place& place) const {
-  const Cell low = cell(place.at - clear * m_distance);
-  const Cell high = cell(place.at + clear * m_distance);
-  const float squared = clear * clear * m_distance * m_distance;
-  float left = 1.0f;
-  for (int y = low.row; y <= high.row; ++y)
-    for (int x = low.column; x <= high.column; ++x)
-      for (std::int32_t i = m_first[index({x, y})]; i >= 0; i = m_marks[std::size_t(i)].next) {
-        const Mark& mark = m_marks[std::size_t(i)].mark;
-        const glm::vec2 d = place.at - mark.at;
-        const float along = glm::dot(d, mark.direction);
-        const float away2 = glm::dot(d, d) + (past * past - 1.0f) * along * along;
-        if (away2 >= squared)
-          continue;
-        const glm::vec3 apart = place.position - mark.position;
-        if (glm::dot(apart, apart) > place.reachMm * place.reachMm)
-          continue;
-        const float away = std::sqrt(away2) / m_distance;
-        const float free = std::clamp((away - touching) / (clear - touching), 0.0f, 1.0f);
-        left = std::min(left, 1.0f - mark.strength * (1.0f - free));
-        if (left <= 0.0f)
-          return 0.0f;
-      }
-  return left;
+float StrokeSpacing::room(const Mark& place) const {
+  const Cell low = cell(place.position - m_distance);
+  const Cell high = cell(place.position + m_distance);
+  float nearest2 = m_distance * m_distance;
+  for (int z = low.z; z <= high.z; ++z)
+    for (int y = low.y; y <= high.y; ++y)
+      for (int x = low.x; x <= high.x; ++x)
+        for (std::int32_t i = m_first[index({x, y, z})]; i >= 0; i = m_marks[std::size_t(i)].next) {
+          const Mark& mark = m_marks[std::size_t(i)].mark;
+          const glm::vec3 apart = place.position - mark.position;
+          const float away2 = glm::dot(apart, apart);
+          if (away2 < nearest2 && glm::dot(mark.normal, place.normal) > sameSheet)
+            nearest2 = away2;
+        }
+  return std::sqrt(nearest2) / m_distance;
 }
 
 }  // namespace sline::render

@@ -1,44 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keeps strokes apart. A stroke is never cut off by another but grows thinner the nearer it comes,
-// so that nothing pops while the camera moves (after the even spacing of B. Jobard and W. Lefer,
-// "Creating Evenly-Spaced Streamlines of Arbitrary Density", 1997, made continuous).
+// Which places on a surface strokes have taken (after B. Jobard and W. Lefer, "Creating
+// Evenly-Spaced Streamlines of Arbitrary Density", 1997).
 #pragma once
 
+#include <array>
 #include <cstdint>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
+
+#include "model/geometry/mesh.h"
 
 namespace sline::render {
 
 class StrokeSpacing {
  public:
   struct Mark {
-    glm::vec2 at{0.0f};         ///< λ in the picture
-    glm::vec2 direction{0.0f};  ///< unit, along the stroke in the picture
-    glm::vec3 position{0.0f};   ///< mm
-    float strength = 0.0f;      ///< 0 … 1: how much of a stroke is here
+    glm::vec3 position{0.0f};  ///< mm
+    glm::vec3 normal{0.0f};    ///< unit: two sheets of a thin wall do not get in each other's way
   };
 
-  /// `distance` λ between the middles of strokes; marks lie between `low` and `high`.
-  StrokeSpacing(float distance, const glm::vec2& low, const glm::vec2& high);
+  /// Strokes are `distance` mm apart; marks outside of the box are of no interest.
+  StrokeSpacing(float distance, const model::Box& box);
   void add(const Mark& mark);
-  struct Place {
-    glm::vec2 at{0.0f};
-    glm::vec3 position{0.0f};
-    float reachMm = 0.0f;  ///< strokes farther than this in space are on another sheet
-  };
-  /// What is left of a stroke there, 1 where none is near, 0 where one runs.
-  float room(const Place& place) const;
+  /// The distance to the nearest mark as a share of that between strokes, 1 at most.
+  float room(const Mark& place) const;
 
  private:
   struct Cell {
-    int column;
-    int row;
+    int x, y, z;
   };
-  Cell cell(const glm::vec2& at) const;
+  Cell cell(const glm::vec3& p) const;
   std::size_t index(const Cell& c) const {
-    return std::size_t(c.row) * std::size_t(m_columns) + std::size_t(c.column);
+    return (std::size_t(c.z) * std::size_t(m_size.y) + std::size_t(c.y)) * std::size_t(m_size.x) +
+           std::size_t(c.x);
   }
 
   struct Listed {
@@ -46,9 +40,8 @@ class StrokeSpacing {
     std::int32_t next;
   };
   float m_distance;
-  glm::vec2 m_low;
-  int m_columns = 1;
-  int m_rows = 1;
+  model::Box m_box;
+  Cell m_size;
   std::vector<std::int32_t> m_first;  ///< of each cell in `m_marks`; −1 for none
   std::vector<Listed> m_marks;
 };

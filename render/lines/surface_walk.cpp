@@ -10,41 +10,12 @@ namespace sline::render {
 
 namespace {
 // Cosine of the sharpest turn from one step to the next.
-constexpr float sharpestTurn = 0.3f;
+constexpr float sharpestTurn = 0.8f;
 // Triangles that one call may cross; a fan of slivers must not hold a picture up.
 constexpr int mostCrossings = 400;
-
-template <class Value>
-Value mixed(const Value& a, const Value& b, const Value& c, const glm::vec3& at) {
-  return at.x * a + at.y * b + at.z * c;
-}
 }  // namespace
 
-glm::vec3 GradientWalk::position() const {
-  const model::Triangle& t = m_surface.mesh->triangles()[m_at.triangle];
-  const auto p = m_surface.mesh->positions();
-  return mixed(p[t[0]], p[t[1]], p[t[2]], m_at.barycentric);
-}
-
-glm::vec3 GradientWalk::normal() const {
-  const model::Triangle& t = m_surface.mesh->triangles()[m_at.triangle];
-  const std::vector<glm::vec3>& n = m_surface.normals;
-  const glm::vec3 sum = mixed(n[t[0]], n[t[1]], n[t[2]], m_at.barycentric);
-  return sum / std::max(glm::length(sum), 1e-20f);
-}
-
-float GradientWalk::weight() const {
-  const model::Triangle& t = m_surface.mesh->triangles()[m_at.triangle];
-  return mixed(m_fields[t[0]].weight, m_fields[t[1]].weight, m_fields[t[2]].weight,
-               m_at.barycentric);
-}
-
-float GradientWalk::angle() const {
-  const model::Triangle& t = m_surface.mesh->triangles()[m_at.triangle];
-  return mixed(m_fields[t[0]].angle, m_fields[t[1]].angle, m_fields[t[2]].angle, m_at.barycentric);
-}
-
-bool GradientWalk::start(bool along) {
+bool SurfaceWalk::start(bool along) {
   m_direction = glm::vec3(0.0f);
   if (!aim())
     return false;
@@ -53,29 +24,33 @@ bool GradientWalk::start(bool along) {
   return true;
 }
 
-/// Points the direction along k where the walk stands, without turning back.
-bool GradientWalk::aim() {
+/// Points the direction along the field where the walk stands, without turning back.
+bool SurfaceWalk::aim() {
   const model::Triangle& t = m_surface.mesh->triangles()[m_at.triangle];
   const auto p = m_surface.mesh->positions();
   const glm::vec3 normal = glm::cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
   const float area2 = glm::dot(normal, normal);
   if (!(area2 > 0.0f))
     return false;
-  glm::vec3 k = mixed(m_fields[t[0]].k, m_fields[t[1]].k, m_fields[t[2]].k, m_at.barycentric);
-  k -= glm::dot(k, normal) / area2 * normal;
-  const float length = glm::length(k);
-  if (!(length > 1e-20f))
-    return false;
-  k /= length;
   const bool underWay = m_direction != glm::vec3(0.0f);
-  const float turn = glm::dot(k, m_direction);
-  if (underWay && std::abs(turn) < sharpestTurn)
+  const glm::vec3 ahead = underWay ? m_direction : m_directions[t[0]];
+  glm::vec3 along(0.0f);
+  for (int i = 0; i < 3; ++i) {
+    const glm::vec3& d = m_directions[t[std::size_t(i)]];
+    along += (glm::dot(d, ahead) < 0.0f ? -m_at.barycentric[i] : m_at.barycentric[i]) * d;
+  }
+  along -= glm::dot(along, normal) / area2 * normal;
+  const float length = glm::length(along);
+  if (!(length > 1e-6f))
     return false;
-  m_direction = underWay && turn < 0.0f ? -k : k;
+  along /= length;
+  if (underWay && glm::dot(along, m_direction) < sharpestTurn)
+    return false;
+  m_direction = along;
   return true;
 }
 
-bool GradientWalk::cross(int corner) {
+bool SurfaceWalk::cross(int corner) {
   const std::uint32_t next = m_neighbours.across(m_at.triangle, corner);
   if (next == model::FaceNeighbours::none)
     return false;
@@ -93,9 +68,9 @@ bool GradientWalk::cross(int corner) {
   return true;
 }
 
-bool GradientWalk::advance(float distance) {
+bool SurfaceWalk::advance(float distance) {
   for (int crossings = 0; crossings < mostCrossings; ++crossings) {
-    if (!aim() || angle() >= 1.0f)
+    if (!aim())
       return false;
     const model::Triangle& t = m_surface.mesh->triangles()[m_at.triangle];
     const auto p = m_surface.mesh->positions();

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walks over a triangle mesh along a direction field given at its vertices.
+// Walks over a triangle mesh along a line field given at its vertices.
 #pragma once
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "model/geometry/face_neighbours.h"
 #include "model/geometry/surface.h"
-#include "render/lines/hatch_tone.h"
 
 namespace sline::render {
 
@@ -17,25 +17,30 @@ struct SurfacePoint {
   glm::vec3 barycentric{0.0f};
 };
 
-/// One walk along the light gradient k: it follows the field whichever way that points, as long as
-/// it turns no corner.
-class GradientWalk {
- public:
-  GradientWalk(const model::Surface& surface, const model::FaceNeighbours& neighbours,
-               const HatchFields& fields, const SurfacePoint& start)
-      : m_surface(surface), m_neighbours(neighbours), m_fields(fields), m_at(start) {}
+/// What is given at a mesh's vertices, at a place on it.
+template <class Values>
+auto valueAt(const model::Mesh& mesh, const Values& values, const SurfacePoint& at) {
+  const model::Triangle& t = mesh.triangles()[at.triangle];
+  return at.barycentric.x * values[t[0]] + at.barycentric.y * values[t[1]] +
+         at.barycentric.z * values[t[2]];
+}
 
-  /// Sets out along k, or against it.
+/// One walk, which goes on the way it came wherever the field's sign would turn it.
+class SurfaceWalk {
+ public:
+  /// `directions`: unit tangents, one per vertex, of either sign.
+  SurfaceWalk(const model::Surface& surface, const model::FaceNeighbours& neighbours,
+              std::span<const glm::vec3> directions, const SurfacePoint& start)
+      : m_surface(surface), m_neighbours(neighbours), m_directions(directions), m_at(start) {}
+
+  /// Sets out one way or the other.
   bool start(bool along);
-  /// Goes `distance` mm; false, at the last place reached, where the mesh or the field ends, the
-  /// field turns sharply or the surface turns away from the eye.
+  /// Goes `distance` mm; false, at the last place reached, where the mesh ends or the field turns
+  /// sharply.
   bool advance(float distance);
 
-  glm::vec3 position() const;
-  glm::vec3 normal() const;  ///< unit, as the mesh has it
-  float weight() const;
-  float angle() const;
-  const glm::vec3& direction() const { return m_direction; }  ///< unit, in the triangle's plane
+  const SurfacePoint& at() const { return m_at; }
+  glm::vec3 position() const { return valueAt(*m_surface.mesh, m_surface.mesh->positions(), m_at); }
 
  private:
   bool aim();
@@ -43,7 +48,7 @@ class GradientWalk {
 
   const model::Surface& m_surface;
   const model::FaceNeighbours& m_neighbours;
-  const HatchFields& m_fields;
+  std::span<const glm::vec3> m_directions;
   SurfacePoint m_at;
   glm::vec3 m_direction{0.0f};
 };

@@ -96,16 +96,16 @@ struct Sums {
   }
 };
 
-Result<Flicker> flickerOf(const Turntable& table, const Turn& turn, const HatchingPicture& draw) {
+Result<Flicker> flickerOf(const Turntable& table, const Turn& turn, const HatchingWay& way) {
   Flicker flicker;
   Sums sums;
   Fine before;
   for (std::size_t i = 0; i < turn.cameras.size(); ++i) {
     const Result<Image> drawn =
-        draw(turn.cameras[i], table.oversampling * table.width, table.oversampling * table.height);
+        way.draw(turn.cameras[i], way.oversampling * table.width, way.oversampling * table.height);
     if (!drawn)
       return drawn.error();
-    Fine now{table.oversampling, ink(*drawn)};
+    Fine now{way.oversampling, ink(*drawn)};
     if (i > 0)
       sums.add(now, before, turn.warps[i - 1]);
     before = std::move(now);
@@ -113,7 +113,7 @@ Result<Flicker> flickerOf(const Turntable& table, const Turn& turn, const Hatchi
   for (const auto& [share, size] :
        {std::pair(&flicker.midTones, PictureSize{table.width, table.height}),
         {&flicker.midTonesInPrint, printSize(table)}}) {
-    const Result<Image> drawn = draw(table.camera, size.width, size.height);
+    const Result<Image> drawn = way.draw(table.camera, size.width, size.height);
     if (!drawn)
       return drawn.error();
     *share = midToneShare(*drawn);
@@ -158,13 +158,13 @@ model::Camera turned(const model::Camera& camera, const glm::vec3& middle, float
 }
 
 Result<std::vector<Flicker>> measureFlicker(const Turntable& turntable,
-                                            std::span<const HatchingPicture> ways) {
+                                            std::span<const HatchingWay> ways) {
   const Result<Turn> turn = turnOf(turntable);
   if (!turn)
     return turn.error();
   std::vector<Flicker> result;
-  for (const HatchingPicture& draw : ways) {
-    const Result<Flicker> flicker = flickerOf(turntable, *turn, draw);
+  for (const HatchingWay& way : ways) {
+    const Result<Flicker> flicker = flickerOf(turntable, *turn, way);
     if (!flicker)
       return flicker.error();
     result.push_back(*flicker);
@@ -202,9 +202,10 @@ std::vector<std::string> faults(const Steadiness& steadiness) {
        {std::pair(&steadiness.strokes, "strokes"), {&steadiness.asPrinted, "as printed"}})
     if (!flicker->anyHatching())
       found.push_back(std::string(name) + ": no hatching shows");
-  if (const auto ratio = steadiness.ratio(); ratio && *ratio > flickerLimit)
+  if (const auto ratio = steadiness.inkRatio(); ratio && *ratio > flickerLimit)
     found.push_back("strokes: change " + percent(*ratio) +
-                    " as much as hatching as printed, not at most " + percent(flickerLimit));
+                    " as much as hatching as printed does for as much ink, not at most " +
+                    percent(flickerLimit));
   if (const double middle = steadiness.strokes.midTonesInPrint; middle > midToneLimit)
     found.push_back("strokes: " + percent(middle) +
                     " of hatched pixels are mid-tones in print, not at most " +

@@ -22,7 +22,9 @@
 
 namespace sline::render {
 
-/// Strokes may change at most this share of what hatching as printed changes.
+/// For as much ink strokes may change at most this share of what hatching as printed changes. ▲ Not
+/// simply of its change: who draws less changes less, so blank paper would win, and hatching as
+/// printed leaves convex forms blank that strokes model.
 inline constexpr double flickerLimit = 0.5;
 /// Of the pixels with ink in print at most this share may be neither light nor dark.
 inline constexpr double midToneLimit = 0.25;
@@ -40,6 +42,16 @@ inline constexpr float turnStep = 0.5f;
 /// drawing, finer.
 using HatchingPicture = std::function<Result<Image>(const model::Camera&, int width, int height)>;
 
+struct HatchingWay {
+  HatchingPicture draw;
+  /// Pictures are drawn this many times as large and compared in pixels of the size asked for. No
+  /// interpolation knows where within a pixel the edge of a stroke lies: strokes a pixel wide that
+  /// move across themselves with the surface seem to change by 0.17 of what they could; drawn three
+  /// times as large by 0.06. For a way that draws the same at any size, only finer. One that
+  /// searches pixel by pixel draws something else in a larger picture, and is looked at as it is.
+  int oversampling = 1;
+};
+
 struct PictureSize {
   int width = 0;
   int height = 0;
@@ -52,12 +64,7 @@ struct Turntable {
   model::Camera camera;  ///< of the first picture
   int width = 0;
   int height = 0;
-  int frames = 10;  ///< pairs of pictures that are compared
-  /// Pictures are drawn this many times as large and compared in pixels of the size above. At 1
-  /// they are what people see, but no interpolation knows where within a pixel the edge of a stroke
-  /// lies: strokes a pixel wide that move across themselves with the surface seem to change by 0.17
-  /// of what they could. At 3 it is 0.06; but what a method owes to pixels, a larger picture lacks.
-  int oversampling = 1;
+  int frames = 10;                        ///< pairs of pictures that are compared
   int printHeight = render::printHeight;  ///< at which the edges of strokes are looked at
 };
 
@@ -86,7 +93,7 @@ struct Flicker {
 /// One result for each way of hatching. The error is a picture's own, or says that two pictures
 /// share no surface.
 Result<std::vector<Flicker>> measureFlicker(const Turntable& turntable,
-                                            std::span<const HatchingPicture> ways);
+                                            std::span<const HatchingWay> ways);
 
 /// Share of pixels with ink between the bounds of mid-tones among those with ink at all; 0 where
 /// there is none.
@@ -97,11 +104,11 @@ struct Steadiness {
   Flicker asPrinted;
 
   /// Strokes' flicker over the surface as a share of that of hatching as printed; none where either
-  /// shows no hatching.
+  /// shows no hatching. This is METHOD §6.10's figure to the letter; see `flickerLimit`.
   std::optional<double> ratio() const;
   /// The same over hatched pixels.
   std::optional<double> hatchedRatio() const;
-  /// The same for as much ink: who draws less changes less, and the first ratio does not tell.
+  /// The same as the first for as much ink.
   std::optional<double> inkRatio() const;
 };
 

@@ -52,6 +52,26 @@ RampPictures rampPictures(Picture& picture, const Subject& subject,
   return pictures;
 }
 
+Result<Steadiness> measureSteadiness(Picture& picture, const Subject& subject,
+                                     const SteadinessSettings& settings) {
+  const std::array<HatchingWay, 2> ways{
+      {{hatchingPicture(picture, subject, settings.gamma, HatchingMethod::strokes),
+        settings.oversampling},
+       {hatchingPicture(picture, subject, settings.gamma, HatchingMethod::asPrinted)}}};
+  const auto flickers = measureFlicker({.mesh = subject.structure().mesh,
+                                        .camera = subject.camera,
+                                        .width = subject.width,
+                                        .height = subject.height,
+                                        .frames = settings.frames},
+                                       ways);
+  if (!flickers.ok()) {
+    Error error = flickers.error();
+    error.where = subject.structure().name;
+    return error;
+  }
+  return Steadiness{.strokes = flickers->front(), .asPrinted = flickers->back()};
+}
+
 HatchingPicture hatchingPicture(Picture& picture, const Subject& subject, Gamma gamma,
                                 HatchingMethod method) {
   model::Style patch;

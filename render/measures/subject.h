@@ -32,6 +32,15 @@ model::Scene alone(const model::Scene& scene, model::NodeId structure);
 RampPictures rampPictures(Picture& picture, const Subject& subject,
                           std::function<void(Gamma, const Image&)> look = {});
 
+struct SteadinessSettings {
+  Gamma gamma;
+  int frames = 10;
+  int oversampling = 3;  ///< of strokes
+};
+/// The subject's hatching at the subject's size. The error names the structure.
+Result<Steadiness> measureSteadiness(Picture& picture, const Subject& subject,
+                                     const SteadinessSettings& settings);
+
 /// The subject's hatching alone at that Γ, black on white, made that way.
 HatchingPicture hatchingPicture(Picture& picture, const Subject& subject, Gamma gamma,
                                 HatchingMethod method);

@@ -51,7 +51,7 @@ Pen devicePen(float width, float opacity) {
 /// at two pixels to λ and more, they would turn grey (METHOD §6.8); on the screen they must not
 /// crawl.
 float hatchEdge(float outputUnit) {
-  return std::clamp(1.4f - 0.4f * outputUnit, 0.6f, 1.0f);
+  return std::clamp(1.4f - 0.4f * outputUnit, 0.25f, 1.0f);
 }
 
 float pixelsPerMillimetre(const model::Surface& surface, const PictureView& view) {
@@ -243,12 +243,12 @@ LineSet styledLines(const model::Surface& surface, const PictureView& view,
        .twoSided = needsTwoSides(surface, view.camera())});
 }
 
-Hatching styledHatching(const model::Surface& surface, const model::FaceNeighbours& neighbours,
-                        const PictureView& view, const model::ResolvedStyle& style) {
-  return extractHatching(surface, neighbours, view.camera(),
+Hatching styledHatching(StrokeLayout& layout, const PictureView& view,
+                        const model::ResolvedStyle& style) {
+  return extractHatching(layout, view.camera(),
                          {.entered = transitions(style.gamma).hatching,
                           .aspect = view.size().x / view.size().y,
-                          .twoSided = needsTwoSides(surface, view.camera())});
+                          .twoSided = needsTwoSides(layout.surface(), view.camera())});
 }
 
 void cutLines(const SectionedSurface& cut, StructureLines& drawn) {

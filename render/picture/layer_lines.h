@@ -32,8 +32,8 @@ float penWidth(const model::Surface& surface, const PictureView& view, float pen
 LineSet styledLines(const model::Surface& surface, const PictureView& view,
                     const model::ResolvedStyle& style);
 /// The hatching that the style asks for.
-Hatching styledHatching(const model::Surface& surface, const model::FaceNeighbours& neighbours,
-                        const PictureView& view, const model::ResolvedStyle& style);
+Hatching styledHatching(StrokeLayout& layout, const PictureView& view,
+                        const model::ResolvedStyle& style);
 /// Ends them at the section planes and adds the outlines of the cut faces.
 void cutLines(const SectionedSurface& cut, StructureLines& drawn);
 /// Finds when each enters its stage and joins them to the strokes a pen would set: pieces of a line

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <numeric>
+#include <set>
 
 #include "model/base/parallel.h"
 
@@ -34,17 +35,20 @@ bool hatches(const PictureInput& input, const Shown& shown) {
 /// Makes and uploads what the changed layers need of their surfaces and no other picture did.
 void completeSurfaces(const PictureInput& input, std::span<const Layer> layers,
                       std::span<const std::size_t> changed) {
+  std::set<CachedSurface*> hatched;
   for (const std::size_t i : changed)
     for (std::size_t k = 0; k < layers[i].members.size(); ++k) {
       const Shown& shown = layers[i].members[k];
       const float shading = shownFill(input, shown).shading;
       if ((shading > 0.0f && shading < 1.0f) || shown.printedHatching)
         shown.cached->needShape();
-      if (hatches(input, shown))
-        shown.cached->needNeighbours();
+      if (hatches(input, shown) && !shown.cached->strokes)
+        hatched.insert(shown.cached);
       if (!layers[i].coverage[k].ranges.empty())
         shown.cached->needWhole();
     }
+  const std::vector<CachedSurface*> each(hatched.begin(), hatched.end());
+  parallelFor(each.size(), 1, [&](std::size_t i) { each[i]->needStrokes(); });
 }
 
 /// Finds the lines of all changed layers that have none in `lines` yet.
@@ -70,8 +74,7 @@ void findLines(const PictureInput& input, std::span<const Layer> layers,
     const Shown& shown = *absent[i].shown;
     StructureLines& drawn = *absent[i].lines;
     if (hatches(input, shown))
-      drawn.hatching =
-          styledHatching(shown.surface(), *shown.cached->neighbours, input.view, shown.style);
+      drawn.hatching = styledHatching(*shown.cached->strokes, input.view, shown.style);
     if (shown.cut)
       cutLines(*shown.cut, drawn);
     joinLines(shown.surface(), input.view, shown.style, drawn.lines);

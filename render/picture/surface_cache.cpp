@@ -6,6 +6,8 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <set>
 
+#include "render/lines/hatching.h"
+
 namespace sline::render {
 
 namespace {
@@ -56,9 +58,9 @@ void CachedSurface::needWhole() {
   geometry->addWhole(indices);
 }
 
-void CachedSurface::needNeighbours() {
-  if (!neighbours)
-    neighbours = std::make_unique<model::FaceNeighbours>(*surface->mesh);
+void CachedSurface::needStrokes() {
+  if (!strokes)
+    strokes = std::make_unique<StrokeLayout>(surface, longestHatchStroke / hatchSpacing);
 }
 
 CachedSurface& SurfaceCache::at(const model::MeshPtr& mesh, const model::Provenance& provenance) {

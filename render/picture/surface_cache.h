@@ -6,9 +6,9 @@
 #include <memory>
 #include <span>
 
-#include "model/geometry/face_neighbours.h"
 #include "model/geometry/surface.h"
 #include "model/scene/scene.h"
+#include "render/lines/stroke_layout.h"
 #include "render/passes/surface_geometry.h"
 
 namespace sline::render {
@@ -16,14 +16,14 @@ namespace sline::render {
 struct CachedSurface {
   model::SurfacePtr surface;
   std::unique_ptr<passes::SurfaceGeometry> geometry;
-  std::unique_ptr<model::FaceNeighbours> neighbours;  ///< null until some hatching needs it
+  std::unique_ptr<StrokeLayout> strokes;  ///< null until some hatching needs it
 
   /// Uploads the curvature that fills at 3 < Γ < 4 need, once.
   void needShape();
   /// Uploads all triangles in the order of the clusters, for drawing without culling, once.
   void needWhole();
-  /// Finds which triangles are neighbours, which hatching needs, once.
-  void needNeighbours();
+  /// Prepares for strokes of hatching, once.
+  void needStrokes();
 };
 
 class SurfaceCache {

@@ -153,32 +153,22 @@ const render::Steadiness* OrgansTest::steadinessOf(const QString& name) {
   const std::optional<render::Subject> subject = subjectOf(name, steadyHeight);
   if (!subject)
     return nullptr;
-  const Gamma hatched = Gamma::clamped(3.0f);
-  const std::array<render::HatchingPicture, 2> ways{
-      hatchingPicture(*m_picture, *subject, hatched, render::HatchingMethod::strokes),
-      hatchingPicture(*m_picture, *subject, hatched, render::HatchingMethod::asPrinted)};
-  const auto flickers = render::measureFlicker({.mesh = subject->structure().mesh,
-                                                .camera = subject->camera,
-                                                .width = subject->width,
-                                                .height = subject->height,
-                                                .frames = frames},
-                                               ways);
-  if (!flickers.ok()) {
-    QTest::qFail(flickers.error().text().c_str(), __FILE__, __LINE__);
+  const auto steadiness = render::measureSteadiness(
+      *m_picture, *subject, {.gamma = Gamma::clamped(3.0f), .frames = frames});
+  if (!steadiness.ok()) {
+    QTest::qFail(steadiness.error().text().c_str(), __FILE__, __LINE__);
     return nullptr;
   }
-  return &(m_steadiness[name] = {.strokes = flickers->front(), .asPrinted = flickers->back()});
+  return &(m_steadiness[name] = *steadiness);
 }
 
 void OrgansTest::strokesStayOnTheSurface_data() {
   organRows({{"liver", ""},
-             {"right kidney",
-              "0.56: with 37 % of the ink of hatching as printed, more than on most organs"},
+             {"right kidney", ""},
              {"spleen", ""},
              {"sacrum", ""},
              {"right hip bone", ""},
-             {"left ventricle",
-              "0.62: with 62 % of the ink of hatching as printed, more than on any other"}});
+             {"left ventricle", ""}});
 }
 
 void OrgansTest::strokesStayOnTheSurface() {
@@ -186,7 +176,7 @@ void OrgansTest::strokesStayOnTheSurface() {
   const render::Steadiness* steadiness = steadinessOf(name);
   if (!steadiness)
     QSKIP("there is no such anatomy here");
-  const std::optional<double> ratio = steadiness->ratio();
+  const std::optional<double> ratio = steadiness->inkRatio();
   QVERIFY2(ratio, "it shows no hatching");
   QFETCH(QByteArray, misses);
   if (!misses.isEmpty())
@@ -198,9 +188,8 @@ void OrgansTest::strokesHaveDefiniteEdges_data() {
   organRows({{"liver", ""},
              {"right kidney", ""},
              {"spleen", ""},
-             {"sacrum", "25.3 %: its strokes are short, and much of each is a tapering end"},
-             {"right hip bone",
-              "35 %: only a handful of its strokes can be seen, nearly all edge in print too"},
+             {"sacrum", ""},
+             {"right hip bone", ""},
              {"left ventricle", ""}});
 }
 

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// Strokes laid over a surface once, for all views. Strokes of level l are `spacing(l)` apart and
+// lie between those of the coarser levels: a view draws coarse strokes in full and lets finer ones
+// grow in between as it comes nearer (nested like the tonal art maps of E. Praun et al., "Real-Time
+// Hatching", 2001), so that neither turning nor zooming moves a stroke or takes one away (METHOD
+// §6.7, §6.10).
+//
+// Levels are laid in cubes, each when a view first needs it, so that a close look costs no more
+// than a far one. What a cube holds does not depend on when: it makes way for all coarser cubes
+// nearby and for those neighbours of its level that come before it in an order by the parity of
+// their coordinates, and for nothing else.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <vector>
+
+#include "model/geometry/face_neighbours.h"
+#include "model/geometry/surface.h"
+#include "render/lines/hatch_seeds.h"
+#include "render/lines/stroke_spacing.h"
+#include "render/lines/surface_walk.h"
+
+namespace sline::render {
+
+/// A place on the mesh in eight bytes.
+struct LaidPoint {
+  std::uint32_t triangle = 0;
+  std::uint16_t second = 0;  ///< barycentric coordinate of corner 1, of 65535
+  std::uint16_t third = 0;   ///< of corner 2
+};
+
+struct LaidStroke {
+  HatchSeed seed;
+  model::Sphere bounds;
+  std::uint32_t first = 0;  ///< in LaidTile::points
+  std::uint32_t count = 0;  ///< 1 for a dot
+  std::uint32_t seedPoint = 0;
+};
+
+struct LaidTile {
+  std::vector<LaidPoint> points;
+  std::vector<LaidStroke> strokes;
+};
+
+/// A cube of one level. Odd ones lie between even ones, the one at the origin around the origin.
+struct LaidCell {
+  int level = 0;
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  std::int32_t z = 0;
+  auto operator<=>(const LaidCell&) const = default;
+};
+
+/// May be asked by several threads.
+class StrokeLayout {
+ public:
+  /// `length` of the longest stroke as a multiple of the distance between strokes; 0 for dots.
+  StrokeLayout(model::SurfacePtr surface, float length);
+
+  const model::Surface& surface() const { return *m_surface; }
+  float length() const { return m_length; }
+  /// mm between strokes of a level.
+  float spacing(int level) const;
+  /// The coarsest level with more than a stroke or two.
+  int firstLevel() const { return m_firstLevel; }
+
+  /// Adds the cells of a level from which strokes may reach into the cluster.
+  void addCells(int level, const model::Cluster& cluster, std::vector<LaidCell>& cells) const;
+  /// Around all strokes that start there.
+  model::Sphere bounds(const LaidCell& cell) const;
+  /// Stays where it is as long as the layout.
+  const LaidTile& tile(const LaidCell& cell);
+
+  SurfacePoint at(const LaidPoint& point) const;
+  glm::vec3 position(const LaidPoint& point) const;
+
+ private:
+  class Placer;
+  float reach(int level) const;
+  float side(int level) const;
+  /// Relative to the middle of the bounding sphere.
+  model::Box box(const LaidCell& cell) const;
+  void addCells(int level, const model::Box& box, std::vector<LaidCell>& cells) const;
+  const LaidTile& found(const LaidCell& cell);
+  LaidTile lay(const LaidCell& cell);
+  void markAround(const LaidCell& cell, const model::Box& box, StrokeSpacing& taken);
+  void mark(const LaidTile& tile, const LaidStroke& stroke, float distance,
+            StrokeSpacing& taken) const;
+
+  model::SurfacePtr m_surface;
+  model::FaceNeighbours m_neighbours;
+  std::vector<glm::vec3> m_directions;
+  float m_length;
+  int m_firstLevel;
+  std::mutex m_mutex;  ///< of the tiles
+  std::map<LaidCell, LaidTile> m_tiles;
+};
+
+}  // namespace sline::render
