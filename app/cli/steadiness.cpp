@@ -16,7 +16,7 @@ struct SteadinessFlags {
   MeasureFlags measure;
   std::string gamma = "3";
   int frames = 10;
-  int oversampling = 3;
+  int oversampling = 4;
 };
 
 struct MeasuredSteadiness {

@@ -13,6 +13,9 @@
 namespace sline::render {
 
 namespace {
+// Barycentric: a lattice point on an edge is found from both sides rather than from none.
+constexpr float slack = 1e-4f;
+
 /// Scatters the lattice's points; the same for a point and its mirror images.
 std::uint32_t scattered(const HatchSeed& s) {
   std::uint32_t h = std::uint32_t(std::abs(s.i)) * 0x9e3779b1u;
@@ -88,8 +91,9 @@ class Seeder {
         const glm::vec2 d = glm::vec2(x, y) - origin;
         const float b1 = (d.x * b.y - d.y * b.x) / area;
         const float b2 = (a.x * d.y - a.y * d.x) / area;
-        if (b1 >= 0.0f && b2 >= 0.0f && b1 + b2 <= 1.0f)
-          add({triangle, {1.0f - b1 - b2, b1, b2}},
+        const glm::vec3 at(1.0f - b1 - b2, b1, b2);
+        if (std::min({at.x, at.y, at.z}) >= -slack)
+          add({triangle, glm::max(at, glm::vec3(0.0f))},
               named(axis, m_level, std::int32_t(x), std::int32_t(y)));
       }
   }

@@ -16,21 +16,13 @@ float quarterTurns(float x) {
          (1.5707288f + x * (-0.2121144f + x * (0.0742610f - 0.0187293f * x)));
 }
 
-// The light's direction in the camera's frame, from the surface (METHOD §7: from the upper left).
-constexpr glm::vec3 light{-0.538f, 0.606f, 0.587f};
-// Cosines to it: below the first all is shadow, above the second nothing.
+// Cosines to the light: below the first all is shadow, above the second nothing.
 constexpr float wholeShadow = -0.35f;
 constexpr float noShadow = 0.3f;
 constexpr float shadowWeight = 0.45f;
 
-struct View {
-  model::EyePoint eye;
-  glm::vec3 light;
-  bool twoSided;
-};
-
 /// METHOD §3: k = S w + (nv/d)·w. Seen from behind n and S change sign and w does not, so k turns.
-HatchField fieldAt(const model::ClusterVertices& in, std::size_t i, const View& view,
+HatchField fieldAt(const model::ClusterVertices& in, std::size_t i, const HatchView& view,
                    float filigreeSize) {
   const glm::vec3 p{in.position[0][i], in.position[1][i], in.position[2][i]};
   const glm::vec3 n{in.normal[0][i], in.normal[1][i], in.normal[2][i]};
@@ -69,16 +61,12 @@ float hatchWidth(float opacity) {
   return table[i] + (x - float(i)) * (table[i + 1] - table[i]);
 }
 
-HatchFields::HatchFields(const model::Surface& surface, const model::Camera& camera, bool twoSided)
+HatchFields::HatchFields(const model::Surface& surface, const HatchView& view)
     : m_fields(surface.mesh->vertexCount()) {
-  const model::CameraFrame frame = model::cameraFrame(camera);
-  const View view{.eye = eyeOf(camera),
-                  .light = light.x * frame.right + light.y * frame.up + light.z * frame.back,
-                  .twoSided = twoSided};
   const model::Clusters& clusters = surface.clusters;
   for (std::size_t c = 0; c < clusters.items.size(); ++c) {
     const model::Cluster& cluster = clusters.items[c];
-    if (!twoSided && model::facing(cluster, view.eye) == model::Facing::back)
+    if (!view.twoSided && model::facing(cluster, view.eye) == model::Facing::back)
       continue;
     bool hatched = false;
     // Clusters share vertices at their seams and write the same value to the same place.

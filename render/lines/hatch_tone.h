@@ -5,12 +5,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <vector>
 
 #include "model/geometry/surface.h"
-#include "model/scene/camera.h"
 
 namespace sline::render {
+
+/// Whence hatching is seen and lit.
+struct HatchView {
+  model::EyePoint eye;
+  glm::vec3 light{0.0f};  ///< unit, towards it
+  bool twoSided = false;  ///< see LineRequest
+};
 
 /// What hatching is made of at a vertex; all on the side that faces the eye.
 struct HatchField {
@@ -21,11 +28,11 @@ struct HatchField {
 /// One entry per vertex; only clusters that may carry hatching are looked at.
 ///
 /// ▲ w_k is positive in hollows alone: on a liver seen from the front S draws nothing, and Γ = 3
-/// looks like Γ = 2. So a form has a shadow of its own too, on the side away from the light from
-/// the upper left, as everything in an atlas has; w_a (S eq. 6) lets it grow towards the contour.
+/// looks like Γ = 2. So a form has a shadow of its own too, on the side away from the light, as
+/// everything in an atlas has; w_a (S eq. 6) lets it grow towards the contour.
 class HatchFields {
  public:
-  HatchFields(const model::Surface& surface, const model::Camera& camera, bool twoSided);
+  HatchFields(const model::Surface& surface, const HatchView& view);
   const HatchField& operator[](std::uint32_t vertex) const { return m_fields[vertex]; }
   /// Clusters with a vertex of positive weight, ascending.
   const std::vector<std::uint32_t>& clusters() const { return m_clusters; }

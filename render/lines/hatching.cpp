@@ -8,6 +8,8 @@
 #include <glm/geometric.hpp>
 
 #include "render/lines/coarse_depth.h"
+#include "render/lines/frustum.h"
+#include "render/lines/hatch_cells.h"
 #include "render/lines/hatch_tone.h"
 #include "render/lines/view_fields.h"
 #include "render/lines/view_scale.h"
@@ -15,7 +17,6 @@
 namespace sline::render {
 
 namespace {
-constexpr float pictureHeight = 720.0f;  // λ, by definition
 // A stroke narrower than this half width (λ) ends rather than become a grey hair.
 constexpr float hair = 0.36f;
 constexpr float pen = 0.5f;  // half width at and above which it is drawn as it is
@@ -39,6 +40,12 @@ struct Sample {
   bool inked() const { return weight > 0.0f && angle < 1.0f && presence > 0.0f; }
 };
 
+glm::vec3 inPatient(const glm::vec3& direction, const model::Camera& camera) {
+  const model::CameraFrame frame = model::cameraFrame(camera);
+  return glm::normalize(direction.x * frame.right + direction.y * frame.up +
+                        direction.z * frame.back);
+}
+
 class Hatcher {
  public:
   Hatcher(StrokeLayout& layout, const model::Camera& camera, const HatchingRequest& request)
@@ -47,10 +54,14 @@ class Hatcher {
         m_request(request),
         m_eye(eyeOf(camera)),
         m_scale(camera),
-        m_fields(layout.surface(), camera, request.twoSided) {}
+        m_frustum(camera, request.aspect),
+        m_fields(layout.surface(), {.eye = m_eye,
+                                    .light = inPatient(request.light, camera),
+                                    .twoSided = request.twoSided}) {}
 
   Hatching hatch() {
-    const std::vector<LaidCell> cells = neededCells();
+    const std::vector<LaidCell> cells =
+        neededCells(m_layout, m_fields.clusters(), m_scale, m_frustum, m_request.spacing);
     m_entered = m_request.entered;
     if (m_entered < 1.0f)
       m_entered = evenlyEntered(cells);
@@ -62,57 +73,12 @@ class Hatcher {
   }
 
  private:
-  bool outside(const model::Sphere& sphere) const {
-    const ViewScale::Point nearest = m_scale.project(nearestPoint(sphere));
-    if (!(nearest.perMm > 0.0f))
-      return m_scale.project(sphere.centre).distanceMm < -sphere.radius;
-    const glm::vec2 at = nearest.at;
-    // A sphere seen aslant reaches farther out than its radius.
-    const float reach = 1.5f * sphere.radius * nearest.perMm + 0.5f * pictureHeight;
-    return std::abs(at.y) > reach ||
-           std::abs(at.x) > reach + 0.5f * pictureHeight * (m_request.aspect - 1.0f);
-  }
-
-  glm::vec3 nearestPoint(const model::Sphere& sphere) const {
-    const float distance = m_scale.project(sphere.centre).distanceMm;
-    return sphere.centre + m_scale.towardsEye() * std::min(sphere.radius, 0.9f * distance);
-  }
-
-  /// The level, with its fraction, at which strokes are `spacing` apart.
-  float levelAt(float perMm) const {
-    return std::log2(std::max(m_layout.spacing(0) * perMm / m_request.spacing, 1e-20f));
-  }
-
-  /// Those that hold something of what is hatched here, the coarsest first.
-  std::vector<LaidCell> neededCells() const {
-    std::vector<LaidCell> cells;
-    std::vector<LaidCell> found;
-    for (const std::uint32_t c : m_fields.clusters()) {
-      const model::Cluster& cluster = m_layout.surface().clusters.items[c];
-      if (outside(cluster.bounds))
-        continue;
-      const float perMm = m_scale.project(nearestPoint(cluster.bounds)).perMm;
-      const int finest = std::clamp(int(std::ceil(levelAt(perMm))), -100, finestHatchLevel);
-      for (int level = m_layout.firstLevel(); level <= finest; ++level)
-        m_layout.addCells(level, cluster, found);
-      if (found.size() > (1u << 14)) {
-        std::sort(found.begin(), found.end());
-        found.erase(std::unique(found.begin(), found.end()), found.end());
-      }
-    }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    std::copy_if(found.begin(), found.end(), std::back_inserter(cells),
-                 [this](const LaidCell& cell) { return !outside(m_layout.bounds(cell)); });
-    return cells;
-  }
-
   template <class Body>
   void forEachStroke(const std::vector<LaidCell>& cells, const Body& body) {
     for (const LaidCell& cell : cells) {
       const LaidTile& tile = m_layout.tile(cell);
       for (const LaidStroke& stroke : tile.strokes)
-        if (!outside(stroke.bounds))
+        if (!m_frustum.misses(stroke.bounds))
           body(cell, tile, stroke);
     }
   }
@@ -156,7 +122,10 @@ class Hatcher {
       const float towards = glm::dot(along, directionTo(m_eye, s.position)) / length;
       across = nv / std::sqrt(std::max(1.0f - towards * towards, nv * nv));
     }
-    s.presence = std::clamp(levelAt(seen.perMm * across) + 1.0f - float(level), 0.0f, 1.0f);
+    // Were strokes to leave as fast as the surface turns away, they would come and go with every
+    // turn: half of that, in powers of two, makes way, and some of the rest is thinner strokes.
+    const float seenLevel = hatchLevel(m_layout, seen.perMm * std::sqrt(across), m_request.spacing);
+    s.presence = std::clamp(seenLevel + 1.0f - float(level), 0.0f, 1.0f) * std::pow(across, 0.15f);
   }
 
   float halfWidth(const Sample& s, float entered) const {
@@ -269,6 +238,7 @@ class Hatcher {
   const HatchingRequest& m_request;
   model::EyePoint m_eye;
   ViewScale m_scale;
+  Frustum m_frustum;
   HatchFields m_fields;
   float m_entered = 1.0f;
   std::vector<Sample> m_samples;

@@ -43,8 +43,11 @@ struct HatchingRequest {
   float entered = 1.0f;          ///< T_H, 0 … 1; the amount of ink grows with it evenly
   float spacing = hatchSpacing;  ///< λ between strokes
   float tone = 1.0f;             ///< times the strokes' width
-  float aspect = 16.0f / 9.0f;   ///< of the picture: strokes outside of it are left out
-  bool twoSided = false;         ///< see LineRequest
+  /// Towards the light that leaves form shadows, in the camera's frame (right, up, back): from the
+  /// upper left, as METHOD §7's key light.
+  glm::vec3 light{-0.538f, 0.606f, 0.587f};
+  float aspect = 16.0f / 9.0f;  ///< of the picture: strokes outside of it are left out
+  bool twoSided = false;        ///< see LineRequest
 };
 
 /// Strokes of everything within the picture that faces the eye, whether or not something hides it;

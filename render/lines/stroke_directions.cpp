@@ -12,8 +12,8 @@ namespace {
 // Hatching is about hollows (S eq. 6): beside one, a bulge counts this much.
 constexpr float bulgeShare = 0.3f;
 // Standard deviation of the averaging, as a share of F_c, and most steps for it.
-constexpr float averagedOver = 0.1f;
-constexpr float mostSteps = 40.0f;
+constexpr float averagedOver = 0.2f;
+constexpr float mostSteps = 60.0f;
 
 /// A symmetric matrix: xx, xy, xz, yy, yz, zz.
 using Tensor = std::array<float, 6>;

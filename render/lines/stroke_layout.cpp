@@ -30,8 +30,9 @@ constexpr float finestStep = step / 16.0f;
 constexpr float markStep = 0.35f;
 // A stroke that comes round to itself, after this many distances, ends as at another.
 constexpr float roundTrip = 2.0f;
-// A triangle spans this many cubes at most: on larger ones hatching gets no finer.
-constexpr float mostCubes = 16.0f;
+// Nor may it turn within the surface by more than this many radians in about a distance: around the
+// field's singular points strokes would curl.
+constexpr float sharpestBend = 0.7f;
 
 LaidPoint packed(const SurfacePoint& at) {
   return {.triangle = at.triangle,
@@ -43,38 +44,72 @@ model::Box grown(const model::Box& box, float by) {
   return {box.low - by, box.high + by};
 }
 
-bool touches(const model::Sphere& sphere, const model::Box& box) {
-  const glm::vec3 away = sphere.centre - glm::clamp(sphere.centre, box.low, box.high);
-  return glm::dot(away, away) <= sphere.radius * sphere.radius;
-}
-
 int order(const LaidCell& cell) {
   return (cell.x & 1) | (cell.y & 1) << 1 | (cell.z & 1) << 2;
 }
 }  // namespace
 
+/// How much a stroke has turned lately: within the surface, not with it.
+class Bend {
+ public:
+  explicit Bend(const glm::vec3& start) : m_last(start) {}
+
+  /// Radians at the next place; turns are forgotten over `distance` mm.
+  float after(const StrokeSpacing::Mark& mark, float distance) {
+    const glm::vec3 step = mark.position - m_last;
+    const float length = glm::length(step);
+    if (!(length > 0.0f))
+      return std::abs(m_turn);
+    const glm::vec3 direction = step / length;
+    if (m_direction != glm::vec3(0.0f)) {
+      const float sine = glm::dot(glm::cross(m_direction, direction), mark.normal);
+      m_turn = m_turn * std::max(1.0f - length / distance, 0.0f) +
+               std::asin(std::clamp(sine, -1.0f, 1.0f));
+    }
+    m_direction = direction;
+    m_last = mark.position;
+    return std::abs(m_turn);
+  }
+
+ private:
+  glm::vec3 m_last;
+  glm::vec3 m_direction{0.0f};
+  float m_turn = 0.0f;
+};
+
 /// Lays one cube's strokes.
 class StrokeLayout::Placer {
  public:
   Placer(const StrokeLayout& layout, int level, StrokeSpacing& taken)
-      : m_layout(layout), m_distance(layout.spacing(level)), m_taken(taken) {
+      : m_layout(layout),
+        m_distance(layout.spacing(level)),
+        m_half(layout.reach(level)),
+        m_taken(taken) {
     const float edge = layout.surface().meanEdge;
     m_step = std::clamp(edge, finestStep * m_distance, step * m_distance);
   }
 
   void place(const PlacedSeed& seed) {
-    if (m_taken.room(markAt(seed.at)) < roomToStart)
+    const StrokeSpacing::Mark start = markAt(seed.at);
+    if (m_taken.room(start) < roomToStart)
       return;
     m_points.clear();
     m_marks.clear();
-    m_points.push_back(seed.at);
     if (m_layout.length() > 0.0f) {
-      const float behind = follow(seed.at, false);
-      std::reverse(m_points.begin(), m_points.end());
-      m_seedPoint = std::uint32_t(m_points.size() - 1);
-      if (behind + follow(seed.at, true) < shortest * m_distance)
+      Arm behind(*this, seed.at, start, false);
+      Arm ahead(*this, seed.at, start, true);
+      // Both ways at once, so that a mirror, which may swap them, mirrors where they meet.
+      while (behind.step() | ahead.step())
+        for (Arm* arm : {&behind, &ahead})
+          arm->leaveMark(m_marks);
+      if (behind.gone() + ahead.gone() < shortest * m_distance)
         return;
+      m_points.assign(behind.points().rbegin(), behind.points().rend());
+      m_points.push_back(seed.at);
+      m_points.insert(m_points.end(), ahead.points().begin(), ahead.points().end());
+      m_seedPoint = std::uint32_t(behind.points().size());
     } else {
+      m_points.push_back(seed.at);
       m_seedPoint = 0;
     }
     keep(seed);
@@ -90,30 +125,63 @@ class StrokeLayout::Placer {
             normal / std::max(glm::length(normal), 1e-20f)};
   }
 
-  /// Appends points one way from the seed on; returns how far, mm.
-  float follow(const SurfacePoint& seed, bool along) {
-    SurfaceWalk walk(m_layout.surface(), m_layout.m_neighbours, m_layout.m_directions, seed);
-    if (!walk.start(along))
-      return 0.0f;
-    const float half = 0.5f * m_layout.length() * m_distance;
-    float gone = 0.0f;
-    float marked = 0.0f;
-    bool more = true;
-    while (more && gone + m_step <= half) {
-      more = walk.advance(m_step);
-      gone += m_step;
-      const StrokeSpacing::Mark mark = markAt(walk.at());
-      const float place = along ? gone : -gone;
-      if (m_taken.room(mark) < roomToGoOn || meetsItself(mark, place))
-        break;
-      m_points.push_back(walk.at());
-      if (gone - marked >= markStep * m_distance) {
-        m_marks.push_back({mark, place});
-        marked = gone;
-      }
+  struct Own {
+    StrokeSpacing::Mark mark;
+    float place;  ///< mm from the seed along the stroke, negative one way
+  };
+
+  /// One half of a stroke, from the seed on.
+  class Arm {
+   public:
+    Arm(const Placer& placer, const SurfacePoint& seed, const StrokeSpacing::Mark& start,
+        bool along)
+        : m_placer(placer),
+          m_walk(placer.m_layout.surface(), placer.m_layout.m_neighbours,
+                 placer.m_layout.m_directions, seed),
+          m_bend(start.position),
+          m_sign(along ? 1.0f : -1.0f),
+          m_grows(m_walk.start(along)) {}
+
+    float gone() const { return m_gone; }
+    const std::vector<SurfacePoint>& points() const { return m_points; }
+
+    /// False when it has ended.
+    bool step() {
+      const float length = m_placer.m_step;
+      m_grows = m_grows && m_gone + length <= m_placer.m_half;
+      if (!m_grows)
+        return false;
+      const bool more = m_walk.advance(length);
+      const StrokeSpacing::Mark mark = m_placer.markAt(m_walk.at());
+      if (m_placer.m_taken.room(mark) < roomToGoOn ||
+          m_placer.meetsItself(mark, m_sign * (m_gone + length)) ||
+          m_bend.after(mark, m_placer.m_distance) > sharpestBend)
+        return m_grows = false;
+      m_gone += length;
+      m_points.push_back(m_walk.at());
+      m_last = mark;
+      m_grows = more;
+      return true;
     }
-    return gone;
-  }
+
+    void leaveMark(std::vector<Own>& marks) {
+      if (m_gone - m_marked < markStep * m_placer.m_distance)
+        return;
+      marks.push_back({m_last, m_sign * m_gone});
+      m_marked = m_gone;
+    }
+
+   private:
+    const Placer& m_placer;
+    SurfaceWalk m_walk;
+    Bend m_bend;
+    float m_sign;
+    bool m_grows;
+    float m_gone = 0.0f;
+    float m_marked = 0.0f;
+    StrokeSpacing::Mark m_last;
+    std::vector<SurfacePoint> m_points;
+  };
 
   bool meetsItself(const StrokeSpacing::Mark& mark, float place) const {
     const float near = roomToGoOn * m_distance;
@@ -144,12 +212,9 @@ class StrokeLayout::Placer {
     m_layout.mark(m_tile, stroke, m_distance, m_taken);
   }
 
-  struct Own {
-    StrokeSpacing::Mark mark;
-    float place;  ///< mm from the seed along the stroke, negative one way
-  };
   const StrokeLayout& m_layout;
   float m_distance;
+  float m_half;  ///< mm, the longest half of a stroke
   float m_step;
   StrokeSpacing& m_taken;
   std::vector<SurfacePoint> m_points;
@@ -157,6 +222,11 @@ class StrokeLayout::Placer {
   std::uint32_t m_seedPoint = 0;
   LaidTile m_tile;
 };
+
+bool touches(const model::Sphere& sphere, const model::Box& box) {
+  const glm::vec3 away = sphere.centre - glm::clamp(sphere.centre, box.low, box.high);
+  return glm::dot(away, away) <= sphere.radius * sphere.radius;
+}
 
 StrokeLayout::StrokeLayout(model::SurfacePtr surface, float length)
     : m_surface(std::move(surface)),
@@ -181,43 +251,30 @@ float StrokeLayout::side(int level) const {
   return std::max(leastSide, m_length + sideMargin) * spacing(level);
 }
 
-model::Box StrokeLayout::box(const LaidCell& cell) const {
+model::Box StrokeLayout::home(const LaidCell& cell) const {
   const glm::vec3 at(float(cell.x), float(cell.y), float(cell.z));
-  return {(at - 0.5f) * side(cell.level), (at + 0.5f) * side(cell.level)};
+  const glm::vec3 origin = m_surface->boundingSphere.centre;
+  return {origin + (at - 0.5f) * side(cell.level), origin + (at + 0.5f) * side(cell.level)};
 }
 
-model::Sphere StrokeLayout::bounds(const LaidCell& cell) const {
-  const model::Box strokes = grown(box(cell), reach(cell.level));
-  return {strokes.centre() + m_surface->boundingSphere.centre, 0.5f * glm::length(strokes.size())};
+model::Box StrokeLayout::reached(const LaidCell& cell) const {
+  return grown(home(cell), reach(cell.level));
 }
 
-void StrokeLayout::addCells(int level, const model::Box& box, std::vector<LaidCell>& cells) const {
-  const glm::vec3 low = glm::floor(box.low / side(level) + 0.5f);
-  const glm::vec3 high = glm::floor(box.high / side(level) + 0.5f);
+std::vector<LaidCell> StrokeLayout::cellsWithin(int level, const model::Box& box) const {
+  const glm::vec3 origin = m_surface->boundingSphere.centre;
+  const glm::vec3 low = glm::floor((box.low - origin) / side(level) + 0.5f);
+  const glm::vec3 high = glm::floor((box.high - origin) / side(level) + 0.5f);
+  std::vector<LaidCell> cells;
   for (float z = low.z; z <= high.z; z += 1.0f)
     for (float y = low.y; y <= high.y; y += 1.0f)
       for (float x = low.x; x <= high.x; x += 1.0f)
         cells.push_back({level, std::int32_t(x), std::int32_t(y), std::int32_t(z)});
+  return cells;
 }
 
-void StrokeLayout::addCells(int level, const model::Cluster& cluster,
-                            std::vector<LaidCell>& cells) const {
-  const glm::vec3 origin = m_surface->boundingSphere.centre;
-  if (cluster.bounds.radius < side(level)) {
-    const glm::vec3 middle = cluster.bounds.centre - origin;
-    addCells(level, grown({middle, middle}, cluster.bounds.radius + reach(level)), cells);
-    return;
-  }
-  const auto positions = m_surface->mesh->positions();
-  for (std::uint32_t i = 0; i < cluster.triangleCount; ++i) {
-    model::Box box;
-    for (const std::uint32_t vertex :
-         m_surface->mesh->triangles()[m_surface->clusters.triangles[cluster.firstTriangle + i]])
-      box.add(positions[vertex] - origin);
-    const glm::vec3 size = box.size();
-    if (std::max({size.x, size.y, size.z}) <= mostCubes * side(level))
-      addCells(level, grown(box, reach(level)), cells);
-  }
+std::vector<LaidCell> StrokeLayout::cellsNear(int level, const model::Sphere& sphere) const {
+  return cellsWithin(level, grown({sphere.centre, sphere.centre}, sphere.radius + reach(level)));
 }
 
 SurfacePoint StrokeLayout::at(const LaidPoint& point) const {
@@ -243,20 +300,18 @@ const LaidTile& StrokeLayout::found(const LaidCell& cell) {
 }
 
 LaidTile StrokeLayout::lay(const LaidCell& cell) {
-  const model::Box home = box(cell);
+  const model::Box box = home(cell);
   std::vector<std::uint32_t> clusters;
-  for (std::size_t c = 0; c < m_surface->clusters.items.size(); ++c) {
-    model::Sphere bounds = m_surface->clusters.items[c].bounds;
-    bounds.centre -= m_surface->boundingSphere.centre;
-    if (touches(bounds, home))
+  for (std::size_t c = 0; c < m_surface->clusters.items.size(); ++c)
+    if (touches(m_surface->clusters.items[c].bounds, box))
       clusters.push_back(std::uint32_t(c));
-  }
-  const std::vector<PlacedSeed> seeds = hatchSeeds(*m_surface, cell.level, home, clusters);
+  const glm::vec3 origin = m_surface->boundingSphere.centre;
+  const std::vector<PlacedSeed> seeds =
+      hatchSeeds(*m_surface, cell.level, {box.low - origin, box.high - origin}, clusters);
   if (seeds.empty())
     return {};
-  const model::Box around = grown(home, reach(cell.level) + spacing(cell.level));
-  const glm::vec3 origin = m_surface->boundingSphere.centre;
-  StrokeSpacing taken(spacing(cell.level), {around.low + origin, around.high + origin});
+  const model::Box around = grown(reached(cell), spacing(cell.level));
+  StrokeSpacing taken(spacing(cell.level), around);
   markAround(cell, around, taken);
   Placer placer(*this, cell.level, taken);
   for (const PlacedSeed& seed : seeds)
@@ -267,8 +322,10 @@ LaidTile StrokeLayout::lay(const LaidCell& cell) {
 /// Takes over all strokes that this cell's have to make way for.
 void StrokeLayout::markAround(const LaidCell& cell, const model::Box& box, StrokeSpacing& taken) {
   std::vector<LaidCell> others;
-  for (int level = m_firstLevel; level < cell.level; ++level)
-    addCells(level, grown(box, reach(level)), others);
+  for (int level = m_firstLevel; level < cell.level; ++level) {
+    const std::vector<LaidCell> coarser = cellsWithin(level, grown(box, reach(level)));
+    others.insert(others.end(), coarser.begin(), coarser.end());
+  }
   for (std::int32_t z = -1; z <= 1; ++z)
     for (std::int32_t y = -1; y <= 1; ++y)
       for (std::int32_t x = -1; x <= 1; ++x) {
@@ -276,11 +333,10 @@ void StrokeLayout::markAround(const LaidCell& cell, const model::Box& box, Strok
         if (order(neighbour) < order(cell))
           others.push_back(neighbour);
       }
-  const glm::vec3 origin = m_surface->boundingSphere.centre;
   for (const LaidCell& other : others) {
     const LaidTile& laid = found(other);
     for (const LaidStroke& stroke : laid.strokes)
-      if (touches({stroke.bounds.centre - origin, stroke.bounds.radius}, box))
+      if (touches(stroke.bounds, box))
         mark(laid, stroke, spacing(cell.level), taken);
   }
 }

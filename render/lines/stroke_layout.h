@@ -54,6 +54,8 @@ struct LaidCell {
   auto operator<=>(const LaidCell&) const = default;
 };
 
+bool touches(const model::Sphere& sphere, const model::Box& box);
+
 /// May be asked by several threads.
 class StrokeLayout {
  public:
@@ -67,10 +69,13 @@ class StrokeLayout {
   /// The coarsest level with more than a stroke or two.
   int firstLevel() const { return m_firstLevel; }
 
-  /// Adds the cells of a level from which strokes may reach into the cluster.
-  void addCells(int level, const model::Cluster& cluster, std::vector<LaidCell>& cells) const;
-  /// Around all strokes that start there.
-  model::Sphere bounds(const LaidCell& cell) const;
+  /// The cube itself, in the patient's frame, and all that strokes starting there may reach.
+  model::Box home(const LaidCell& cell) const;
+  model::Box reached(const LaidCell& cell) const;
+  /// The cells of a level that have something of the box.
+  std::vector<LaidCell> cellsWithin(int level, const model::Box& box) const;
+  /// Those from which strokes may reach into the sphere.
+  std::vector<LaidCell> cellsNear(int level, const model::Sphere& sphere) const;
   /// Stays where it is as long as the layout.
   const LaidTile& tile(const LaidCell& cell);
 
@@ -81,9 +86,6 @@ class StrokeLayout {
   class Placer;
   float reach(int level) const;
   float side(int level) const;
-  /// Relative to the middle of the bounding sphere.
-  model::Box box(const LaidCell& cell) const;
-  void addCells(int level, const model::Box& box, std::vector<LaidCell>& cells) const;
   const LaidTile& found(const LaidCell& cell);
   LaidTile lay(const LaidCell& cell);
   void markAround(const LaidCell& cell, const model::Box& box, StrokeSpacing& taken);

@@ -30,10 +30,15 @@ class ViewScale {
   Point project(const glm::vec3& p) const {
     const glm::vec3 d = p - m_origin;
     const float distance = -glm::dot(d, m_frame.back);
-    const float mm = m_perspective ? distance * m_unit : m_unit;
-    const float perMm = mm > 0.0f ? 1.0f / mm : 0.0f;
+    const float perMm = perMmAt(distance);
     return {perMm * glm::vec2(glm::dot(d, m_frame.right), glm::dot(d, m_frame.up)), perMm,
             distance};
+  }
+
+  /// λ that a millimetre takes that far from the eye's plane; 0 behind it.
+  float perMmAt(float distanceMm) const {
+    const float mm = m_perspective ? distanceMm * m_unit : m_unit;
+    return mm > 0.0f ? 1.0f / mm : 0.0f;
   }
 
   /// The part of a direction that lies in the picture's plane.

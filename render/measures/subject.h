@@ -35,7 +35,7 @@ RampPictures rampPictures(Picture& picture, const Subject& subject,
 struct SteadinessSettings {
   Gamma gamma;
   int frames = 10;
-  int oversampling = 3;  ///< of strokes
+  int oversampling = 4;  ///< of strokes
 };
 /// The subject's hatching at the subject's size. The error names the structure.
 Result<Steadiness> measureSteadiness(Picture& picture, const Subject& subject,
