@@ -157,7 +157,8 @@ class LinesDocument {
     const render::PictureView view(m_order.camera, surface->mesh->bounds(), m_order.size.width,
                                    m_order.size.height);
     render::StrokeLayout layout(surface, render::longestHatchStroke / render::hatchSpacing);
-    render::Hatching hatching = render::styledHatching(layout, view, {.gamma = m_order.gamma});
+    render::Hatching hatching =
+        render::styledHatching(layout, view, {.gamma = m_order.gamma}, render::upperLeftLight);
     render::clip(hatching, planes);
     const std::vector<bool> visible =
         render::visiblePoints(*surface, bvh, m_order.camera, hatching, faces);

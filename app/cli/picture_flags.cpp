@@ -163,6 +163,10 @@ Result<PictureOrder> understood(const PictureFlags& flags) {
   if (!hatching.ok())
     return hatching.error();
   order.hatching = *hatching;
+  const Result<glm::vec3> light = parseLight(flags.light);
+  if (!light.ok())
+    return light.error();
+  order.light = *light;
   order.keyLight = flags.keyLight;
   order.blackAndWhite = flags.blackAndWhite;
   if (!flags.fill.empty()) {
@@ -268,6 +272,7 @@ Status drawToFile(const model::Scene& scene, const model::Camera& camera, const 
                           .height = order.samples * order.size.height,
                           .background = order.background,
                           .hatching = order.hatching,
+                          .light = order.light,
                           .keyLight = order.keyLight});
   if (!image.ok())
     return image.error();

@@ -25,6 +25,7 @@ struct PictureFlags {
   std::string fill;
   std::string background = "white";
   std::string hatching = "strokes";
+  std::string light = "upper-left";
   bool keyLight = false;
   bool blackAndWhite = false;
   std::vector<std::string> gammas;
@@ -48,6 +49,7 @@ struct PictureOrder {
   int samples = 1;  ///< across a pixel
   render::Background background = render::Background::white;
   render::HatchingMethod hatching = render::HatchingMethod::strokes;
+  glm::vec3 light{0.0f};
   bool keyLight = false;
   bool blackAndWhite = false;
   std::optional<model::Camera> camera;  ///< from a file; else `view`

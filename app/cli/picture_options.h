@@ -37,8 +37,13 @@ inline void addLookOptions(CLI::App& command, PictureFlags& flags) {
                   "to compare with")
       ->type_name("strokes|as-printed")
       ->capture_default_str();
+  command
+      .add_option("--light", flags.light,
+                  "Where the light is that hatching's shadows turn away from")
+      ->type_name("upper-left|above|upper-right")
+      ->capture_default_str();
   command.add_flag("--key-light", flags.keyLight,
-                   "Shades with a light from the upper left besides the one at the eye");
+                   "Shades with that light, too, besides the one at the eye");
   command
       .add_flag("--bw", flags.blackAndWhite,
                 "For print in black and white: black ink on white paper; what is shaded is hatched "

@@ -30,6 +30,11 @@ constexpr std::array<Choice<render::HatchingMethod>, 2> hatchingMethods{
     {{"strokes", render::HatchingMethod::strokes},
      {"as-printed", render::HatchingMethod::asPrinted}}};
 
+constexpr std::array<Choice<glm::vec3>, 3> lights{
+    {{"upper-left", render::upperLeftLight},
+     {"above", glm::vec3(0.0f, 0.81f, 0.586f)},
+     {"upper-right", render::upperLeftLight* glm::vec3(-1.0f, 1.0f, 1.0f)}}};
+
 char lower(char c) {
   return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
 }
@@ -160,6 +165,10 @@ Result<render::Background> parseBackground(std::string_view text) {
 
 Result<render::HatchingMethod> parseHatching(std::string_view text) {
   return parseChoice(hatchingMethods, "hatching", text);
+}
+
+Result<glm::vec3> parseLight(std::string_view text) {
+  return parseChoice(lights, "light", text);
 }
 
 std::optional<NamedValue> splitNamed(std::string_view text) {

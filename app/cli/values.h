@@ -41,6 +41,8 @@ Result<model::Fill> parseFill(std::string_view text);
 Result<render::Background> parseBackground(std::string_view text);
 /// "strokes" or "as-printed".
 Result<render::HatchingMethod> parseHatching(std::string_view text);
+/// A direction as `PictureSettings::light`.
+Result<glm::vec3> parseLight(std::string_view text);
 
 /// "NAME=VALUE", cut at the last '='; nothing where there is none.
 struct NamedValue {

@@ -22,6 +22,9 @@ constexpr float hair = 0.36f;
 constexpr float pen = 0.5f;  // half width at and above which it is drawn as it is
 // A pen's point opens by no more than this half width per length.
 constexpr float opening = 0.14f;
+constexpr float halfHeight = 360.0f;  // of the picture, λ, by definition
+// Strokes go on this far outside of it, λ, and may come to a point there.
+constexpr float margin = 24.0f;
 constexpr float halfPi = 1.5707963f;
 
 /// The thinnest strokes taper off quickly instead of fading.
@@ -110,7 +113,8 @@ class Hatcher {
     const ViewScale::Point seen = m_scale.project(s.position);
     s.seen = seen.at;
     s.presence = 0.0f;
-    if (!(seen.perMm > 0.0f))
+    if (!(seen.perMm > 0.0f) || std::abs(seen.at.y) > halfHeight + margin ||
+        std::abs(seen.at.x) > m_request.aspect * halfHeight + margin)
       return;
     const glm::vec3& next = m_samples[std::min<std::size_t>(i + 1, m_samples.size() - 1)].position;
     const glm::vec3 along = next - m_samples[i > 0 ? i - 1 : 0].position;

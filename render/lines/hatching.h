@@ -39,13 +39,15 @@ struct Hatching {
 inline constexpr float hatchSpacing = 7.5f;
 inline constexpr float longestHatchStroke = 140.0f;
 
+/// Over the draughtsman's left shoulder, as plates of anatomy are lit; unit, in the camera's frame
+/// (right, up, back).
+inline constexpr glm::vec3 upperLeftLight{-0.538f, 0.606f, 0.586f};
+
 struct HatchingRequest {
   float entered = 1.0f;          ///< T_H, 0 … 1; the amount of ink grows with it evenly
   float spacing = hatchSpacing;  ///< λ between strokes
   float tone = 1.0f;             ///< times the strokes' width
-  /// Towards the light that leaves form shadows, in the camera's frame (right, up, back): from the
-  /// upper left, as METHOD §7's key light.
-  glm::vec3 light{-0.538f, 0.606f, 0.587f};
+  glm::vec3 light = upperLeftLight;  ///< towards what leaves form shadows, in the camera's frame
   float aspect = 16.0f / 9.0f;  ///< of the picture: strokes outside of it are left out
   bool twoSided = false;        ///< see LineRequest
 };

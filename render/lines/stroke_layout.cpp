@@ -99,7 +99,7 @@ class StrokeLayout::Placer {
       Arm behind(*this, seed.at, start, false);
       Arm ahead(*this, seed.at, start, true);
       // Both ways at once, so that a mirror, which may swap them, mirrors where they meet.
-      while (behind.step() | ahead.step())
+      while (int(behind.step()) + int(ahead.step()) > 0)
         for (Arm* arm : {&behind, &ahead})
           arm->leaveMark(m_marks);
       if (behind.gone() + ahead.gone() < shortest * m_distance)

@@ -244,9 +244,11 @@ LineSet styledLines(const model::Surface& surface, const PictureView& view,
 }
 
 Hatching styledHatching(StrokeLayout& layout, const PictureView& view,
-                        const model::ResolvedStyle& style) {
+                        const model::ResolvedStyle& style,
+                        const glm::vec3& light) {
   return extractHatching(layout, view.camera(),
                          {.entered = transitions(style.gamma).hatching,
+                          .light = light,
                           .aspect = view.size().x / view.size().y,
                           .twoSided = needsTwoSides(layout.surface(), view.camera())});
 }

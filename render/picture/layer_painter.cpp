@@ -12,10 +12,9 @@ namespace sline::render {
 
 namespace {
 
-/// Towards the key light, in the camera's frame: over the draughtsman's left shoulder, as plates of
-/// anatomy are lit.
+/// Towards the key light, in the camera's frame.
 glm::vec3 keyLight(const PictureInput& input) {
-  return input.keyLight ? glm::normalize(glm::vec3(-0.55f, 0.62f, 0.6f)) : glm::vec3(0.0f);
+  return input.keyLight ? input.light : glm::vec3(0.0f);
 }
 
 bool needsLines(const PictureInput& input, const Shown& shown) {
@@ -74,7 +73,7 @@ void findLines(const PictureInput& input, std::span<const Layer> layers,
     const Shown& shown = *absent[i].shown;
     StructureLines& drawn = *absent[i].lines;
     if (hatches(input, shown))
-      drawn.hatching = styledHatching(*shown.cached->strokes, input.view, shown.style);
+      drawn.hatching = styledHatching(*shown.cached->strokes, input.view, shown.style, input.light);
     if (shown.cut)
       cutLines(*shown.cut, drawn);
     joinLines(shown.surface(), input.view, shown.style, drawn.lines);
@@ -337,7 +336,7 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
   std::vector<Layer> layers = planLayers(input.shown, input.view, region, input.parts);
   std::vector<std::size_t> changed =
       reuse(layers, {input.view.camera(), input.view.bounds(), input.view.size(), input.background,
-                     input.keyLight, input.parts, region});
+                     input.light, input.keyLight, input.parts, region});
   if (!place(layers, changed))
     return Outcome::tooLarge;
   if (m_atlas.outgrown()) {

@@ -23,6 +23,7 @@ struct PictureInput {
   const PictureView& view;
   std::span<const Shown> shown;  ///< sorted by id
   Background background = Background::white;
+  glm::vec3 light{0.0f};
   bool keyLight = false;
   PictureParts parts;
   /// Where lines are kept between the regions of one picture, by structure; null to keep none.
@@ -55,6 +56,7 @@ class LayerPainter {
     model::Box bounds;
     glm::vec2 size{0.0f};
     Background background = Background::white;
+    glm::vec3 light{0.0f};
     bool keyLight = false;
     PictureParts parts;
     gpu::Rect region;

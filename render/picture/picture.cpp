@@ -184,6 +184,7 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
   Status done = paint({.view = view,
                        .shown = visible,
                        .background = settings.background,
+                       .light = settings.light,
                        .keyLight = settings.keyLight,
                        .parts = settings.parts,
                        .lines = whole ? nullptr : &lines,

@@ -12,6 +12,7 @@
 #include "model/base/result.h"
 #include "model/geometry/surface.h"
 #include "model/scene/scene.h"
+#include "render/lines/hatching.h"
 #include "render/picture/image.h"
 
 namespace sline::render {
@@ -39,7 +40,10 @@ struct PictureSettings {
   int height = 720;
   Background background = Background::white;
   HatchingMethod hatching = HatchingMethod::strokes;
-  bool keyLight = false;  ///< shading has a light from the upper left besides the headlight
+  /// Towards the light that hatching's shadows turn away from, in the camera's frame (right, up,
+  /// back).
+  glm::vec3 light = upperLeftLight;
+  bool keyLight = false;  ///< shading has that light, too, besides the headlight
   PictureParts parts;
 };
 

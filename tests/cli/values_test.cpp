@@ -104,6 +104,12 @@ void ValuesTest::parses_data() {
   QTest::newRow("hatching") << "hatching"
                             << "As-Printed"
                             << "1";
+  QTest::newRow("light") << "light"
+                         << "above"
+                         << "0 0.81";
+  QTest::newRow("light, other") << "light"
+                                << "below"
+                                << "";
   QTest::newRow("hatching, other") << "hatching"
                                    << "printed"
                                    << "";
@@ -135,6 +141,8 @@ void ValuesTest::parses() {
     found = QString("%1 %2").arg(int(smoothing->mode)).arg(smoothing->steps);
   if (const auto hatching = parseHatching(input); kind == "hatching" && hatching.ok())
     found = QString::number(int(*hatching));
+  if (const auto light = parseLight(input); kind == "light" && light.ok())
+    found = QString("%1 %2").arg(double(light->x)).arg(double(light->y));
   if (const auto named = splitNamed(input); kind == "named" && named)
     found = QString::fromStdString(named->name + " " + named->value);
   QCOMPARE(found, value);

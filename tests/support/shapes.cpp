@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <map>
 #include <numbers>
 #include <random>
@@ -186,6 +187,14 @@ MeshPtr moved(const Mesh& mesh, float scale, const glm::vec3& offset) {
   std::vector<glm::vec3> positions(mesh.positions().begin(), mesh.positions().end());
   for (glm::vec3& p : positions)
     p = scale * p + offset;
+  return build(std::move(positions), {mesh.triangles().begin(), mesh.triangles().end()});
+}
+
+MeshPtr askew(const Mesh& mesh) {
+  const glm::mat3 turn(glm::rotate(glm::mat4(1.0f), 0.4f, glm::normalize(glm::vec3(1, 2, 3))));
+  std::vector<glm::vec3> positions(mesh.positions().begin(), mesh.positions().end());
+  for (glm::vec3& p : positions)
+    p = turn * p;
   return build(std::move(positions), {mesh.triangles().begin(), mesh.triangles().end()});
 }
 

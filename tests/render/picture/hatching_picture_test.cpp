@@ -12,7 +12,7 @@ namespace {
 /// A fat ring, hollow side to the eye: much of its inner half is hatched.
 model::Scene ring(bool mirrored = false) {
   const model::MeshPtr mesh =
-      test::moved(*test::torus(10.0f, 7.0f, 240, 140), 1.0f, {1.5f, 0.0f, -1.0f});
+      test::moved(*test::askew(*test::torus(10.0f, 7.0f, 240, 140)), 1.0f, {1.5f, 0.0f, -1.0f});
   model::Scene scene;
   test::add(scene, mirrored ? test::mirrored(*mesh) : mesh, test::gammaStyle(3.0f));
   return scene;
@@ -71,12 +71,16 @@ class HatchingPictureTest : public QObject {
 
   void aMirrorMirrorsThePicture() {
     const auto here = m_studio.picture->render(ring(), above(), hatchingOnly(960, 720));
-    const auto there = m_studio.picture->render(ring(true), above(), hatchingOnly(960, 720));
+    render::PictureSettings settings = hatchingOnly(960, 720);
+    settings.light.x *= -1.0f;  // in a mirror the light is on the other side, too
+    const auto there = m_studio.picture->render(ring(true), above(), settings);
     QVERIFY(here.ok() && there.ok());
     QVERIFY(inkShare(*here) > 0.003);
-    QVERIFY(test::difference(*here, test::mirroredImage(*there)).share < 0.005);
-    // … and is no picture of the same thing.
-    QVERIFY(test::difference(*here, *there).share > 0.008);
+    // What differs are pixels along edges of strokes; and it is no picture of the same thing.
+    const double apart = test::difference(*here, test::mirroredImage(*there)).share;
+    const double unlike = test::difference(*here, *there).share;
+    QVERIFY2(apart < 0.008 && unlike > 10.0 * apart,
+             qPrintable(QString("%1, unmirrored %2").arg(apart).arg(unlike)));
   }
 
   void onlyWhereAskedFor_data() {
