@@ -19,12 +19,14 @@ namespace sline::render {
 namespace {
 // A stroke narrower than this half width (λ) ends rather than become a grey hair.
 constexpr float hair = 0.36f;
-constexpr float pen = 0.5f;  // half width at and above which it is drawn as it is
+constexpr float pen = 0.52f;  // half width at and above which it is drawn as it is
 // A pen's point opens by no more than this half width per length.
 constexpr float opening = 0.14f;
 constexpr float halfHeight = 360.0f;  // of the picture, λ, by definition
 // Strokes go on this far outside of it, λ, and may come to a point there.
 constexpr float margin = 24.0f;
+// Across themselves strokes that are seen with less than this share of their distance thin out.
+constexpr float narrow = 0.2f;
 constexpr float halfPi = 1.5707963f;
 
 /// The thinnest strokes taper off quickly instead of fading.
@@ -127,9 +129,11 @@ class Hatcher {
       across = nv / std::sqrt(std::max(1.0f - towards * towards, nv * nv));
     }
     // Were strokes to leave as fast as the surface turns away, they would come and go with every
-    // turn: half of that, in powers of two, makes way, and some of the rest is thinner strokes.
+    // turn: half of that, in powers of two, makes way. What runs along a contour thins out, or it
+    // would go behind it all at once.
     const float seenLevel = hatchLevel(m_layout, seen.perMm * std::sqrt(across), m_request.spacing);
-    s.presence = std::clamp(seenLevel + 1.0f - float(level), 0.0f, 1.0f) * std::pow(across, 0.15f);
+    s.presence =
+        std::clamp(seenLevel + 1.0f - float(level), 0.0f, 1.0f) * std::min(1.0f, across / narrow);
   }
 
   float halfWidth(const Sample& s, float entered) const {

@@ -51,7 +51,7 @@ Pen devicePen(float width, float opacity) {
 /// at two pixels to λ and more, they would turn grey (METHOD §6.8); on the screen they must not
 /// crawl.
 float hatchEdge(float outputUnit) {
-  return std::clamp(1.4f - 0.4f * outputUnit, 0.25f, 1.0f);
+  return std::clamp(1.4f - 0.4f * outputUnit, 0.36f, 1.0f);
 }
 
 float pixelsPerMillimetre(const model::Surface& surface, const PictureView& view) {
@@ -244,8 +244,7 @@ LineSet styledLines(const model::Surface& surface, const PictureView& view,
 }
 
 Hatching styledHatching(StrokeLayout& layout, const PictureView& view,
-                        const model::ResolvedStyle& style,
-                        const glm::vec3& light) {
+                        const model::ResolvedStyle& style, const glm::vec3& light) {
   return extractHatching(layout, view.camera(),
                          {.entered = transitions(style.gamma).hatching,
                           .light = light,
