@@ -44,12 +44,12 @@ inline constexpr float longestHatchStroke = 140.0f;
 inline constexpr glm::vec3 upperLeftLight{-0.538f, 0.606f, 0.586f};
 
 struct HatchingRequest {
-  float entered = 1.0f;          ///< T_H, 0 … 1; the amount of ink grows with it evenly
-  float spacing = hatchSpacing;  ///< λ between strokes
-  float tone = 1.0f;             ///< times the strokes' width
+  float entered = 1.0f;              ///< T_H, 0 … 1; the amount of ink grows with it evenly
+  float spacing = hatchSpacing;      ///< λ between strokes
+  float tone = 1.0f;                 ///< times the strokes' width
   glm::vec3 light = upperLeftLight;  ///< towards what leaves form shadows, in the camera's frame
-  float aspect = 16.0f / 9.0f;  ///< of the picture: strokes outside of it are left out
-  bool twoSided = false;        ///< see LineRequest
+  float aspect = 16.0f / 9.0f;       ///< of the picture: strokes outside of it are left out
+  bool twoSided = false;             ///< see LineRequest
 };
 
 /// Strokes of everything within the picture that faces the eye, whether or not something hides it;

@@ -76,9 +76,10 @@ void average(const model::Mesh& mesh, std::vector<Tensor>& tensors, std::vector<
 
 }  // namespace
 
-std::vector<glm::vec3> strokeDirections(const model::Surface& surface) {
+StrokeDirections::StrokeDirections(const model::Surface& surface)
+    : m_packed(surface.normals.size()) {
   const model::Curvature& curvature = surface.curvature;
-  const std::size_t count = surface.normals.size();
+  const std::size_t count = m_packed.size();
   std::vector<Tensor> tensors(count);
   for (std::size_t v = 0; v < count; ++v) {
     tensors[v] = {};
@@ -92,10 +93,9 @@ std::vector<glm::vec3> strokeDirections(const model::Surface& surface) {
   std::vector<float> counts;
   for (int i = 0; i < steps; ++i)
     average(*surface.mesh, tensors, sums, counts);
-  std::vector<glm::vec3> directions(count);
   for (std::size_t v = 0; v < count; ++v)
-    directions[v] = strongest(tensors[v], surface.normals[v], anyTangent(surface.normals[v]));
-  return directions;
+    m_packed[v] = glm::packSnorm3x10_1x2(
+        glm::vec4(strongest(tensors[v], surface.normals[v], anyTangent(surface.normals[v])), 0.0f));
 }
 
 }  // namespace sline::render

@@ -8,6 +8,8 @@
 // hollow and around a limb (A. Hertzmann and D. Zorin, "Illustrating Smooth Surfaces", 2000).
 #pragma once
 
+#include <cstdint>
+#include <glm/gtc/packing.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -15,8 +17,17 @@
 
 namespace sline::render {
 
-/// A unit tangent for every vertex, of either sign. Where the curvature does not say which way (on
-/// a sphere, in a plane) neighbours do.
-std::vector<glm::vec3> strokeDirections(const model::Surface& surface);
+/// A unit tangent for every vertex, of either sign, to a thousandth. Where the curvature does not
+/// say which way (on a sphere, in a plane) neighbours do.
+class StrokeDirections {
+ public:
+  explicit StrokeDirections(const model::Surface& surface);
+  glm::vec3 operator[](std::size_t vertex) const {
+    return glm::vec3(glm::unpackSnorm3x10_1x2(m_packed[vertex]));
+  }
+
+ private:
+  std::vector<std::uint32_t> m_packed;
+};
 
 }  // namespace sline::render

@@ -6,8 +6,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "render/lines/stroke_directions.h"
-
 namespace sline::render {
 
 namespace {
@@ -115,7 +113,11 @@ class StrokeLayout::Placer {
     keep(seed);
   }
 
-  LaidTile take() { return std::move(m_tile); }
+  LaidTile take() {
+    m_tile.points.shrink_to_fit();
+    m_tile.strokes.shrink_to_fit();
+    return std::move(m_tile);
+  }
 
  private:
   StrokeSpacing::Mark markAt(const SurfacePoint& at) const {
@@ -231,7 +233,7 @@ bool touches(const model::Sphere& sphere, const model::Box& box) {
 StrokeLayout::StrokeLayout(model::SurfacePtr surface, float length)
     : m_surface(std::move(surface)),
       m_neighbours(*m_surface->mesh),
-      m_directions(strokeDirections(*m_surface)),
+      m_directions(*m_surface),
       m_length(length) {
   const float coarsest = 4.0f * m_surface->boundingSphere.radius;
   m_firstLevel = coarsestHatchLevel;

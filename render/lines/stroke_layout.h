@@ -94,7 +94,7 @@ class StrokeLayout {
 
   model::SurfacePtr m_surface;
   model::FaceNeighbours m_neighbours;
-  std::vector<glm::vec3> m_directions;
+  StrokeDirections m_directions;
   float m_length;
   int m_firstLevel;
   std::mutex m_mutex;  ///< of the tiles

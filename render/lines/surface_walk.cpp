@@ -36,7 +36,7 @@ bool SurfaceWalk::aim() {
   const glm::vec3 ahead = underWay ? m_direction : m_directions[t[0]];
   glm::vec3 along(0.0f);
   for (int i = 0; i < 3; ++i) {
-    const glm::vec3& d = m_directions[t[std::size_t(i)]];
+    const glm::vec3 d = m_directions[t[std::size_t(i)]];
     along += (glm::dot(d, ahead) < 0.0f ? -m_at.barycentric[i] : m_at.barycentric[i]) * d;
   }
   along -= glm::dot(along, normal) / area2 * normal;

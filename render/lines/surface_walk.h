@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walks over a triangle mesh along a line field given at its vertices.
+// Walks over a triangle mesh along the directions of strokes.
 #pragma once
 
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <span>
 
 #include "model/geometry/face_neighbours.h"
 #include "model/geometry/surface.h"
+#include "render/lines/stroke_directions.h"
 
 namespace sline::render {
 
@@ -28,9 +28,8 @@ auto valueAt(const model::Mesh& mesh, const Values& values, const SurfacePoint& 
 /// One walk, which goes on the way it came wherever the field's sign would turn it.
 class SurfaceWalk {
  public:
-  /// `directions`: unit tangents, one per vertex, of either sign.
   SurfaceWalk(const model::Surface& surface, const model::FaceNeighbours& neighbours,
-              std::span<const glm::vec3> directions, const SurfacePoint& start)
+              const StrokeDirections& directions, const SurfacePoint& start)
       : m_surface(surface), m_neighbours(neighbours), m_directions(directions), m_at(start) {}
 
   /// Sets out one way or the other.
@@ -48,7 +47,7 @@ class SurfaceWalk {
 
   const model::Surface& m_surface;
   const model::FaceNeighbours& m_neighbours;
-  std::span<const glm::vec3> m_directions;
+  const StrokeDirections& m_directions;
   SurfacePoint m_at;
   glm::vec3 m_direction{0.0f};
 };
