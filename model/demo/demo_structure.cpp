@@ -5,11 +5,13 @@
 #include <cassert>
 #include <glm/vector_relational.hpp>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <utility>
 
 #include "model/base/parallel.h"
 #include "model/demo/polygonise.h"
+#include "model/demo/sampled_field.h"
 #include "model/geometry/topology.h"
 
 namespace sline::model {
@@ -25,9 +27,9 @@ struct Cutter {
 };
 
 /// How far from a neighbour the structure's shape may depend on it: an inner surface follows a dent
-/// of the outer one.
+/// of the outer one, and smoothing looks around.
 float feltWithin(const DemoStructure& own) {
-  return own.gap + 2.0f * own.rounding + 2.0f * own.wall;
+  return own.gap + 2.0f * own.rounding + 2.0f * own.wall + 4.0f * own.smoothing;
 }
 
 /// The structure's own field less its neighbours'. Far from a neighbour the distance to its box
@@ -48,9 +50,8 @@ Field cutField(const DemoStructure& own, std::vector<Cutter> cutters) {
 }
 
 Field hollowed(const DemoStructure& own, Field solid) {
-  if (own.wall <= 0.0f)
+  if (own.wall <= 0.0f || !own.opening)
     return solid;
-  assert(own.opening);
   return [&own, solid = std::move(solid)](const glm::vec3& p) {
     const float d = solid(p);
     return blendedDifference(blendedDifference(d, d + own.wall, own.rounding), own.opening(p),
@@ -64,6 +65,17 @@ const DemoStructure* named(const std::vector<DemoStructure>& structures, const s
   return at == structures.end() ? nullptr : &*at;
 }
 
+Field smoothed(const DemoStructure& own, const Field& field) {
+  if (own.smoothing <= 0.0f)
+    return field;
+  // Samples close together compared with the smoothing leave no trace of their lattice.
+  const SampledField::Fineness fineness{0.7f * own.smoothing, own.smoothing};
+  const auto samples =
+      std::make_shared<const SampledField>([&](const glm::vec3&, float) { return field; },
+                                           grown(own.box, 3.0f * own.smoothing), fineness);
+  return [samples](const glm::vec3& p) { return samples->distance(p); };
+}
+
 Field cutField(const DemoStructure& own, const std::vector<DemoStructure>& all) {
   std::vector<Cutter> cutters;
   for (const std::string& name : own.givesWayTo) {
@@ -73,7 +85,7 @@ Field cutField(const DemoStructure& own, const std::vector<DemoStructure>& all) 
     if (meet(reach, own.box))
       cutters.push_back({&other->field, reach});
   }
-  return hollowed(own, cutField(own, std::move(cutters)));
+  return smoothed(own, cutField(own, std::move(cutters)));
 }
 
 /// The component with the most triangles; cutting may leave crumbs.
@@ -103,6 +115,31 @@ MeshPtr largestComponent(const MeshPtr& mesh) {
   }
   return std::make_shared<const Mesh>(
       Mesh::create(std::move(positions), std::move(triangles)).value());
+}
+
+/// Both surfaces as one mesh, the second turned inside out.
+MeshPtr withCavity(const Mesh& outer, const Mesh& cavity) {
+  std::vector<glm::vec3> positions(outer.positions().begin(), outer.positions().end());
+  std::vector<Triangle> triangles(outer.triangles().begin(), outer.triangles().end());
+  const auto first = std::uint32_t(positions.size());
+  positions.insert(positions.end(), cavity.positions().begin(), cavity.positions().end());
+  for (const auto& [a, b, c] : cavity.triangles())
+    triangles.push_back({first + a, first + c, first + b});
+  return std::make_shared<const Mesh>(
+      Mesh::create(std::move(positions), std::move(triangles)).value());
+}
+
+MeshPtr meshed(const DemoStructure& own, const std::vector<DemoStructure>& all) {
+  const Field solid = cutField(own, all);
+  const MeshPtr outer = largestComponent(polygonise(hollowed(own, solid), own.box, own.edge));
+  if (own.wall <= 0.0f || own.opening)
+    return outer;
+  const Field cavity = [&own, &solid](const glm::vec3& p) {
+    return solid(p) + own.wall + (own.folds ? own.folds(p) : 0.0f);
+  };
+  // Seen only where the body is cut open.
+  constexpr float coarser = 1.25f;
+  return withCavity(*outer, *largestComponent(polygonise(cavity, own.box, coarser * own.edge)));
 }
 
 [[maybe_unused]] bool namesAreUnique(const std::vector<DemoStructure>& structures) {
@@ -141,10 +178,8 @@ Scene demoScene(const std::vector<DemoStructure>& structures) {
   };
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return work(a) > work(b); });
-  parallelFor(order.size(), 1, [&](std::size_t k) {
-    const DemoStructure& s = structures[order[k]];
-    meshes[order[k]] = largestComponent(polygonise(cutField(s, structures), s.box, s.edge));
-  });
+  parallelFor(order.size(), 1,
+              [&](std::size_t k) { meshes[order[k]] = meshed(structures[order[k]], structures); });
 
   Scene scene;
   std::map<std::vector<std::string>, NodeId> groups;

@@ -33,8 +33,12 @@ struct DemoStructure {
   std::vector<std::string> givesWayTo;  ///< names; their bodies, grown by `gap`, are cut out of it
   float gap = 0.5f;                     ///< mm kept clear of those
   float rounding = 1.0f;                ///< mm: radius of the edge that cutting leaves
-  float wall = 0.0f;  ///< mm: a hollow body's wall, measured inward after cutting; 0: solid
-  Field opening;      ///< of a hollow body: cut out of the wall; each cavity needs one
+  float smoothing = 0.0f;  ///< mm: after cutting smoothed as by a thumb this wide; 0: not at all
+  float wall = 0.0f;       ///< mm: a hollow body's wall, measured inward after cutting; 0: solid
+  /// Of a hollow body: cut out of the wall. Without one the cavity is closed: its surface is a part
+  /// of the mesh by itself that faces into the cavity.
+  Field opening;
+  Field folds;  ///< of a closed cavity, mm: how much thicker than `wall` the wall is here
 };
 
 /// Meshes all structures in parallel, each closed and smooth, and builds the tree in list order;

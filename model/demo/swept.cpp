@@ -2,6 +2,7 @@
 #include "model/demo/swept.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -145,34 +146,28 @@ Swept::Nearest Swept::nearest(const glm::vec3& p, float reach) const {
   return best;
 }
 
-/// The quadratic B-spline over the samples, whose pieces join with one tangent: nearest to it,
-/// unlike nearest to the polyline, no crease runs around the wall where two segments meet.
+/// The cubic B-spline over the samples: nearest to it, unlike nearest to the polyline, no crease
+/// runs around the wall where two segments meet, and its curvature is continuous.
 Swept::Sample Swept::onCurve(float s, glm::vec3& tangent, glm::vec3& bend) const {
-  const auto last = std::ptrdiff_t(m_samples.size()) - 1;
-  const auto k = std::clamp(std::ptrdiff_t(std::lround(s)), std::ptrdiff_t(0), last);
-  const float u = s - float(k) + 0.5f;
-  const Sample& middle = m_samples[std::size_t(k)];
-  const Sample& before = m_samples[std::size_t(std::max(k - 1, std::ptrdiff_t(0)))];
-  const Sample& after = m_samples[std::size_t(std::min(k + 1, last))];
-  // At the ends the curve goes straight on.
-  const glm::vec3 a = k > 0 ? before.position : 2.0f * middle.position - after.position;
-  const glm::vec3 c = k < last ? after.position : 2.0f * middle.position - before.position;
-  const float wa = 0.5f * (1.0f - u) * (1.0f - u);
-  const float wc = 0.5f * u * u;
-  const float wb = 1.0f - wa - wc;
-  tangent = (1.0f - u) * (middle.position - a) + u * (c - middle.position);
-  bend = a - 2.0f * middle.position + c;
-  const auto blend = [&](float Sample::*field) {
-    const float va = k > 0 ? before.*field : 2.0f * middle.*field - after.*field;
-    const float vc = k < last ? after.*field : 2.0f * middle.*field - before.*field;
-    return wa * va + wb * middle.*field + wc * vc;
+  const std::size_t last = m_samples.size() - 1;
+  const std::size_t k = std::min(std::size_t(s), last - 1);
+  const float t = s - float(k);
+  const float r = 1.0f - t;
+  const Sample& a = m_samples[k];
+  const Sample& b = m_samples[k + 1];
+  // At the ends everything goes straight on.
+  const auto blend = [&](auto Sample::*field, const std::array<float, 4>& w) {
+    const auto before = k > 0 ? m_samples[k - 1].*field : 2.0f * (a.*field) - b.*field;
+    const auto after = k + 1 < last ? m_samples[k + 2].*field : 2.0f * (b.*field) - a.*field;
+    return w[0] * before + w[1] * (a.*field) + w[2] * (b.*field) + w[3] * after;
   };
-  return {wa * a + wb * middle.position + wc * c,
-          blend(&Sample::radius),
-          blend(&Sample::depth),
-          blend(&Sample::along),
-          blend(&Sample::widths),
-          wa * before.front + wb * middle.front + wc * after.front};
+  tangent = blend(&Sample::position, {-0.5f * r * r, 0.5f * (3 * t * t - 4 * t),
+                                      0.5f * (4 * r - 3 * r * r), 0.5f * t * t});
+  bend = blend(&Sample::position, {r, 3 * t - 2, 1 - 3 * t, t});
+  const std::array<float, 4> w{r * r * r / 6, (3 * t * t * t - 6 * t * t + 4) / 6,
+                               (3 * r * r * r - 6 * r * r + 4) / 6, t * t * t / 6};
+  return {blend(&Sample::position, w), blend(&Sample::radius, w), blend(&Sample::depth, w),
+          blend(&Sample::along, w),    blend(&Sample::widths, w), blend(&Sample::front, w)};
 }
 
 SweptPlace Swept::place(const glm::vec3& p) const {

@@ -91,6 +91,51 @@ class DemoStructureTest : public QObject {
     }
   }
 
+  // Without an opening the cavity is a closed surface of its own that faces inward.
+  void closedCavityFacesInward() {
+    DemoStructure hollow = ball("hollow", {0, 0, 0}, 12);
+    hollow.wall = 2.0f;
+    hollow.folds = [](const glm::vec3& p) { return p.z > 0.0f ? 1.0f : 0.0f; };
+    const model::Scene scene = model::demoScene({hollow});
+    const model::Mesh& mesh = meshOf(scene, "hollow");
+    QVERIFY(model::countEdges(mesh, model::VertexFaces(mesh)).closed());
+    QCOMPARE(model::connectedComponents(mesh).count, std::size_t(2));
+    const double ballOf1mm = 4.0 / 3.0 * 3.14159265;
+    const double cavity = ballOf1mm * 0.5 * (1000.0 + 729.0);
+    QVERIFY(std::abs(volumeOf(mesh) / (ballOf1mm * 1728.0 - cavity) - 1.0) < 0.02);
+    for (const auto& [a, b, c] : mesh.triangles()) {
+      const glm::vec3 middle =
+          (mesh.positions()[a] + mesh.positions()[b] + mesh.positions()[c]) / 3.0f;
+      const glm::vec3 normal = glm::cross(mesh.positions()[b] - mesh.positions()[a],
+                                          mesh.positions()[c] - mesh.positions()[a]);
+      if (std::abs(middle.z) > 2.0f)
+        QCOMPARE(glm::dot(normal, middle) > 0.0f, glm::length(middle) > 11.0f);
+    }
+  }
+
+  // Smoothing takes off what is finer than it and leaves the rest.
+  void smoothingTakesOffFineRipples() {
+    DemoStructure rippled = ball("rippled", {0, 0, 0}, 12);
+    rippled.field = [](const glm::vec3& p) {
+      return glm::length(p) - 12.0f + 0.3f * std::sin(2.5f * p.x) * std::sin(2.5f * p.z);
+    };
+    const auto roughness = [&](float smoothing) {
+      rippled.smoothing = smoothing;
+      const model::Scene scene = model::demoScene({rippled});
+      double sum = 0.0;
+      double squares = 0.0;
+      const model::Mesh& mesh = meshOf(scene, "rippled");
+      for (const glm::vec3& p : mesh.positions()) {
+        sum += double(glm::length(p));
+        squares += double(glm::dot(p, p));
+      }
+      const double mean = sum / double(mesh.vertexCount());
+      return std::sqrt(squares / double(mesh.vertexCount()) - mean * mean);
+    };
+    QVERIFY(roughness(0.0f) > 0.1);
+    QVERIFY(roughness(1.5f) < 0.02);
+  }
+
   // A rod cut by a ball near one end keeps the longer piece only.
   void crumbsAreDropped() {
     const std::array<model::TubePoint, 2> ends{{{{0, 0, 0}, 2.0f}, {{40, 0, 0}, 2.0f}}};
