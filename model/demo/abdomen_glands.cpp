@@ -37,10 +37,12 @@ DemoStructure gland(std::string name, const Look& look, Field field, const Box& 
 }
 
 DemoStructure liver() {
-  DemoStructure s = gland("liver", {"Digestive system", liverColour, 4.4f}, liverField(),
+  DemoStructure s = gland("liver", {"Digestive system", liverColour, 4.3f}, liverField(),
                           {{-150, -104, -75}, {96, 88, 122}});
-  s.edge = 2.5f;
+  s.edge = 2.2f;
   s.rounding = 7.0f;
+  s.gap = 1.2f;
+  s.smoothing = 2.6f;
   return s;
 }
 
@@ -62,11 +64,13 @@ DemoStructure gallbladder() {
     const SweptPlace at = tube->place(p);
     // The spiral fold twists the neck.
     const float neck = std::clamp((at.along - 58.0f) / 10.0f, 0.0f, 1.0f);
-    return at.distance + neck * 0.5f * std::sin(at.along * 1.25f + at.angle);
+    return at.distance + neck * 0.4f * std::sin(at.along * 1.25f + at.angle);
   };
   DemoStructure s = gland("gallbladder", {"Biliary system", bileColour, 5.0f}, field,
                           grown(tube->bounds(), 3.0f));
-  s.edge = 1.7f;
+  s.edge = 1.6f;
+  s.smoothing = 1.0f;
+  s.wall = 2.0f;
   return s;
 }
 
@@ -102,7 +106,7 @@ DemoStructure bileDucts() {
     box.add(branch->bounds());
   DemoStructure s =
       gland("bile duct", {"Biliary system", bileColour, 5.0f}, field, grown(box, 3.0f));
-  s.edge = 1.2f;
+  s.edge = 1.0f;
   s.gap = 0.3f;
   return s;
 }
@@ -140,8 +144,9 @@ DemoStructure pancreas() {
   box.add(uncinate->bounds());
   DemoStructure s =
       gland("pancreas", {"Digestive system", pancreasColour, 4.8f}, field, grown(box, 4.0f));
-  s.edge = 1.8f;
+  s.edge = 1.7f;
   s.rounding = 2.0f;
+  s.smoothing = 1.0f;
   return s;
 }
 
@@ -169,7 +174,7 @@ DemoStructure spleen() {
     d = blendedDifference(d, renal, 9.0f);
     d = blendedDifference(d, ellipsoid(q - glm::vec3(0, 1, -17), {26.0f, 4.0f, 7.0f}), 4.0f);
     // Notches of the upper border.
-    for (const auto& [along, size] : {std::pair{6.0f, 4.2f}, {23.0f, 5.0f}, {38.0f, 3.6f}}) {
+    for (const auto& [along, size] : {std::pair{10.0f, 2.6f}, {25.0f, 4.4f}, {38.0f, 2.2f}}) {
       const glm::vec3 n = q - glm::vec3(along, 0.011f * along * along - 41.0f, -8.0f);
       d = blendedDifference(d, ellipsoid(n, {size * 0.7f, 2.6f * size, 22.0f}), 5.0f);
     }
@@ -177,8 +182,9 @@ DemoStructure spleen() {
   };
   DemoStructure s = gland("spleen", {"Glands and spleen", spleenColour, 4.3f}, field,
                           {{40, -34, 4}, {162, 112, 132}});
-  s.edge = 2.4f;
+  s.edge = 2.0f;
   s.rounding = 4.0f;
+  s.smoothing = 1.8f;
   return s;
 }
 

@@ -19,6 +19,10 @@ enum class Sex { female, male };
 /// Context is drawn in the ink of its kind, so that black is left to what is in focus.
 inline constexpr Colour boneInk{94, 79, 56};
 inline constexpr Colour muscleInk{122, 44, 34};
+inline constexpr Colour bowelInk{112, 70, 44};
+inline constexpr Colour arteryInk{168, 28, 20};
+inline constexpr Colour veinInk{31, 70, 143};
+inline constexpr Colour portalInk{86, 67, 156};
 
 struct DemoStructure {
   std::string name;                 ///< "left ureter"

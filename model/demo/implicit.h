@@ -20,6 +20,10 @@ using Field = std::function<float(const glm::vec3&)>;
 /// About the signed distance to an ellipsoid at the origin, exact to first order at its surface.
 float ellipsoid(const glm::vec3& p, const glm::vec3& semiAxes);
 
+/// The same to a body between an ellipsoid (`fullness` 0) and a box: up to about 0.5, smooth all
+/// over.
+float cushion(const glm::vec3& p, const glm::vec3& semiAxes, float fullness);
+
 /// Union and difference whose seam is rounded over about `radius` mm, with continuous curvature.
 float blendedUnion(float a, float b, float radius);
 float blendedDifference(float a, float b, float radius);
