@@ -3,6 +3,7 @@
 // far away only the sign is exact). Anatomy is built by blending a few of them.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
@@ -69,8 +70,8 @@ struct BandPoint {
   glm::vec3 across;
 };
 
-/// A smooth curve through given points (centripetal Catmull and Rom) that carries a few numbers
-/// along, with a fast search for its nearest place.
+/// A smooth curve through given points (a centripetal cubic spline, of continuous curvature) that
+/// carries a few numbers along, with a fast search for its nearest place.
 class Curve {
  public:
   struct Knot {
@@ -100,8 +101,10 @@ class Curve {
     float distance = std::numeric_limits<float>::infinity();
   };
   void search(const Chunk& chunk, const glm::vec3& p, float weight, Nearest& best) const;
+  std::size_t pieceAt(float s) const;
+  Knot mixed(std::size_t piece, const std::array<float, 4>& weights) const;
   std::vector<Knot> m_knots;
-  std::vector<Knot> m_slopes;  ///< per knot, of one step
+  std::vector<Knot> m_spline;  ///< the knots and one more at either end
   std::vector<Chunk> m_chunks;
 };
 
