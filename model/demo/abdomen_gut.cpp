@@ -32,19 +32,19 @@ DemoStructure organ(std::string name, Colour colour, float gamma, Field field, B
 /// Folds along the cavity, the rugae: how much thicker they make the wall, mm. They fade towards
 /// the pylorus.
 float rugae(const SweptPlace& at, float length) {
-  const float phase = 8.0f * at.angle + 1.1f * std::sin(at.along / 17.0f) +
+  const float phase = 7.0f * at.angle + 1.1f * std::sin(at.along / 17.0f) +
                       0.7f * std::sin(at.along / 9.0f + 2.0f * at.angle);
   const float fade = std::clamp((length - at.along) / 60.0f, 0.0f, 1.0f);
-  return (0.4f + 1.6f * fade) * (1.0f + std::sin(phase));
+  return (0.3f + 0.9f * fade) * (1.0f + std::sin(phase));
 }
 
 DemoStructure stomach() {
   const auto body =
-      std::make_shared<Swept>(std::array<SweptPoint, 10>{{{{58, 7, 86}, 32, 1.0f},
-                                                          {{64, -6, 66}, 37, 0.96f},
-                                                          {{67, -28, 38}, 37, 0.88f},
-                                                          {{62, -50, 9}, 34.5f, 0.82f},
-                                                          {{46, -65, -15}, 30, 0.82f},
+      std::make_shared<Swept>(std::array<SweptPoint, 10>{{{{57, 9, 88}, 29, 1.0f},
+                                                          {{64, -4, 68}, 36, 0.97f},
+                                                          {{67, -26, 40}, 38.5f, 0.89f},
+                                                          {{62, -49, 10}, 36, 0.82f},
+                                                          {{46, -65, -15}, 31.5f, 0.82f},
                                                           {{22, -71, -27}, 25.5f, 0.90f},
                                                           {{-4, -69, -22}, 19, 0.95f},
                                                           {{-20, -64, -11}, 13.5f, 1.0f},
@@ -65,8 +65,8 @@ DemoStructure stomach() {
     const float ring = 1.6f * std::exp(-0.5f * std::pow((towardsPylorus + 3.0f) / 4.0f, 2.0f));
     const float d = blendedUnion(at.distance + canal - ring, gullet->distance(p), 8.0f);
     // The angular notch of the lesser curvature parts body and antrum.
-    static const Blob notch({17, -66, 9}, {4.5f, 30.0f, 17.0f}, {0, -24, 0});
-    return blendedDifference(d, notch.distance(p), 9.0f);
+    const float notch = Blob({16, -66, 9}, {7.0f, 30.0f, 16.0f}, {0, -24, 0}).distance(p);
+    return blendedDifference(d, notch, 13.0f);
   };
   Box box = grown(body->bounds(), 5.0f);
   box.add(gullet->bounds());

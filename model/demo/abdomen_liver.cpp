@@ -42,8 +42,8 @@ float domeField(const glm::vec3& p) {
   l.z += 0.0012f * l.x * l.x - 0.10f * l.x;
   l.y -= 0.0016f * l.x * l.x;
   // Thinner towards its tip.
-  const float taper = 1.0f - 0.22f * std::tanh(l.x / 70.0f);
-  const float left = ellipsoid(l / glm::vec3(1, taper, taper), {88.0f, 46.0f, 36.0f}) * taper;
+  const float taper = 1.0f - 0.12f * std::tanh(l.x / 70.0f);
+  const float left = ellipsoid(l / glm::vec3(1, taper, taper), {90.0f, 47.0f, 41.0f}) * taper;
   float d = blendedUnion(right, left, 46.0f);
   const float spine = glm::length(glm::vec2(p.x - 12.0f, p.y - 34.0f)) - 55.0f;
   d = blendedDifference(d, spine, 22.0f);
@@ -57,7 +57,7 @@ float leftLobeStep(const glm::vec3& p) {
   const float ligament = -3.0f + 6.0f * std::sin((p.z - 20.0f) / 42.0f);
   const float beyond = p.x - ligament;
   const float step = 6.5f * ramp(-4.5f, 4.5f, beyond) * std::exp(-std::max(beyond, 0.0f) / 60.0f);
-  return step * ramp(20.0f, -40.0f, p.y);
+  return step * ramp(20.0f, -40.0f, p.y) * (1.0f - 0.75f * ramp(70.0f, 100.0f, p.z));
 }
 
 /// Height of the visceral surface above (x, y).

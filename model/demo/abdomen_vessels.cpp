@@ -126,10 +126,17 @@ std::vector<DemoStructure> vesselTree(std::string trunk, const Kind& kind,
       box.add((*tubes)[i].bounds());
     DemoStructure part = vessel(
         branch.name, kind,
-        [=](const glm::vec3& p) { return -blendedUnion(-tree(p), -own(p), 0.6f); }, box);
+        [=](const glm::vec3& p) {
+          const float d = own(p);
+          return d > 5.0f ? d : -blendedUnion(-tree(p), -d, 0.6f);
+        },
+        box);
     part.edge = edgeFor(thinnest(branch.courses));
     made.push_back(std::move(part));
-    rest = [rest, own](const glm::vec3& p) { return blendedDifference(rest(p), own(p), 0.6f); };
+    rest = [rest, own](const glm::vec3& p) {
+      const float d = rest(p);
+      return d > 5.0f ? d : blendedDifference(d, own(p), 0.6f);
+    };
     first = last;
   }
   made.front().field = rest;

@@ -21,6 +21,9 @@ bool meet(const Box& a, const Box& b) {
   return glm::all(glm::lessThan(a.low, b.high)) && glm::all(glm::lessThan(b.low, a.high));
 }
 
+/// mm
+constexpr float deepestFold = 3.0f;
+
 struct Cutter {
   const Field* field = nullptr;
   Box reach;  ///< outside it the cut is not felt
@@ -29,7 +32,7 @@ struct Cutter {
 /// How far from a neighbour the structure's shape may depend on it: an inner surface follows a dent
 /// of the outer one, and smoothing looks around.
 float feltWithin(const DemoStructure& own) {
-  return own.gap + 2.0f * own.rounding + 2.0f * own.wall + 4.0f * own.smoothing;
+  return own.gap + 2.0f * own.rounding + 2.0f * own.wall + 5.0f * own.smoothing;
 }
 
 /// The structure's own field less its neighbours'. Far from a neighbour the distance to its box
@@ -49,6 +52,19 @@ Field cutField(const DemoStructure& own, std::vector<Cutter> cutters) {
   };
 }
 
+/// The same within `reach` of a place: without the cutters that are not felt there.
+Field localCutField(const DemoStructure& own, const std::vector<Cutter>& cutters,
+                    const glm::vec3& place, float reach) {
+  const float margin = feltWithin(own);
+  std::vector<Cutter> felt;
+  for (const Cutter& cutter : cutters)
+    if (distanceToBox(cutter.reach, place) <= reach && (*cutter.field)(place) <= reach + margin)
+      felt.push_back(cutter);
+  return [field = cutField(own, std::move(felt)), least = own.gap - margin](const glm::vec3& p) {
+    return std::max(field(p), least);
+  };
+}
+
 Field hollowed(const DemoStructure& own, Field solid) {
   if (own.wall <= 0.0f || !own.opening)
     return solid;
@@ -65,14 +81,16 @@ const DemoStructure* named(const std::vector<DemoStructure>& structures, const s
   return at == structures.end() ? nullptr : &*at;
 }
 
-Field smoothed(const DemoStructure& own, const Field& field) {
-  if (own.smoothing <= 0.0f)
-    return field;
-  // Samples close together compared with the smoothing leave no trace of their lattice.
-  const SampledField::Fineness fineness{0.7f * own.smoothing, own.smoothing};
+Field smoothed(const DemoStructure& own, const std::vector<Cutter>& cutters) {
+  const auto local = [&](const glm::vec3& place, float reach) {
+    return localCutField(own, cutters, place, reach);
+  };
+  // Samples no farther apart than the smoothing leave no trace of their lattice. A cavity's surface
+  // lies well within the body.
+  const SampledField::Fineness fineness{own.smoothing, own.smoothing,
+                                        own.wall > 0.0f ? own.wall + deepestFold : 0.0f};
   const auto samples =
-      std::make_shared<const SampledField>([&](const glm::vec3&, float) { return field; },
-                                           grown(own.box, 3.0f * own.smoothing), fineness);
+      std::make_shared<const SampledField>(local, grown(own.box, 3.0f * own.smoothing), fineness);
   return [samples](const glm::vec3& p) { return samples->distance(p); };
 }
 
@@ -85,7 +103,7 @@ Field cutField(const DemoStructure& own, const std::vector<DemoStructure>& all) 
     if (meet(reach, own.box))
       cutters.push_back({&other->field, reach});
   }
-  return smoothed(own, cutField(own, std::move(cutters)));
+  return own.smoothing > 0.0f ? smoothed(own, cutters) : cutField(own, std::move(cutters));
 }
 
 /// The component with the most triangles; cutting may leave crumbs.

@@ -42,7 +42,8 @@ struct DemoStructure {
   /// Of a hollow body: cut out of the wall. Without one the cavity is closed: its surface is a part
   /// of the mesh by itself that faces into the cavity.
   Field opening;
-  Field folds;  ///< of a closed cavity, mm: how much thicker than `wall` the wall is here
+  Field
+      folds;  ///< of a closed cavity, mm: how much thicker than `wall` its wall is here, at most 3
 };
 
 /// Meshes all structures in parallel, each closed and smooth, and builds the tree in list order;

@@ -127,7 +127,10 @@ std::vector<DemoStructure> kidneyStructures() {
   vein.gamma = Gamma::clamped(3.0f);
   artery.inkColour = arteryInk;
   vein.inkColour = veinInk;
-  return {kidney, ureter, artery, vein};
+  std::vector<DemoStructure> all{kidney, ureter, artery, vein};
+  for (DemoStructure& s : all)
+    s.fill = Fill::paper;
+  return all;
 }
 }  // namespace
 

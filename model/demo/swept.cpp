@@ -146,9 +146,16 @@ Swept::Nearest Swept::nearest(const glm::vec3& p, float reach) const {
   return best;
 }
 
+float Swept::distanceToRuns(const glm::vec3& p) const {
+  float least = std::numeric_limits<float>::infinity();
+  for (const Run& run : m_runs)
+    least = std::min(least, distanceToBox(run.box, p));
+  return least;
+}
+
 /// The cubic B-spline over the samples: nearest to it, unlike nearest to the polyline, no crease
 /// runs around the wall where two segments meet, and its curvature is continuous.
-Swept::Sample Swept::onCurve(float s, glm::vec3& tangent, glm::vec3& bend) const {
+Swept::Sample Swept::onCurve(float s, Slopes& slopes) const {
   const std::size_t last = m_samples.size() - 1;
   const std::size_t k = std::min(std::size_t(s), last - 1);
   const float t = s - float(k);
@@ -161,9 +168,10 @@ Swept::Sample Swept::onCurve(float s, glm::vec3& tangent, glm::vec3& bend) const
     const auto after = k + 1 < last ? m_samples[k + 2].*field : 2.0f * (b.*field) - a.*field;
     return w[0] * before + w[1] * (a.*field) + w[2] * (b.*field) + w[3] * after;
   };
-  tangent = blend(&Sample::position, {-0.5f * r * r, 0.5f * (3 * t * t - 4 * t),
-                                      0.5f * (4 * r - 3 * r * r), 0.5f * t * t});
-  bend = blend(&Sample::position, {r, 3 * t - 2, 1 - 3 * t, t});
+  const std::array<float, 4> first{-0.5f * r * r, 0.5f * (3 * t * t - 4 * t),
+                                   0.5f * (4 * r - 3 * r * r), 0.5f * t * t};
+  slopes = {blend(&Sample::position, first), blend(&Sample::position, {r, 3 * t - 2, 1 - 3 * t, t}),
+            blend(&Sample::radius, first)};
   const std::array<float, 4> w{r * r * r / 6, (3 * t * t * t - 6 * t * t + 4) / 6,
                                (3 * r * r * r - 6 * r * r + 4) / 6, t * t * t / 6};
   return {blend(&Sample::position, w), blend(&Sample::radius, w), blend(&Sample::depth, w),
@@ -176,21 +184,23 @@ SweptPlace Swept::place(const glm::vec3& p) const {
     return {.distance = toBox};
   const Nearest at = nearest(p, farAway);
   if (std::isinf(at.distance))
-    return {.distance = farAway};
-  // Newton's method for the foot of the perpendicular, from the polyline's.
+    return {.distance = std::max(farAway, distanceToRuns(p))};
+  // Newton's method for the place whose sphere is nearest, from the polyline's: the wall is what
+  // spheres along the curve envelop, and so their caps join it smoothly where it widens.
   const float end = float(m_samples.size() - 1);
   float s = float(at.segment) + at.t;
-  glm::vec3 tangent(0.0f);
-  glm::vec3 bend(0.0f);
-  Sample foot = onCurve(s, tangent, bend);
+  Slopes slopes;
+  Sample foot = onCurve(s, slopes);
   for (int step = 0; step < 3; ++step) {
     const glm::vec3 d = foot.position - p;
-    const float squared = glm::dot(tangent, tangent);
-    const float slope = std::max(squared + glm::dot(d, bend), 0.3f * squared);
-    s = std::clamp(s - std::clamp(glm::dot(d, tangent) / slope, -1.0f, 1.0f), 0.0f, end);
-    foot = onCurve(s, tangent, bend);
+    const float squared = glm::dot(slopes.tangent, slopes.tangent);
+    const float off = glm::dot(d, slopes.tangent) - slopes.widening * glm::length(d);
+    const float slope = std::max(
+        squared + glm::dot(d, slopes.bend) - slopes.widening * slopes.widening, 0.3f * squared);
+    s = std::clamp(s - std::clamp(off / slope, -1.0f, 1.0f), 0.0f, end);
+    foot = onCurve(s, slopes);
   }
-  tangent = glm::normalize(tangent);
+  const glm::vec3 tangent = glm::normalize(slopes.tangent);
   const glm::vec3 front = glm::normalize(foot.front - glm::dot(foot.front, tangent) * tangent);
   const glm::vec3 side = glm::cross(tangent, front);
   const glm::vec3 offset = p - foot.position;

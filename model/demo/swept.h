@@ -67,8 +67,16 @@ class Swept {
     float t = 0.0f;
     float distance = 0.0f;  ///< to a round wall
   };
-  /// At `s` samples from the start, with first and second derivative of its place.
-  Sample onCurve(float s, glm::vec3& tangent, glm::vec3& bend) const;
+  /// How the curve goes on, per sample.
+  struct Slopes {
+    glm::vec3 tangent{0.0f};
+    glm::vec3 bend{0.0f};  ///< second derivative
+    float widening = 0.0f;
+  };
+  /// At `s` samples from the start.
+  Sample onCurve(float s, Slopes& slopes) const;
+  /// To the boxes around parts of the wall: a lower bound.
+  float distanceToRuns(const glm::vec3& p) const;
   void smooth();
   void carryFrames(const glm::vec3& front);
   void gatherRuns();
