@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <iterator>
+#include <memory>
 #include <string_view>
 #include <utility>
 
@@ -94,10 +95,25 @@ std::vector<DemoStructure> inOrderOfFirmness() {
   return all;
 }
 
+Field scaled(Field field, float factor) {
+  return
+      [field = std::move(field), factor](const glm::vec3& p) { return factor * field(p / factor); };
+}
+
 void scale(DemoStructure& s, float factor) {
-  s.field = [field = std::move(s.field), factor](const glm::vec3& p) {
-    return factor * field(p / factor);
-  };
+  s.field = scaled(std::move(s.field), factor);
+  if (s.folds)
+    s.folds = scaled(std::move(s.folds), factor);
+  if (s.mesher)
+    s.mesher = [mesher = std::move(s.mesher), factor](const Field& solid, float edge) {
+      const MeshPtr mesh = mesher(scaled(solid, 1.0f / factor), edge / factor);
+      std::vector<glm::vec3> positions(mesh->positions().begin(), mesh->positions().end());
+      for (glm::vec3& p : positions)
+        p *= factor;
+      return std::make_shared<const Mesh>(
+          Mesh::create(std::move(positions), {mesh->triangles().begin(), mesh->triangles().end()})
+              .value());
+    };
   s.box.low *= factor;
   s.box.high *= factor;
 }

@@ -98,7 +98,12 @@ DemoStructure duodenum() {
                                                                         {{46, -44, -28}, 10.0f}}},
                                             glm::vec3(0, -1, 0));
   DemoStructure s = organ(
-      "duodenum", bowelColour, 3.0f, [tube](const glm::vec3& p) { return tube->distance(p); },
+      "duodenum", bowelColour, 3.0f,
+      [tube](const glm::vec3& p) {
+        // The jejunum goes on where it ends.
+        const SweptPlace at = tube->place(p);
+        return -blendedUnion(-at.distance, -tube->beyond(tube->length(), p, at), 3.0f);
+      },
       grown(tube->bounds(), 4.0f));
   s.edge = 2.0f;
   s.rounding = 3.0f;

@@ -149,15 +149,18 @@ MeshPtr withCavity(const Mesh& outer, const Mesh& cavity) {
 
 MeshPtr meshed(const DemoStructure& own, const std::vector<DemoStructure>& all) {
   const Field solid = cutField(own, all);
-  const MeshPtr outer = largestComponent(polygonise(hollowed(own, solid), own.box, own.edge));
+  const auto mesh = [&own](const Field& body, float edge) {
+    return own.mesher ? own.mesher(body, edge) : largestComponent(polygonise(body, own.box, edge));
+  };
+  const MeshPtr outer = mesh(hollowed(own, solid), own.edge);
   if (own.wall <= 0.0f || own.opening)
     return outer;
   const Field cavity = [&own, &solid](const glm::vec3& p) {
     return solid(p) + own.wall + (own.folds ? own.folds(p) : 0.0f);
   };
   // Seen only where the body is cut open.
-  constexpr float coarser = 1.25f;
-  return withCavity(*outer, *largestComponent(polygonise(cavity, own.box, coarser * own.edge)));
+  constexpr float coarser = 1.35f;
+  return withCavity(*outer, *mesh(cavity, coarser * own.edge));
 }
 
 [[maybe_unused]] bool namesAreUnique(const std::vector<DemoStructure>& structures) {

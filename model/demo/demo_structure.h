@@ -24,6 +24,9 @@ inline constexpr Colour arteryInk{168, 28, 20};
 inline constexpr Colour veinInk{31, 70, 143};
 inline constexpr Colour portalInk{86, 67, 156};
 
+/// Makes a closed mesh of a body, negative inside, from triangles with that mean edge.
+using Mesher = std::function<MeshPtr(const Field& solid, float edge)>;
+
 struct DemoStructure {
   std::string name;                 ///< "left ureter"
   std::vector<std::string> groups;  ///< outermost first
@@ -42,8 +45,9 @@ struct DemoStructure {
   /// Of a hollow body: cut out of the wall. Without one the cavity is closed: its surface is a part
   /// of the mesh by itself that faces into the cavity.
   Field opening;
-  Field
-      folds;  ///< of a closed cavity, mm: how much thicker than `wall` its wall is here, at most 3
+  /// Of a closed cavity, mm: how much thicker than `wall` its wall is here; at most 3.
+  Field folds;
+  Mesher mesher;  ///< in place of polygonising, for the body and for its closed cavity
 };
 
 /// Meshes all structures in parallel, each closed and smooth, and builds the tree in list order;

@@ -111,6 +111,32 @@ float Swept::alongNearest(const glm::vec3& p) const {
   return glm::mix(m_samples[at.segment].along, m_samples[at.segment + 1].along, at.t);
 }
 
+SweptRing Swept::ring(float along) const {
+  const auto after = std::lower_bound(m_samples.begin() + 1, m_samples.end() - 1, along,
+                                      [](const Sample& s, float value) { return s.along < value; });
+  const Sample& a = *(after - 1);
+  const float t = std::clamp((along - a.along) / (after->along - a.along), 0.0f, 1.0f);
+  Slopes slopes;
+  const Sample at = onCurve(float(after - 1 - m_samples.begin()) + t, slopes);
+  const glm::vec3 tangent = glm::normalize(slopes.tangent);
+  const glm::vec3 front = glm::normalize(at.front - glm::dot(at.front, tangent) * tangent);
+  return {at.position, front, glm::cross(tangent, front), at.radius};
+}
+
+float Swept::distanceToOthers(const glm::vec3& p, const SweptPlace& at, float reach) const {
+  const float own = 3.5f * at.radius;
+  float least = reach;
+  for (const Run& run : m_runs) {
+    if (std::abs(m_samples[run.first].along - at.along) < own ||
+        std::abs(m_samples[run.last].along - at.along) < own || distanceToBox(run.box, p) > least)
+      continue;
+    Nearest best{.distance = least};
+    searchRun(run, p, best);
+    least = best.distance;
+  }
+  return least;
+}
+
 float Swept::beyond(float along, const glm::vec3& p, const SweptPlace& at) const {
   // Farther along, the tube may bend back through the plane of the cut.
   if (std::abs(at.along - along) > 2.0f * at.radius)
@@ -197,7 +223,10 @@ SweptPlace Swept::place(const glm::vec3& p) const {
     const float off = glm::dot(d, slopes.tangent) - slopes.widening * glm::length(d);
     const float slope = std::max(
         squared + glm::dot(d, slopes.bend) - slopes.widening * slopes.widening, 0.3f * squared);
-    s = std::clamp(s - std::clamp(off / slope, -1.0f, 1.0f), 0.0f, end);
+    const float better = std::clamp(s - std::clamp(off / slope, -1.0f, 1.0f), 0.0f, end);
+    if (std::abs(better - s) < 1e-4f)
+      break;
+    s = better;
     foot = onCurve(s, slopes);
   }
   const glm::vec3 tangent = glm::normalize(slopes.tangent);
