@@ -41,8 +41,8 @@ DemoStructure liver() {
                           {{-150, -104, -75}, {96, 88, 122}});
   s.edge = 2.2f;
   s.rounding = 7.0f;
-  s.gap = 1.2f;
-  s.smoothing = 2.6f;
+  s.gap = 1.4f;
+  s.smoothing = 3.0f;
   return s;
 }
 
@@ -66,7 +66,7 @@ DemoStructure gallbladder() {
     const float neck = std::clamp((at.along - 58.0f) / 10.0f, 0.0f, 1.0f);
     return at.distance + neck * 0.4f * std::sin(at.along * 1.25f + at.angle);
   };
-  DemoStructure s = gland("gallbladder", {"Biliary system", bileColour, 5.0f}, field,
+  DemoStructure s = gland("gallbladder", {"Biliary system", bileColour, 4.5f}, field,
                           grown(tube->bounds(), 3.0f));
   s.edge = 1.6f;
   s.smoothing = 1.0f;
@@ -105,9 +105,11 @@ DemoStructure bileDucts() {
   for (const auto& branch : {right, left, cystic})
     box.add(branch->bounds());
   DemoStructure s =
-      gland("bile duct", {"Biliary system", bileColour, 5.0f}, field, grown(box, 3.0f));
+      gland("bile duct", {"Biliary system", bileColour, 4.5f}, field, grown(box, 3.0f));
   s.edge = 1.0f;
   s.gap = 0.3f;
+  s.smoothing = 0.6f;
+  s.wall = 0.8f;
   return s;
 }
 
@@ -143,7 +145,7 @@ DemoStructure pancreas() {
   Box box = body->bounds();
   box.add(uncinate->bounds());
   DemoStructure s =
-      gland("pancreas", {"Digestive system", pancreasColour, 4.8f}, field, grown(box, 4.0f));
+      gland("pancreas", {"Digestive system", pancreasColour, 4.5f}, field, grown(box, 4.0f));
   s.edge = 1.7f;
   s.rounding = 2.0f;
   s.smoothing = 1.0f;
@@ -205,14 +207,15 @@ DemoStructure adrenal(const char* name, const glm::vec3& apex, float side, bool 
   const Field field = [=](const glm::vec3& p) {
     float d = blendedUnion(medial->distance(p), lateral->distance(p), 4.0f);
     d = blendedUnion(d, crest->distance(p), 5.0f);
-    return d + 0.25f * std::sin(0.8f * p.x + 0.5f) * std::sin(0.7f * p.z);
+    return d;
   };
   Box box = medial->bounds();
   box.add(lateral->bounds());
   box.add(crest->bounds());
   DemoStructure s =
       gland(name, {"Glands and spleen", adrenalColour, 4.0f}, field, grown(box, 3.0f));
-  s.edge = 1.4f;
+  s.edge = 1.3f;
+  s.smoothing = 0.9f;
   return s;
 }
 }  // namespace

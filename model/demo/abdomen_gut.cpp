@@ -73,8 +73,8 @@ DemoStructure stomach() {
   DemoStructure s = organ("stomach", stomachColour, 4.3f, field, grown(box, 3.0f));
   s.edge = 2.1f;
   s.rounding = 6.0f;
-  s.gap = 1.0f;
-  s.smoothing = 2.4f;
+  s.gap = 1.2f;
+  s.smoothing = 3.0f;
   s.wall = 2.6f;
   s.folds = [body](const glm::vec3& p) { return rugae(body->place(p), body->length()); };
   return s;
@@ -105,6 +105,7 @@ DemoStructure duodenum() {
         return -blendedUnion(-at.distance, -tube->beyond(tube->length(), p, at), 3.0f);
       },
       grown(tube->bounds(), 4.0f));
+  s.inkColour = bowelInk;
   s.edge = 2.0f;
   s.rounding = 3.0f;
   s.gap = 0.8f;

@@ -36,7 +36,7 @@ float blendedIntersection(float a, float b, float radius) {
 float domeField(const glm::vec3& p) {
   // Fuller below than an ellipsoid: the flank falls steeply to the inferior margin.
   glm::vec3 r = p - glm::vec3(-66, -10, 20);
-  r.z *= 0.80f + 0.20f * std::tanh(r.z / 30.0f);
+  r.z *= 0.86f + 0.14f * std::tanh(r.z / 45.0f);
   const float right = cushion(r, {76.0f, 84.0f, 89.0f}, 0.3f);
   glm::vec3 l = p - glm::vec3(4, -40, 62);
   l.z += 0.0012f * l.x * l.x - 0.10f * l.x;

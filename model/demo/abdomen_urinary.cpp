@@ -31,11 +31,13 @@ DemoStructure kidney(const char* name, float side, const glm::vec3& middle) {
   DemoStructure s{.name = name,
                   .groups = {"Urinary system"},
                   .colour = kidneyColour,
-                  .gamma = Gamma::clamped(4.4f),
+                  .gamma = Gamma::clamped(4.3f),
                   .field = field,
                   .box = {middle - glm::vec3(52, 48, 72), middle + glm::vec3(52, 48, 70)}};
-  s.edge = 2.1f;
-  s.rounding = 2.0f;
+  s.edge = 1.8f;
+  s.gap = 0.9f;
+  s.rounding = 2.5f;
+  s.smoothing = 1.5f;
   return s;
 }
 
@@ -62,13 +64,15 @@ DemoStructure ureter(const char* name, float side, float drop) {
   DemoStructure s{.name = name,
                   .groups = {"Urinary system"},
                   .colour = ureterColour,
-                  .gamma = Gamma::clamped(5.0f),
+                  .gamma = Gamma::clamped(4.3f),
                   .field =
                       [tube, calyx](const glm::vec3& p) {
                         return blendedUnion(tube->distance(p), calyx->distance(p), 3.0f);
                       },
                   .box = grown(box, 3.0f)};
-  s.edge = 1.4f;
+  s.edge = 1.1f;
+  s.smoothing = 0.8f;
+  s.wall = 0.8f;
   return s;
 }
 }  // namespace

@@ -85,7 +85,7 @@ DemoStructure vessel(std::string name, const Kind& kind, const std::vector<Cours
       std::move(name), kind, [=](const glm::vec3& p) { return blended(*tubes, p, blend); },
       boundsOf(*tubes));
   s.edge = edgeFor(radius);
-  s.smoothing = 0.35f * radius;
+  s.smoothing = std::clamp(0.35f * radius, 0.6f, 1.2f);
   return s;
 }
 
@@ -119,7 +119,10 @@ std::vector<DemoStructure> vesselTree(std::string trunk, const Kind& kind,
       float near = at.distance;
       for (std::size_t i = first + 1; i < last; ++i)
         near = std::min(near, (*tubes)[i].distance(p));
-      return std::max(near - 3.0f, -(*tubes)[first].beyond(along, p, at));
+      // A side branch that has left the first course is past the cut.
+      constexpr float left = 12.0f;
+      return at.distance > left ? near - 3.0f
+                                : std::max(near - 3.0f, -(*tubes)[first].beyond(along, p, at));
     };
     Box box;
     for (std::size_t i = first; i < last; ++i)

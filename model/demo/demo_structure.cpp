@@ -87,8 +87,8 @@ Field smoothed(const DemoStructure& own, const std::vector<Cutter>& cutters) {
   };
   // Samples no farther apart than the smoothing leave no trace of their lattice. A cavity's surface
   // lies well within the body.
-  const SampledField::Fineness fineness{own.smoothing, own.smoothing,
-                                        own.wall > 0.0f ? own.wall + deepestFold : 0.0f};
+  const float depth = own.wall + (own.folds ? deepestFold : 0.0f);
+  const SampledField::Fineness fineness{own.smoothing, own.smoothing, depth};
   const auto samples =
       std::make_shared<const SampledField>(local, grown(own.box, 3.0f * own.smoothing), fineness);
   return [samples](const glm::vec3& p) { return samples->distance(p); };
