@@ -48,13 +48,14 @@ Field cutField(const DemoStructure& own, std::vector<Cutter> cutters) {
 }
 
 Field hollowed(const DemoStructure& own, Field solid) {
-  if (own.wall <= 0.0f)
+  assert(own.wall <= 0.0f || own.opening);
+  if (!own.opening)
     return solid;
-  assert(own.opening);
   return [&own, solid = std::move(solid)](const glm::vec3& p) {
-    const float d = solid(p);
-    return blendedDifference(blendedDifference(d, d + own.wall, own.rounding), own.opening(p),
-                             own.rounding);
+    float d = solid(p);
+    if (own.wall > 0.0f)
+      d = blendedDifference(d, d + own.wall, own.rounding);
+    return blendedDifference(d, own.opening(p), own.rounding);
   };
 }
 

@@ -34,7 +34,8 @@ struct DemoStructure {
   float gap = 0.5f;                     ///< mm kept clear of those
   float rounding = 1.0f;                ///< mm: radius of the edge that cutting leaves
   float wall = 0.0f;  ///< mm: a hollow body's wall, measured inward after cutting; 0: solid
-  Field opening;      ///< of a hollow body: cut out of the wall; each cavity needs one
+  Field opening;  ///< cut out last: the way into a hollow body (each cavity needs one), or all of
+                  ///< a cavity that is open to the outside
 };
 
 /// Meshes all structures in parallel, each closed and smooth, and builds the tree in list order;

@@ -62,13 +62,13 @@ void append(std::vector<DemoStructure>& list, std::vector<DemoStructure> more) {
               std::make_move_iterator(more.end()));
 }
 
-/// Muscles are context in red ink. Thin plates that lie one behind the other hide each other, since
-/// from behind their outlines would cross.
-void inkMuscles(std::vector<DemoStructure>& structures) {
-  static constexpr std::array<std::string_view, 5> plates{
-      "puborectalis", "pubococcygeus", "iliococcygeus", "coccygeus", "sphincter"};
+/// Thin plates that lie one behind the other hide each other, since from behind their outlines
+/// would cross.
+void backPlates(std::vector<DemoStructure>& structures) {
+  static constexpr std::array<std::string_view, 7> plates{
+      "puborectalis", "pubococcygeus", "iliococcygeus", "coccygeus",
+      "sphincter",    "piriformis",    "obturator"};
   for (DemoStructure& s : structures) {
-    s.inkColour = muscleInk;
     const auto isPlate = [&](std::string_view part) { return s.name.find(part) != s.name.npos; };
     if (std::any_of(plates.begin(), plates.end(), isPlate))
       s.fill = Fill::paper;
@@ -97,7 +97,7 @@ std::vector<View> savedViews() {
 
 std::vector<DemoStructure> pelvisStructures(Sex sex) {
   std::vector<DemoStructure> soft = pelvisMuscles();
-  inkMuscles(soft);
+  backPlates(soft);
   append(soft, pelvisOrgans(sex));
   append(soft, sex == Sex::male ? maleOrgans() : femaleOrgans());
   append(soft, pelvisArteries());

@@ -24,7 +24,7 @@
 namespace sline::model {
 
 namespace {
-constexpr int roundsOfRemeshing = 4;
+constexpr int roundsOfRemeshing = 5;
 constexpr int relaxations = 4;
 /// Edges outside these are mended, as shares of the edge asked for.
 constexpr float shortest = 0.7f;
