@@ -144,7 +144,9 @@ Scene demoScene(const std::vector<DemoStructure>& structures) {
             [&](std::size_t a, std::size_t b) { return work(a) > work(b); });
   parallelFor(order.size(), 1, [&](std::size_t k) {
     const DemoStructure& s = structures[order[k]];
-    meshes[order[k]] = largestComponent(polygonise(cutField(s, structures), s.box, s.edge));
+    const Field field = cutField(s, structures);
+    meshes[order[k]] = largestComponent(s.pattern ? fitted(*s.pattern, field, s.edge)
+                                                  : polygonise(field, s.box, s.edge));
   });
 
   Scene scene;

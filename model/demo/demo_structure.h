@@ -9,6 +9,7 @@
 
 #include "model/base/units.h"
 #include "model/demo/implicit.h"
+#include "model/demo/remesh.h"
 #include "model/scene/scene.h"
 
 namespace sline::model {
@@ -30,6 +31,7 @@ struct DemoStructure {
   Field field;                          ///< mm, patient frame (LPS); negative inside
   Box box;                              ///< holds the surface field = 0 with room to spare
   float edge = 1.5f;                    ///< mm: mean edge of its triangles
+  std::optional<Facets> pattern;        ///< triangles near the surface, to use in place of a lattice's
   std::vector<std::string> givesWayTo;  ///< names; their bodies, grown by `gap`, are cut out of it
   float gap = 0.5f;                     ///< mm kept clear of those
   float rounding = 1.0f;                ///< mm: radius of the edge that cutting leaves

@@ -75,6 +75,14 @@ glm::vec3 fromFemalePelvis(const glm::vec3& p) {
   return {p.x - wider * std::tanh(aside / arch), p.y, hipLevel + lower * (p.z - hipLevel)};
 }
 
+glm::vec3 toFemalePelvis(const glm::vec3& p) {
+  // What the map adds changes less than the place does: repeated putting in converges.
+  glm::vec3 q = p;
+  for (int step = 0; step < 12; ++step)
+    q += p - fromFemalePelvis(q);
+  return q;
+}
+
 std::vector<DemoStructure> pelvisBones(Sex sex) {
   const Shape hipBone = shapeOf(leftHipBone(), {1.6f, 2.3f});
   const Shape femur = shapeOf(leftFemur(), {1.8f, 2.2f});

@@ -2,8 +2,10 @@
 // The aorta parts left of the midline and the caval confluence lies right of it, so left and right
 // iliac vessels are no mirror images; their branches in the lesser pelvis are.
 #include <algorithm>
+#include <array>
 
 #include "model/demo/pelvis_parts.h"
+#include "model/demo/pipe.h"
 
 namespace sline::model {
 
@@ -15,17 +17,12 @@ DemoStructure vein(const char* name, Shape shape) {
   return structure(veinPalette, name, std::move(shape));
 }
 
-/// Where one vessel goes over into the next, or is cut: the normal points out of the vessel.
-struct End {
-  glm::vec3 point;
-  glm::vec3 normal;
-};
-End opposite(const End& end) {
+PipeEnd opposite(const PipeEnd& end) {
   return {end.point, -end.normal};
 }
 
 /// What of the box lies on the near side of a plane that looks mostly along z.
-Box upTo(const End& end, Box box) {
+Box upTo(const PipeEnd& end, Box box) {
   constexpr float slant = 8.0f;  // mm that the plane rises and falls within a vessel
   float& face = end.normal.z > 0.0f ? box.high.z : box.low.z;
   face = end.normal.z > 0.0f ? std::min(face, end.point.z + slant)
@@ -33,18 +30,31 @@ Box upTo(const End& end, Box box) {
   return box;
 }
 
+float wallOf(const Palette& palette) {
+  return &palette == &arteryPalette ? 1.8f : 1.6f;
+}
+
 /// A piece of a vessel's course, hollow: the lumen is that of the whole course, so that it goes on
 /// from vessel to vessel and shows where one is cut.
 DemoStructure pieceOf(const Shape& course, const Palette& palette, const char* name,
-                      std::initializer_list<End> ends) {
-  const float wall = &palette == &arteryPalette ? 1.8f : 1.6f;
+                      std::initializer_list<PipeEnd> ends) {
   Shape piece = course;
-  for (const End& end : ends) {
+  for (const PipeEnd& end : ends) {
     piece = cutOff(std::move(piece), end.point, end.normal);
     piece.box = upTo(end, piece.box);
   }
   return withCavity(structure(palette, name, std::move(piece)),
-                    [course = course.field, wall](const glm::vec3& p) { return course(p) + wall; });
+                    [course = course.field, wall = wallOf(palette)](const glm::vec3& p) {
+                      return course(p) + wall;
+                    });
+}
+
+/// The same where nothing branches off.
+DemoStructure pieceOf(const Tube& course, const Palette& palette, const char* name,
+                      const std::array<PipeEnd, 2>& ends) {
+  DemoStructure piece = pieceOf(shapeOf(course), palette, name, {ends[0], ends[1]});
+  piece.pattern = pipe(course.course(), wallOf(palette), ends, palette.edge);
+  return piece;
 }
 
 /// From within the aorta to below the inguinal ligament.
@@ -64,14 +74,14 @@ const std::initializer_list<TubePoint> rightArteryCourse{
     {{-62, -92.2f, 937}, 5},        {{-63.2f, -95, 927}, 5},        {{-63.2f, -101.8f, 917}, 5},
     {{-62, -112, 907}, 4.9f},       {{-60.5f, -124.5f, 897}, 4.9f}, {{-58.5f, -138, 887}, 4.8f},
     {{-56, -151, 877}, 4.8f},       {{-53.5f, -162, 868}, 4.8f}};
-const End leftBifurcation{{9, -134.5f, 1033}, {0.34f, 0.36f, -0.87f}};
-const End rightBifurcation{{-2.2f, -137.2f, 1032.5f}, {-0.48f, 0.1f, -0.87f}};
-const End leftArteryFork{{35.8f, -104.1f, 978}, {0.44f, 0.44f, -0.78f}};
-const End rightArteryFork{{-36.5f, -119.5f, 983.5f}, {-0.52f, 0.5f, -0.7f}};
+const PipeEnd leftBifurcation{{9, -134.5f, 1033}, {0.34f, 0.36f, -0.87f}};
+const PipeEnd rightBifurcation{{-2.2f, -137.2f, 1032.5f}, {-0.48f, 0.1f, -0.87f}};
+const PipeEnd leftArteryFork{{35.8f, -104.1f, 978}, {0.44f, 0.44f, -0.78f}};
+const PipeEnd rightArteryFork{{-36.5f, -119.5f, 983.5f}, {-0.52f, 0.5f, -0.7f}};
 
 void addMainArteries(std::vector<DemoStructure>& list) {
-  const Shape left = shapeOf(Tube(leftArteryCourse));
-  const Shape right = shapeOf(Tube(rightArteryCourse));
+  const Tube left(leftArteryCourse);
+  const Tube right(rightArteryCourse);
   const Shape aorta = branching({Tube{{{7, -138, 1086}, 7.6f},
                                       {{6.5f, -138, 1069}, 7.5f},
                                       {{5.2f, -138, 1055}, 7.4f},
@@ -81,14 +91,15 @@ void addMainArteries(std::vector<DemoStructure>& list) {
   list.push_back(pieceOf(aorta, arteryPalette, "abdominal aorta",
                          {{{7, -138, 1076}, {0, 0, 1}}, leftBifurcation, rightBifurcation}));
   list.push_back(pieceOf(left, arteryPalette, "left common iliac artery",
-                         {opposite(leftBifurcation), leftArteryFork}));
+                         {{opposite(leftBifurcation), leftArteryFork}}));
   list.push_back(pieceOf(right, arteryPalette, "right common iliac artery",
-                         {opposite(rightBifurcation), rightArteryFork}));
-  list.push_back(pieceOf(left, arteryPalette, "left external iliac artery",
-                         {opposite(leftArteryFork), {{52.8f, -163, 884}, {-0.05f, -0.7f, -0.7f}}}));
+                         {{opposite(rightBifurcation), rightArteryFork}}));
+  list.push_back(
+      pieceOf(left, arteryPalette, "left external iliac artery",
+              {{opposite(leftArteryFork), {{52.8f, -163, 884}, {-0.05f, -0.7f, -0.7f}}}}));
   list.push_back(
       pieceOf(right, arteryPalette, "right external iliac artery",
-              {opposite(rightArteryFork), {{-55.5f, -153.5f, 875}, {0.12f, -0.75f, -0.65f}}}));
+              {{opposite(rightArteryFork), {{-55.5f, -153.5f, 875}, {0.12f, -0.75f, -0.65f}}}}));
 }
 
 /// Its continuation to the greater sciatic foramen is the superior gluteal artery.
@@ -180,14 +191,14 @@ const std::initializer_list<TubePoint> rightVeinCourse{
     {{-49.5f, -115, 898}, 5.5f},      {{-47, -129, 888}, 5.4f},
     {{-44.5f, -143, 878}, 5.4f},      {{-43, -156, 868}, 5.3f},
     {{-42, -167, 858}, 5.3f}};
-const End leftConfluence{{-2.7f, -126.2f, 1037.5f}, {0.45f, 0.45f, -0.77f}};
-const End rightConfluence{{-16.1f, -126.9f, 1037.5f}, {-0.22f, 0.32f, -0.92f}};
-const End leftVeinFork{{21.5f, -94.6f, 978.7f}, {0.5f, 0.42f, -0.76f}};
-const End rightVeinFork{{-33.6f, -104.5f, 979}, {-0.36f, 0.5f, -0.79f}};
+const PipeEnd leftConfluence{{-2.7f, -126.2f, 1037.5f}, {0.45f, 0.45f, -0.77f}};
+const PipeEnd rightConfluence{{-16.1f, -126.9f, 1037.5f}, {-0.22f, 0.32f, -0.92f}};
+const PipeEnd leftVeinFork{{21.5f, -94.6f, 978.7f}, {0.5f, 0.42f, -0.76f}};
+const PipeEnd rightVeinFork{{-33.6f, -104.5f, 979}, {-0.36f, 0.5f, -0.79f}};
 
 void addMainVeins(std::vector<DemoStructure>& list) {
-  const Shape left = shapeOf(Tube(leftVeinCourse));
-  const Shape right = shapeOf(Tube(rightVeinCourse));
+  const Tube left(leftVeinCourse);
+  const Tube right(rightVeinCourse);
   const Shape cava = branching({Tube{{{-12, -133, 1084}, 8.3f},
                                      {{-11.8f, -133, 1070}, 8.2f},
                                      {{-11.5f, -132.3f, 1058}, 8},
@@ -197,14 +208,15 @@ void addMainVeins(std::vector<DemoStructure>& list) {
   list.push_back(pieceOf(cava, veinPalette, "inferior vena cava",
                          {{{-12, -133, 1073}, {0, 0, 1}}, leftConfluence, rightConfluence}));
   list.push_back(pieceOf(left, veinPalette, "left common iliac vein",
-                         {opposite(leftConfluence), leftVeinFork}));
+                         {{opposite(leftConfluence), leftVeinFork}}));
   list.push_back(pieceOf(right, veinPalette, "right common iliac vein",
-                         {opposite(rightConfluence), rightVeinFork}));
+                         {{opposite(rightConfluence), rightVeinFork}}));
   list.push_back(
       pieceOf(left, veinPalette, "left external iliac vein",
-              {opposite(leftVeinFork), {{41, -158.5f, 876.5f}, {-0.15f, -0.72f, -0.68f}}}));
-  list.push_back(pieceOf(right, veinPalette, "right external iliac vein",
-                         {opposite(rightVeinFork), {{-43, -158, 866.5f}, {0.1f, -0.75f, -0.65f}}}));
+              {{opposite(leftVeinFork), {{41, -158.5f, 876.5f}, {-0.15f, -0.72f, -0.68f}}}}));
+  list.push_back(
+      pieceOf(right, veinPalette, "right external iliac vein",
+              {{opposite(rightVeinFork), {{-43, -158, 866.5f}, {0.1f, -0.75f, -0.65f}}}}));
 }
 }  // namespace
 
