@@ -165,10 +165,14 @@ Curve::Place Curve::nearest(const glm::vec3& p, float weight) const {
     const float slope = std::max(square - glm::dot(away, bend), 0.3f * square);
     s = std::clamp(s + std::clamp(glm::dot(away, along) / slope, -1.0f, 1.0f), 0.0f, end);
   }
+    return at(s);
+}
+
+Curve::Place Curve::at(float s) const {
   const std::size_t i = pieceAt(s);
   const Weights w = weightsAt(s - float(i));
-  const Knot at = mixed(i, w.value);
-  return {at.main, at.more, glm::normalize(glm::vec3(mixed(i, w.first).main))};
+  const Knot here = mixed(i, w.value);
+  return {here.main, here.more, glm::normalize(glm::vec3(mixed(i, w.first).main))};
 }
 
 std::size_t Curve::pieceAt(float s) const {

@@ -66,12 +66,13 @@ Field localCutField(const DemoStructure& own, const std::vector<Cutter>& cutters
 }
 
 Field hollowed(const DemoStructure& own, Field solid) {
-  if (own.wall <= 0.0f || !own.opening)
+  if (!own.opening)
     return solid;
   return [&own, solid = std::move(solid)](const glm::vec3& p) {
-    const float d = solid(p);
-    return blendedDifference(blendedDifference(d, d + own.wall, own.rounding), own.opening(p),
-                             own.rounding);
+    float d = solid(p);
+    if (own.wall > 0.0f)
+      d = blendedDifference(d, d + own.wall, own.rounding);
+    return blendedDifference(d, own.opening(p), own.rounding);
   };
 }
 
@@ -152,6 +153,8 @@ MeshPtr meshed(const DemoStructure& own, const std::vector<DemoStructure>& all) 
   const auto mesh = [&own](const Field& body, float edge) {
     return own.mesher ? own.mesher(body, edge) : largestComponent(polygonise(body, own.box, edge));
   };
+  if (own.pattern)
+    return largestComponent(fitted(*own.pattern, solid, own.edge));
   const MeshPtr outer = mesh(hollowed(own, solid), own.edge);
   if (own.wall <= 0.0f || own.opening)
     return outer;

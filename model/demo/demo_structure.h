@@ -9,6 +9,7 @@
 
 #include "model/base/units.h"
 #include "model/demo/implicit.h"
+#include "model/demo/remesh.h"
 #include "model/scene/scene.h"
 
 namespace sline::model {
@@ -33,17 +34,19 @@ struct DemoStructure {
   Colour colour;
   Gamma gamma = Gamma::clamped(1.0f);
   std::optional<Fill> fill;
-  std::optional<Colour> inkColour;      ///< as Style's
-  Field field;                          ///< mm, patient frame (LPS); negative inside
-  Box box;                              ///< holds the surface field = 0 with room to spare
-  float edge = 1.5f;                    ///< mm: mean edge of its triangles
+  std::optional<Colour> inkColour;  ///< as Style's
+  Field field;                      ///< mm, patient frame (LPS); negative inside
+  Box box;                          ///< holds the surface field = 0 with room to spare
+  float edge = 1.5f;                ///< mm: mean edge of its triangles
+  std::optional<Facets> pattern;    ///< triangles near the surface, to use in place of a lattice's
   std::vector<std::string> givesWayTo;  ///< names; their bodies, grown by `gap`, are cut out of it
   float gap = 0.5f;                     ///< mm kept clear of those
   float rounding = 1.0f;                ///< mm: radius of the edge that cutting leaves
   float smoothing = 0.0f;  ///< mm: after cutting smoothed as by a thumb this wide; 0: not at all
   float wall = 0.0f;       ///< mm: a hollow body's wall, measured inward after cutting; 0: solid
-  /// Of a hollow body: cut out of the wall. Without one the cavity is closed: its surface is a part
-  /// of the mesh by itself that faces into the cavity.
+  /// Cut out last: the way into a hollow body, or all of a cavity that is open to the outside. A
+  /// hollow body without one has a closed cavity, whose surface is a part of the mesh by itself
+  /// that faces into the cavity.
   Field opening;
   /// Of a closed cavity, mm: how much thicker than `wall` its wall is here; at most 3.
   Field folds;

@@ -86,6 +86,8 @@ class Curve {
   Curve(std::span<const Knot> through, float step);
   /// Where distance − `weight` · radius is least; beyond the ends the end itself.
   Place nearest(const glm::vec3& p, float weight) const;
+  /// At `s` knots from the start, 0 to knots − 1.
+  Place at(float s) const;
   const std::vector<Knot>& knots() const { return m_knots; }
 
  private:
@@ -117,6 +119,7 @@ class Tube {
       : Tube(std::span<const TubePoint>(through.begin(), through.size())) {}
   float distance(const glm::vec3& p) const;
   const Box& bounds() const { return m_bounds; }
+  const Curve& course() const { return m_curve; }
 
  private:
   Curve m_curve;

@@ -34,8 +34,37 @@ Shape sacralPlexus() {
                                {{76, -28, 870}, 5.4f, 3, {1, 0.2f, 0.2f}},
                                {{82, -34, 848}, 5.2f, 3, {1, 0.3f, 0.1f}},
                                {{85, -39, 826}, 5, 3, {1, 0.3f, 0}},
-                               {{86, -42, 808}, 5, 3, {1, 0.3f, 0}}});
-  return cutOff(merged(std::move(roots), std::move(sciatic), 4.0f), {86, -42, 814}, {0, 0, -1});
+                               {{86.5f, -43, 804}, 5, 3, {1, 0.3f, 0}},
+                               {{87, -46, 782}, 5, 3, {1, 0.3f, 0}},
+                               {{87, -48, 764}, 5, 3, {1, 0.3f, 0}}});
+  return cutOff(merged(std::move(roots), std::move(sciatic), 4.0f), {87, -47, 771}, {0, 0.1f, -1});
+}
+/// In the groove between psoas and iliacus, under the inguinal ligament into the thigh, where it
+/// breaks up into branches that run out.
+Shape femoralNerve() {
+  return cutOff(branching({Tube{{{57, -80, 1020}, 1.8f},
+                                {{60.5f, -84.5f, 1011}, 1.8f},
+                                {{70, -92, 986}, 1.9f},
+                                {{79, -104, 957}, 2.1f},
+                                {{87, -117, 934}, 2.2f},
+                                {{90, -130, 917}, 2.3f},
+                                {{88, -141.5f, 901}, 2.4f},
+                                {{83.5f, -148, 885}, 2.2f},
+                                {{80, -150, 868}, 1.8f},
+                                {{77.5f, -149, 848}, 1.4f},
+                                {{75, -146.5f, 826}, 1},
+                                {{73, -144.5f, 806}, 0.7f}},
+                           Tube{{{87, -143.5f, 897}, 1.7f},
+                                {{86.5f, -149.5f, 880}, 1.4f},
+                                {{89, -152, 862}, 1.2f},
+                                {{93, -151, 843}, 0.9f},
+                                {{96, -149, 827}, 0.7f}},
+                           Tube{{{84, -147.5f, 887}, 1.6f},
+                                {{76.5f, -151, 871}, 1.3f},
+                                {{69, -152, 853}, 1},
+                                {{63, -151, 836}, 0.7f}}},
+                          2.0f),
+                {60, -84, 1012}, {-0.3f, 0.3f, 0.9f});
 }
 }  // namespace
 
@@ -52,15 +81,7 @@ std::vector<DemoStructure> pelvisNerves() {
                        {{49.5f, -106, 890}, 1.3f},
                        {{46, -116, 879}, 1.3f},
                        {{43, -123, 869}, 1.2f}}));
-  addPair(list, nervePalette, "femoral nerve",
-          shapeOf(Tube{{{60, -84, 1012}, 1.7f},
-                       {{70, -92, 986}, 1.9f},
-                       {{79, -104, 957}, 2.1f},
-                       {{87.5f, -117, 933}, 2.2f},
-                       {{91, -129, 917}, 2.2f},
-                       {{88, -141, 901}, 2.3f},
-                       {{82, -149, 886}, 2.3f},
-                       {{77, -151, 870}, 2.2f}}));
+  addPair(list, nervePalette, "femoral nerve", femoralNerve());
   addPair(list, nervePalette, "pudendal nerve",
           shapeOf(Tube{{{25, -28, 915}, 1.2f},
                        {{35, -25, 905}, 1.3f},

@@ -24,7 +24,7 @@
 namespace sline::model {
 
 namespace {
-constexpr int roundsOfRemeshing = 4;
+constexpr int roundsOfRemeshing = 5;
 constexpr int relaxations = 4;
 /// Edges outside these are mended, as shares of the edge asked for.
 constexpr float shortest = 0.7f;
@@ -137,6 +137,13 @@ float signedVolume(const Facets& raw) {
   return float(volume / 6.0);
 }
 
+Facets outward(Facets raw) {
+  if (signedVolume(raw) < 0.0f)
+    for (Triangle& t : raw.triangles)
+      std::swap(t[1], t[2]);
+  return raw;
+}
+
 MeshPtr meshOf(std::vector<glm::vec3> positions, std::vector<Triangle> triangles) {
   auto mesh = Mesh::create(std::move(positions), std::move(triangles));
   return std::make_shared<const Mesh>(std::move(mesh).value());
@@ -151,10 +158,7 @@ void relax(const Field& field, Facets& raw, float edge, int times) {
 
 MeshPtr polygonise(const Field& field, const Box& box, float edge) {
   // A lattice cell holds about three triangles per square of surface: their edges are shorter.
-  Facets raw = flyingEdges(field, box, 1.15f * edge);
-  if (signedVolume(raw) < 0.0f)
-    for (Triangle& t : raw.triangles)
-      std::swap(t[1], t[2]);
+  Facets raw = outward(flyingEdges(field, box, 1.15f * edge));
   for (int round = 0; round < roundsOfRemeshing; ++round) {
     relax(field, raw, edge, 2);
     drawTogether(raw, shortest * edge, longest * edge);
@@ -162,9 +166,15 @@ MeshPtr polygonise(const Field& field, const Box& box, float edge) {
       turnEdges(raw);
   }
   relax(field, raw, edge, relaxations);
-  parallelFor(raw.positions.size(), 256,
-              [&](std::size_t v) { raw.positions[v] = projected(field, raw.positions[v], edge); });
-  return meshOf(std::move(raw.positions), std::move(raw.triangles));
+  return fitted(std::move(raw), field, edge);
+}
+
+MeshPtr fitted(Facets pattern, const Field& field, float edge) {
+  pattern = outward(std::move(pattern));
+  std::vector<glm::vec3>& positions = pattern.positions;
+  parallelFor(positions.size(), 256,
+              [&](std::size_t v) { positions[v] = projected(field, positions[v], edge); });
+  return meshOf(std::move(positions), std::move(pattern.triangles));
 }
 
 }  // namespace sline::model
