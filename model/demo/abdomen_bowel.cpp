@@ -97,7 +97,8 @@ DemoStructure stretch(const char* name, const std::shared_ptr<const Swept>& tube
                   .inkColour = bowelInk,
                   .field = field,
                   .box = grown(tube->bounds(from, to), 4.0f)};
-  s.edge = 2.6f;
+  s.edge = 2.8f;
+  s.gap = 1.0f;
   s.mesher = [=](const Field& solid, float edge) {
     return tubeMesh(*tube, {.from = from, .to = to, .edge = edge, .rim = 1.5f}, solid);
   };

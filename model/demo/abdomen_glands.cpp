@@ -39,9 +39,9 @@ DemoStructure gland(std::string name, const Look& look, Field field, const Box& 
 DemoStructure liver() {
   DemoStructure s = gland("liver", {"Digestive system", liverColour, 4.3f}, liverField(),
                           {{-150, -104, -75}, {96, 88, 122}});
-  s.edge = 2.2f;
+  s.edge = 2.4f;
   s.rounding = 7.0f;
-  s.gap = 1.4f;
+  s.gap = 1.7f;
   s.smoothing = 3.0f;
   return s;
 }

@@ -71,7 +71,7 @@ DemoStructure stomach() {
   Box box = grown(body->bounds(), 5.0f);
   box.add(gullet->bounds());
   DemoStructure s = organ("stomach", stomachColour, 4.3f, field, grown(box, 3.0f));
-  s.edge = 2.1f;
+  s.edge = 2.3f;
   s.rounding = 6.0f;
   s.gap = 1.2f;
   s.smoothing = 3.0f;

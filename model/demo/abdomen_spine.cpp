@@ -127,7 +127,7 @@ DemoStructure vertebra(const Level& level) {
     for (const float y : {-22.0f, 84.0f})
       for (const float z : {-34.0f, 28.0f})
         s.box.add(outOfLevel(level, {x, y, z}));
-  s.edge = 1.8f;
+  s.edge = 2.0f;
   s.gap = 0.6f;
   s.smoothing = 1.1f;
   return s;

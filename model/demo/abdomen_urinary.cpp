@@ -34,7 +34,7 @@ DemoStructure kidney(const char* name, float side, const glm::vec3& middle) {
                   .gamma = Gamma::clamped(4.3f),
                   .field = field,
                   .box = {middle - glm::vec3(52, 48, 72), middle + glm::vec3(52, 48, 70)}};
-  s.edge = 1.8f;
+  s.edge = 2.0f;
   s.gap = 0.9f;
   s.rounding = 2.5f;
   s.smoothing = 1.5f;

@@ -162,7 +162,7 @@ MeshPtr meshed(const DemoStructure& own, const std::vector<DemoStructure>& all) 
     return solid(p) + own.wall + (own.folds ? own.folds(p) : 0.0f);
   };
   // Seen only where the body is cut open.
-  constexpr float coarser = 1.35f;
+  constexpr float coarser = 1.6f;
   return withCavity(*outer, *mesh(cavity, coarser * own.edge));
 }
 

@@ -130,7 +130,7 @@ MeshPtr tubeMesh(const Swept& tube, const TubeStretch& stretch, const Field& sol
     for (std::size_t j = 0; j < around; ++j)
       reach[i * around + j] = reachOf(solid, ring, direction(ring, i, j));
   });
-  soften(reach, around, 2);
+  soften(reach, around, 1);
 
   std::vector<glm::vec3> positions(reach.size());
   for (std::size_t i = 0; i < rings.size(); ++i) {

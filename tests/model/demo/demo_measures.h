@@ -13,6 +13,9 @@ namespace sline::test {
 /// mm³; positive where the triangles face outwards.
 double volumeOf(const model::Mesh& mesh);
 
+/// The same of each connected part, the largest first; a cavity's is negative.
+std::vector<double> volumesOfParts(const model::Mesh& mesh);
+
 /// True where a ray from the point leaves the closed mesh an odd number of times.
 bool inside(const model::Bvh& bvh, const glm::vec3& p);
 

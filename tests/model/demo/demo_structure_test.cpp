@@ -117,7 +117,7 @@ class DemoStructureTest : public QObject {
   void smoothingTakesOffFineRipples() {
     DemoStructure rippled = ball("rippled", {0, 0, 0}, 12);
     rippled.field = [](const glm::vec3& p) {
-      return glm::length(p) - 12.0f + 0.3f * std::sin(2.5f * p.x) * std::sin(2.5f * p.z);
+      return glm::length(p) - 12.0f + 0.3f * std::sin(1.6f * p.x) * std::sin(1.6f * p.z);
     };
     const auto roughness = [&](float smoothing) {
       rippled.smoothing = smoothing;
