@@ -47,10 +47,10 @@ DemoStructure liver() {
 }
 
 std::shared_ptr<const Swept> gallbladderTube() {
-  return std::make_shared<Swept>(std::array<SweptPoint, 8>{{{{-63, -83, -35}, 14.6f},
-                                                            {{-61, -75, -28}, 15.2f},
-                                                            {{-58, -64, -17}, 15.5f},
-                                                            {{-53, -50, -3}, 12.0f},
+  return std::make_shared<Swept>(std::array<SweptPoint, 8>{{{{-63, -83, -35}, 13.2f},
+                                                            {{-61, -75, -28}, 15.3f},
+                                                            {{-58, -64, -17}, 15.2f},
+                                                            {{-53, -50, -3}, 11.8f},
                                                             {{-48, -41, 9}, 7.5f},
                                                             {{-44, -36, 17}, 4.6f},
                                                             {{-42, -31, 22}, 2.8f},

@@ -134,7 +134,7 @@ float haustrated(const SweptPlace& at) {
   const float wave = std::sin(phase);
   const float swell = std::sqrt(std::sqrt(wave * wave + 0.004f));
   const float end = std::clamp(1.3f * at.widths, 0.0f, 1.0f);
-  const float hollow = 0.20f * (1.0f - swell) * sac + 0.10f * (1.0f - sac);
+  const float hollow = 0.25f * (1.0f - swell) * sac + 0.10f * (1.0f - sac);
   const float taenia = 0.035f * std::exp(-band / 0.02f);
   return at.distance + at.radius * (hollow * (0.3f + 0.7f * end) - taenia * end);
 }
@@ -185,7 +185,7 @@ DemoStructure colonPart(const char* name, const std::shared_ptr<const Swept>& tu
   s.inkColour = bowelInk;
   s.edge = 2.5f;
   s.rounding = 2.0f;
-  s.smoothing = 1.3f;
+  s.smoothing = 1.1f;
   s.wall = 2.2f;
   return s;
 }

@@ -89,11 +89,18 @@ Box around(const Tubes& tubes, float margin) {
 
 /// Branching tubes with a thin wall, fine enough for the smaller branches.
 DemoStructure vessel(const char* name, const char* group, Colour colour, const Tubes& tubes) {
+  // Vessels and ureter go on beyond the scene and end in a clean cut.
+  constexpr float cutX = -58.0f;
+  constexpr float cutZ = -106.0f;
   DemoStructure s{
       .name = name,
       .groups = {group},
       .colour = colour,
-      .field = [tubes](const glm::vec3& p) { return branched(tubes, p, 3.0f); },
+      .field =
+          [tubes](const glm::vec3& p) {
+            const float cut = std::max(cutX - p.x, cutZ - p.z);
+            return -blendedUnion(-branched(tubes, p, 3.0f), -cut, 0.8f);
+          },
       .box = around(tubes, 3.0f),
   };
   s.edge = 0.65f;
