@@ -127,15 +127,15 @@ float haustrated(const SweptPlace& at) {
     return at.distance - 2.0f;
   const float across = std::sin(1.5f * at.angle);
   const float band = across * across;
-  const float sac = std::sqrt(band + 0.01f);
+  const float sac = std::sqrt(std::sqrt(band + 0.004f));
   // Folds are a little longer here, shorter there, and staggered between the bands.
   const float phase =
       2.75f * at.widths + 0.5f * std::sin(0.83f * at.widths) + 0.9f * std::sin(at.angle + 0.6f);
   const float wave = std::sin(phase);
   const float swell = std::sqrt(std::sqrt(wave * wave + 0.004f));
   const float end = std::clamp(1.3f * at.widths, 0.0f, 1.0f);
-  const float hollow = 0.25f * (1.0f - swell) * sac + 0.10f * (1.0f - sac);
-  const float taenia = 0.035f * std::exp(-band / 0.02f);
+  const float hollow = 0.36f * (1.0f - swell) * sac + 0.12f * (1.0f - sac);
+  const float taenia = 0.05f * std::exp(-band / 0.02f);
   return at.distance + at.radius * (hollow * (0.3f + 0.7f * end) - taenia * end);
 }
 
