@@ -148,7 +148,7 @@ DemoStructure pancreas() {
       gland("pancreas", {"Digestive system", pancreasColour, 4.5f}, field, grown(box, 4.0f));
   s.edge = 1.7f;
   s.rounding = 2.0f;
-  s.smoothing = 1.0f;
+  s.smoothing = 1.3f;
   return s;
 }
 

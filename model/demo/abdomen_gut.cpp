@@ -185,7 +185,7 @@ DemoStructure colonPart(const char* name, const std::shared_ptr<const Swept>& tu
   s.inkColour = bowelInk;
   s.edge = 2.5f;
   s.rounding = 2.0f;
-  s.smoothing = 1.1f;
+  s.smoothing = 1.4f;
   s.wall = 2.2f;
   return s;
 }
