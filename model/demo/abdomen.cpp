@@ -76,10 +76,10 @@ std::vector<DemoStructure> inOrderOfFirmness() {
   append(abdomenVeins());
   append(abdomenUrinary());
   append(abdomenGlands());
+  append(abdomenMuscles());
   append(abdomenGut());
   append(abdomenBowel(all));
   append(abdomenSpleenAndLiver());
-  append(abdomenMuscles());
   for (DemoStructure& s : all) {
     s.fill = Fill::paper;
     if (s.groups.front() == "Bones" || s.groups.front() == "Discs and cartilage")

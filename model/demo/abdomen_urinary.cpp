@@ -50,8 +50,8 @@ DemoStructure ureter(const char* name, float side, float drop) {
                                                           {place(36, 11, -30), 2.5f},
                                                           {place(38, -9, -58), 2.3f},
                                                           {place(41, -14, -100), 2.4f},
-                                                          {{side * 40, -20, -148}, 2.3f},
-                                                          {{side * 33, -4, -184}, 2.4f},
+                                                          {{side * 40, -23, -150}, 2.3f},
+                                                          {{side * 34, -16, -184}, 2.4f},
                                                           {{side * 31, 10, -214}, 2.4f},
                                                           {{side * 32, 20, -244}, 2.4f}}},
                               glm::vec3(0, -1, 0));

@@ -155,7 +155,7 @@ MeshPtr meshed(const DemoStructure& own, const std::vector<DemoStructure>& all) 
   };
   if (own.pattern)
     return largestComponent(fitted(*own.pattern, solid, own.edge));
-  const MeshPtr outer = mesh(hollowed(own, solid), own.edge);
+  MeshPtr outer = mesh(hollowed(own, solid), own.edge);
   if (own.wall <= 0.0f || own.opening)
     return outer;
   const Field cavity = [&own, &solid](const glm::vec3& p) {
