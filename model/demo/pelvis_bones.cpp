@@ -96,9 +96,9 @@ std::vector<DemoStructure> pelvisBones(Sex sex) {
   wedge.rounding = 1.5f;
   bones.push_back(std::move(wedge));
   bones.push_back(structure("fifth lumbar vertebra", shapeOf(fifthLumbarVertebra(), {1.2f, 1.3f}),
-                            boneColour, 1.6f));
-  bones.push_back(structure("left femur", femur, boneColour, 2.2f));
-  bones.push_back(structure("right femur", reflected(femur), boneColour, 2.2f));
+                            boneColour, 1.8f));
+  bones.push_back(structure("left femur", femur, boneColour, 2.4f));
+  bones.push_back(structure("right femur", reflected(femur), boneColour, 2.4f));
   DemoStructure disc = structure("fifth lumbar intervertebral disc",
                                  shapeOf(lumbosacralDisc(), {1.4f, 1.0f}), cartilageColour, 1.8f);
   disc.givesWayTo = {"sacrum", "fifth lumbar vertebra"};

@@ -34,10 +34,10 @@ Shape sacralPlexus() {
                                {{76, -28, 870}, 5.4f, 3, {1, 0.2f, 0.2f}},
                                {{82, -34, 848}, 5.2f, 3, {1, 0.3f, 0.1f}},
                                {{85, -39, 826}, 5, 3, {1, 0.3f, 0}},
-                               {{86.5f, -43, 804}, 5, 3, {1, 0.3f, 0}},
-                               {{87, -46, 782}, 5, 3, {1, 0.3f, 0}},
-                               {{87, -48, 764}, 5, 3, {1, 0.3f, 0}}});
-  return cutOff(merged(std::move(roots), std::move(sciatic), 4.0f), {87, -47, 771}, {0, 0.1f, -1});
+                               {{86.5f, -43, 806}, 5, 3, {1, 0.3f, 0}},
+                               {{86.8f, -44, 794}, 5, 3, {1, 0.3f, 0}}});
+  return cutOff(merged(std::move(roots), std::move(sciatic), 4.0f), {86.6f, -43.4f, 802},
+                {0, 0.1f, -1});
 }
 /// In the groove between psoas and iliacus, under the inguinal ligament into the thigh, where it
 /// breaks up into branches that run out.
@@ -70,7 +70,9 @@ Shape femoralNerve() {
 
 std::vector<DemoStructure> pelvisNerves() {
   std::vector<DemoStructure> list;
-  addPair(list, nervePalette, "sciatic nerve", sacralPlexus());
+  Palette thick = nervePalette;
+  thick.edge = 1.6f;
+  addPair(list, thick, "sciatic nerve", sacralPlexus());
   addPair(list, nervePalette, "obturator nerve",
           shapeOf(Tube{{{37.5f, -78, 1012}, 1.3f},
                        {{40, -80, 990}, 1.4f},
