@@ -84,7 +84,7 @@ struct Junction {
 };
 Junction rectosigmoid(Sex sex) {
   const float back = sex == Sex::female ? 7.0f : 0.0f;  // room for the uterus
-  return {{5, -67 + back, 931}, {0.12f, -0.76f, 0.64f}};
+  return {{5, -68 + back, 929.5f}, {0.12f, -0.76f, 0.64f}};
 }
 
 /// From the sigmoid colon along the sacrum (sacral flexure), over the pelvic floor (anorectal
@@ -105,9 +105,9 @@ Shape rectalCourse(Sex sex) {
                   {{0, -39 + 0.3f * back, 882}, 19 * slim},
                   {{3.5f * x, -39 + 0.3f * back, 899}, 20.5f * slim},
                   {{4.5f * x, -45 + 0.6f * back, 914}, 23.8f * slim},
-                  {{5 * x, -56 + back, 924.5f}, 23.2f * slim},
-                  {{5 * x, -67 + back, 931}, 20.5f * slim},
-                  {{6 * x, -79 + back, 939}, 19 * slim}};
+                  {{5 * x, -56.5f + back, 923.3f}, 22.6f * slim},
+                  {{5 * x, -68 + back, 929.5f}, 20.3f * slim},
+                  {{6 * x, -80 + back, 937.5f}, 19 * slim}};
   Box box = tube.bounds();
   box.low.x *= wide;
   box.high.x *= wide;
@@ -157,7 +157,7 @@ Shape sigmoidCourse(Sex sex) {
   const float back = sex == Sex::female ? 7.0f : 0.0f;
   const std::vector<TubePoint> through{{from.point - 12.0f * from.onward, 21},
                                        {from.point, 19.5f},
-                                       {{9, -79 + 0.7f * back, 940.5f}, 18.5f},
+                                       {{9, -80 + 0.7f * back, 938.5f}, 18.5f},
                                        {{16, -94 + 0.2f * back, 945.5f}, 17.5f},
                                        {{28, -114, 945.5f}, 17.3f},
                                        {{47, -129.5f, 946.5f}, 17.5f},

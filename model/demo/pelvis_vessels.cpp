@@ -195,8 +195,8 @@ const std::initializer_list<TubePoint> rightVeinCourse{
     {{-49.5f, -115, 898}, 5.5f},      {{-47, -129, 888}, 5.4f},
     {{-44.5f, -143, 878}, 5.4f},      {{-43, -156, 868}, 5.3f},
     {{-42, -167, 858}, 5.3f}};
-const PipeEnd leftConfluence{{-4, -127.3f, 1037.5f}, {0.45f, 0.35f, -0.82f}};
-const PipeEnd rightConfluence{{-16.7f, -127.4f, 1037.5f}, {-0.22f, 0.32f, -0.92f}};
+const PipeEnd leftConfluence{{-2.6f, -126.2f, 1034.7f}, {0.45f, 0.35f, -0.82f}};
+const PipeEnd rightConfluence{{-17.2f, -126.6f, 1034.7f}, {-0.22f, 0.32f, -0.92f}};
 const PipeEnd leftVeinFork{{23, -95.3f, 976.3f}, {0.5f, 0.42f, -0.76f}};
 const PipeEnd rightVeinFork{{-33.6f, -104.5f, 979}, {-0.36f, 0.5f, -0.79f}};
 
@@ -230,15 +230,13 @@ std::vector<DemoStructure> pelvisVeins() {
   list.push_back(vein("left internal iliac vein", shapeOf(Tube{{{20.8f, -94, 978}, 4.6f},
                                                                {{25, -88, 970}, 4.6f},
                                                                {{27, -78, 961}, 4.3f},
-                                                               {{25, -63, 951.5f}, 4},
-                                                               {{22.5f, -49, 941}, 3.4f},
-                                                               {{25.5f, -37.5f, 927}, 2.6f}})));
+                                                               {{26, -63, 954}, 3.7f},
+                                                               {{26, -51, 948}, 2.8f}})));
   list.push_back(vein("right internal iliac vein", shapeOf(Tube{{{-33.2f, -106, 978}, 4.6f},
                                                                 {{-31, -96, 969.5f}, 4.6f},
                                                                 {{-28.5f, -80, 960}, 4.3f},
-                                                                {{-26, -63, 951}, 4},
-                                                                {{-25, -50, 941}, 3.4f},
-                                                                {{-27.5f, -38.5f, 927}, 2.6f}})));
+                                                                {{-27, -65, 953.5f}, 3.7f},
+                                                                {{-27.5f, -53, 947.5f}, 2.8f}})));
   return list;
 }
 
