@@ -165,7 +165,7 @@ Curve::Place Curve::nearest(const glm::vec3& p, float weight) const {
     const float slope = std::max(square - glm::dot(away, bend), 0.3f * square);
     s = std::clamp(s + std::clamp(glm::dot(away, along) / slope, -1.0f, 1.0f), 0.0f, end);
   }
-    return at(s);
+  return at(s);
 }
 
 Curve::Place Curve::at(float s) const {

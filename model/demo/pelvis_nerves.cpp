@@ -70,10 +70,12 @@ Shape femoralNerve() {
 
 std::vector<DemoStructure> pelvisNerves() {
   std::vector<DemoStructure> list;
+  Palette thin = nervePalette;
+  thin.edge = 1.1f;
   Palette thick = nervePalette;
   thick.edge = 1.6f;
   addPair(list, thick, "sciatic nerve", sacralPlexus());
-  addPair(list, nervePalette, "obturator nerve",
+  addPair(list, thin, "obturator nerve",
           shapeOf(Tube{{{37.5f, -78, 1012}, 1.3f},
                        {{40, -80, 990}, 1.4f},
                        {{46, -74, 968}, 1.4f},
@@ -83,8 +85,8 @@ std::vector<DemoStructure> pelvisNerves() {
                        {{49.5f, -106, 890}, 1.3f},
                        {{46, -116, 879}, 1.3f},
                        {{43, -123, 869}, 1.2f}}));
-  addPair(list, nervePalette, "femoral nerve", femoralNerve());
-  addPair(list, nervePalette, "pudendal nerve",
+  addPair(list, thin, "femoral nerve", femoralNerve());
+  addPair(list, thin, "pudendal nerve",
           shapeOf(Tube{{{25, -28, 915}, 1.2f},
                        {{35, -25, 905}, 1.3f},
                        {{44.5f, -24.5f, 897}, 1.3f},

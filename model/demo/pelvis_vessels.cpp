@@ -49,7 +49,14 @@ DemoStructure pieceOf(const Shape& course, const Palette& palette, const char* n
                     });
 }
 
-/// The same where nothing branches off.
+/// For clean rims where it is cut.
+DemoStructure fine(DemoStructure vessel) {
+  vessel.edge = 1.05f;
+  vessel.rounding = 1.0f;
+  return vessel;
+}
+
+/// A piece where nothing branches off.
 DemoStructure pieceOf(const Tube& course, const Palette& palette, const char* name,
                       const std::array<PipeEnd, 2>& ends) {
   DemoStructure piece = pieceOf(shapeOf(course), palette, name, {ends[0], ends[1]});
@@ -89,8 +96,8 @@ void addMainArteries(std::vector<DemoStructure>& list) {
                                       {{4.2f, -137.5f, 1045}, 6.4f}},
                                  Tube(leftArteryCourse), Tube(rightArteryCourse)},
                                 5.0f);
-  list.push_back(pieceOf(aorta, arteryPalette, "abdominal aorta",
-                         {{{7, -138, 1076}, {0, 0, 1}}, leftBifurcation, rightBifurcation}));
+  list.push_back(fine(pieceOf(aorta, arteryPalette, "abdominal aorta",
+                              {{{7, -138, 1076}, {0, 0, 1}}, leftBifurcation, rightBifurcation})));
   list.push_back(pieceOf(left, arteryPalette, "left common iliac artery",
                          {{opposite(leftBifurcation), leftArteryFork}}));
   list.push_back(pieceOf(right, arteryPalette, "right common iliac artery",
@@ -209,8 +216,8 @@ void addMainVeins(std::vector<DemoStructure>& list) {
                                      {{-11.2f, -131, 1049}, 6.8f}},
                                 Tube(leftVeinCourse), Tube(rightVeinCourse)},
                                6.0f);
-  list.push_back(pieceOf(cava, veinPalette, "inferior vena cava",
-                         {{{-12, -133, 1073}, {0, 0, 1}}, leftConfluence, rightConfluence}));
+  list.push_back(fine(pieceOf(cava, veinPalette, "inferior vena cava",
+                              {{{-12, -133, 1073}, {0, 0, 1}}, leftConfluence, rightConfluence})));
   list.push_back(pieceOf(left, veinPalette, "left common iliac vein",
                          {{opposite(leftConfluence), leftVeinFork}}));
   list.push_back(pieceOf(right, veinPalette, "right common iliac vein",
