@@ -151,13 +151,15 @@ MeshPtr withCavity(const Mesh& outer, const Mesh& cavity) {
 MeshPtr meshed(const DemoStructure& own, const std::vector<DemoStructure>& all) {
   const Field solid = cutField(own, all);
   const auto mesh = [&own](const Field& body, float edge) {
-    return own.mesher ? own.mesher(body, edge) : largestComponent(polygonise(body, own.box, edge));
+    if (own.mesher)
+      return own.mesher(body, edge);
+    return largestComponent(own.pattern ? fitted(*own.pattern, body, edge)
+                                        : polygonise(body, own.box, edge));
   };
-  if (own.pattern)
-    return largestComponent(fitted(*own.pattern, solid, own.edge));
   MeshPtr outer = mesh(hollowed(own, solid), own.edge);
   if (own.wall <= 0.0f || own.opening)
     return outer;
+  assert(!own.pattern);
   const Field cavity = [&own, &solid](const glm::vec3& p) {
     return solid(p) + own.wall + (own.folds ? own.folds(p) : 0.0f);
   };

@@ -41,6 +41,11 @@ bool meet(const Box& a, const Box& b) {
   return glm::all(glm::lessThan(a.low, b.high)) && glm::all(glm::lessThan(b.low, a.high));
 }
 
+/// Cut in one plane, they go over into each other without a gap.
+bool isSeam(const DemoStructure& own, const DemoStructure& other) {
+  return own.name == "sigmoid colon" && other.name == "rectum";
+}
+
 /// Bones keep the rules their makers gave them; every other structure gives way to all before it.
 void settle(std::vector<DemoStructure>& structures) {
   for (std::size_t i = 0; i < structures.size(); ++i) {
@@ -51,7 +56,8 @@ void settle(std::vector<DemoStructure>& structures) {
     for (std::size_t j = 0; j < structures.size(); ++j) {
       const int theirs = precedence(structures[j]);
       const bool first = theirs < mine || (theirs == mine && j < i);
-      if (i != j && first && meet(own.box, grown(structures[j].box, own.gap)))
+      if (i != j && first && !isSeam(own, structures[j]) &&
+          meet(own.box, grown(structures[j].box, own.gap)))
         own.givesWayTo.push_back(structures[j].name);
     }
   }
@@ -94,8 +100,8 @@ std::vector<View> savedViews(Sex sex) {
   };
   // What a man has outside the pelvis hangs lower.
   const bool man = sex == Sex::male;
-  return {view("Overview", man ? glm::vec3(-1, -800, 1112) : glm::vec3(-1, -720, 1130),
-               man ? glm::vec3(-1, -75, 892) : glm::vec3(-1, -75, 915)),
+  return {view("Overview", man ? glm::vec3(-1, -890, 1108) : glm::vec3(-1, -720, 1130),
+               man ? glm::vec3(-1, -75, 882) : glm::vec3(-1, -75, 915)),
           view("From behind", {150, 590, 1055}, {-1, -75, 922}),
           view("Midsagittal", man ? glm::vec3(-770, -90, 908) : glm::vec3(-590, -82, 944),
                man ? glm::vec3(-1, -90, 905) : glm::vec3(-1, -82, 941))};

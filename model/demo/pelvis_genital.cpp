@@ -50,7 +50,7 @@ Shape seminalVesicle() {
                      859.5f + 23.0f * t - 0.75f * turn},
                     2.4f + 2.0f * std::sin(3.0f * t)});
   }
-  coil.push_back({{32, -66.5f, 883}, 3.2f});
+  coil.push_back({{32, -65, 883.5f}, 3.6f});
   return shapeOf(Tube(coil));
 }
 
@@ -58,15 +58,15 @@ Shape seminalVesicle() {
 /// behind the bladder, where it widens.
 Shape deferentDuct() {
   return shapeOf(
-      Tube{{{20, -151.5f, 731.5f}, 1.9f}, {{17.8f, -147.5f, 739}, 2},   {{17, -146.5f, 752}, 2},
-           {{18.3f, -149.5f, 771}, 2},    {{20, -154, 789}, 2},         {{20, -156, 803}, 2},
-           {{20, -158, 817}, 2},          {{21, -160, 831}, 2},         {{23, -163, 845}, 2},
-           {{26.5f, -166, 859}, 2},       {{33, -167.5f, 873}, 2},      {{45, -168, 887}, 2},
-           {{63, -164.5f, 900}, 2},       {{82, -158, 915}, 2},         {{92.5f, -148, 926}, 2},
-           {{92, -137, 930.5f}, 2},       {{83, -124, 930.5f}, 2},      {{70, -112, 928}, 2},
-           {{57, -101, 927}, 2},          {{45, -90, 924}, 2},          {{36, -78, 914.5f}, 2},
-           {{28, -65.5f, 901}, 2},        {{20.5f, -62.5f, 893}, 2.4f}, {{12.5f, -63, 884}, 2.9f},
-           {{7, -66.5f, 873}, 2.9f},      {{4.8f, -72.5f, 862}, 2}});
+      Tube{{{20, -151, 734.5f}, 1.9f},   {{17.8f, -147.5f, 741}, 2}, {{17, -146.5f, 752}, 2},
+           {{18.3f, -149.5f, 771}, 2},   {{20, -154, 789}, 2},       {{20, -156, 803}, 2},
+           {{20, -158, 817}, 2},         {{21, -160, 831}, 2},       {{23, -163, 845}, 2},
+           {{26.5f, -166, 859}, 2},      {{33, -167.5f, 873}, 2},    {{45, -168, 887}, 2},
+           {{63, -164.5f, 900}, 2},      {{82, -158, 915}, 2},       {{92.5f, -148, 926}, 2},
+           {{92, -137, 930.5f}, 2},      {{83, -124, 930.5f}, 2},    {{70, -112, 928}, 2},
+           {{57, -101.5f, 928}, 2},      {{47, -94, 928}, 2},        {{38, -84, 923}, 2},
+           {{31.5f, -73.5f, 912.5f}, 2}, {{26, -65, 901}, 2},        {{20.5f, -62.5f, 893}, 2.4f},
+           {{12.5f, -63, 884}, 2.9f},    {{7, -66.5f, 873}, 2.9f},   {{4.8f, -72.5f, 862}, 2}});
 }
 
 /// Through the prostate and the pelvic floor, forward under the symphysis, then down.
@@ -128,7 +128,7 @@ Shape epididymis() {
                       {{24, -147, 750}, 3},
                       {{23.5f, -149, 739}, 3.4f},
                       {{22, -153, 733}, 3.4f},
-                      {{19.5f, -151.5f, 731.5f}, 2.4f}});
+                      {{19.5f, -151.5f, 733}, 2.4f}});
 }
 }  // namespace
 
@@ -137,7 +137,7 @@ std::vector<DemoStructure> maleOrgans() {
   list.push_back(structure(genital(urinaryColour, 0.7f), "urethra", maleUrethra()));
   list.push_back(structure(genital(prostateColour, 1.2f), "prostate", prostate()));
   addPair(list, genital(seminalColour, 1.0f), "seminal vesicle", seminalVesicle());
-  addPair(list, genital(seminalColour, 1.1f), "deferent duct", deferentDuct());
+  addPair(list, genital(seminalColour, 1.2f), "deferent duct", deferentDuct());
   // Outside the pelvis, and so context.
   const std::size_t outer = list.size();
   list.push_back(

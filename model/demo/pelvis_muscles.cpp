@@ -136,7 +136,7 @@ Shape psoasMajor() {
                              {{85.5f, -127, 880}, 8, 7.5f, {1, 0, 0}},
                              {{89, -116, 862}, 6, 6, {1, 0, 0}},
                              {{93, -103, 849}, 4.5f, 4.5f, {1, 0, 0}}}),
-                {42, -78, 1044}, {0, 0, 1});
+                {42, -78, 1044}, {0, 0, 1}, 3.0f);
 }
 
 /// The fan in the iliac fossa, narrowing beside the psoas over the hip joint.

@@ -23,9 +23,9 @@ Shape sacralPlexus() {
                                 {{38, -36, 919}, 2.4f},
                                 {{47, -31, 908}, 2.6f},
                                 {{55, -24.5f, 900}, 3}},
-                           Tube{{{15, -27, 926}, 1.8f},
-                                {{26, -33, 918}, 1.8f},
-                                {{38, -31, 908}, 2},
+                           Tube{{{15, -25.5f, 926}, 1.8f},
+                                {{26, -25.8f, 916.5f}, 1.8f},
+                                {{38, -27, 907}, 2},
                                 {{49, -26, 901}, 2.4f}}},
                           3.5f);
   Shape sciatic = shapeOf(Band{{{51, -28, 907}, 4.5f, 2.6f, {0.6f, 0, 0.8f}},
@@ -34,10 +34,10 @@ Shape sacralPlexus() {
                                {{76, -28, 870}, 5.4f, 3, {1, 0.2f, 0.2f}},
                                {{82, -34, 848}, 5.2f, 3, {1, 0.3f, 0.1f}},
                                {{85, -39, 826}, 5, 3, {1, 0.3f, 0}},
-                               {{86.5f, -43, 804}, 5, 3, {1, 0.3f, 0}},
-                               {{87, -46, 782}, 5, 3, {1, 0.3f, 0}},
-                               {{87, -48, 764}, 5, 3, {1, 0.3f, 0}}});
-  return cutOff(merged(std::move(roots), std::move(sciatic), 4.0f), {87, -47, 771}, {0, 0.1f, -1});
+                               {{86.5f, -43, 806}, 5, 3, {1, 0.3f, 0}},
+                               {{86.8f, -44, 794}, 5, 3, {1, 0.3f, 0}}});
+  return cutOff(merged(std::move(roots), std::move(sciatic), 4.0f), {86.6f, -43.4f, 802},
+                {0, 0.1f, -1});
 }
 /// In the groove between psoas and iliacus, under the inguinal ligament into the thigh, where it
 /// breaks up into branches that run out.
@@ -70,8 +70,12 @@ Shape femoralNerve() {
 
 std::vector<DemoStructure> pelvisNerves() {
   std::vector<DemoStructure> list;
-  addPair(list, nervePalette, "sciatic nerve", sacralPlexus());
-  addPair(list, nervePalette, "obturator nerve",
+  Palette thin = nervePalette;
+  thin.edge = 1.1f;
+  Palette thick = nervePalette;
+  thick.edge = 1.6f;
+  addPair(list, thick, "sciatic nerve", sacralPlexus());
+  addPair(list, thin, "obturator nerve",
           shapeOf(Tube{{{37.5f, -78, 1012}, 1.3f},
                        {{40, -80, 990}, 1.4f},
                        {{46, -74, 968}, 1.4f},
@@ -81,8 +85,8 @@ std::vector<DemoStructure> pelvisNerves() {
                        {{49.5f, -106, 890}, 1.3f},
                        {{46, -116, 879}, 1.3f},
                        {{43, -123, 869}, 1.2f}}));
-  addPair(list, nervePalette, "femoral nerve", femoralNerve());
-  addPair(list, nervePalette, "pudendal nerve",
+  addPair(list, thin, "femoral nerve", femoralNerve());
+  addPair(list, thin, "pudendal nerve",
           shapeOf(Tube{{{25, -28, 915}, 1.2f},
                        {{35, -25, 905}, 1.3f},
                        {{44.5f, -24.5f, 897}, 1.3f},

@@ -63,7 +63,7 @@ Shape tumour(Sex sex) {
 /// open in the bowel.
 Field lumenAtTumour(Sex sex, Field lumen) {
   return [m = tumourMiddle(sex), lumen = std::move(lumen)](const glm::vec3& p) {
-    const float away = glm::distance(p, m) - 27.0f;
+    const float away = glm::distance(p, m) - 23.0f;
     return away > 6.0f ? away : std::max(away, lumen(p));
   };
 }
@@ -84,7 +84,7 @@ struct Junction {
 };
 Junction rectosigmoid(Sex sex) {
   const float back = sex == Sex::female ? 7.0f : 0.0f;  // room for the uterus
-  return {{5, -67 + back, 931}, {0.12f, -0.76f, 0.64f}};
+  return {{5, -68 + back, 929.5f}, {0.12f, -0.76f, 0.64f}};
 }
 
 /// From the sigmoid colon along the sacrum (sacral flexure), over the pelvic floor (anorectal
@@ -92,7 +92,7 @@ Junction rectosigmoid(Sex sex) {
 /// beyond the junction and the anus.
 Shape rectalCourse(Sex sex) {
   const float back = sex == Sex::female ? 7.0f : 0.0f;
-  const float slim = sex == Sex::female ? 0.86f : 1.0f;
+  const float slim = sex == Sex::female ? 0.82f : 1.0f;
   // In a space pressed together from side to side by a factor, so that round tubes come out wide.
   constexpr float wide = 1.2f;
   constexpr float x = 1.0f / wide;
@@ -104,10 +104,10 @@ Shape rectalCourse(Sex sex) {
                   {{-2.2f * x, -42.5f + 0.45f * back, 866}, 18 * slim},
                   {{0, -39 + 0.3f * back, 882}, 19 * slim},
                   {{3.5f * x, -39 + 0.3f * back, 899}, 20.5f * slim},
-                  {{4.5f * x, -45 + 0.6f * back, 914}, 22 * slim},
-                  {{5 * x, -56 + back, 924.5f}, 22 * slim},
-                  {{5 * x, -67 + back, 931}, 20.5f * slim},
-                  {{6 * x, -79 + back, 939}, 19 * slim}};
+                  {{4.5f * x, -45 + 0.6f * back, 914}, 23.8f * slim},
+                  {{5 * x, -56.5f + back, 923.3f}, 22.6f * slim},
+                  {{5 * x, -68 + back, 929.5f}, 20.3f * slim},
+                  {{6 * x, -80 + back, 937.5f}, 19 * slim}};
   Box box = tube.bounds();
   box.low.x *= wide;
   box.high.x *= wide;
@@ -135,12 +135,13 @@ DemoStructure rectum(Sex sex) {
   const Shape course = rectalCourse(sex);
   const Junction up = rectosigmoid(sex);
   const auto lumen = [course = course.field](const glm::vec3& p) { return course(p) + rectalWall; };
-  const Field end = beyondPlane(up.point - 8.0f * up.onward, up.onward, 40.0f);
+  const Field end = beyondPlane(up.point - 5.0f * up.onward, up.onward, 40.0f);
 
   DemoStructure body =
       organ("rectum", gutColour,
             cutOff(cutOff(course, {-1, -46.5f, 811}, {0, 0.1f, -1}), up.point, up.onward), 2.2f);
   body.wall = rectalWall;
+  body.rounding = 0.6f;
   body.opening = anyOf({anus(),
                         [lumen, end](const glm::vec3& p) {
                           const float d = end(p);
@@ -156,11 +157,11 @@ Shape sigmoidCourse(Sex sex) {
   const float back = sex == Sex::female ? 7.0f : 0.0f;
   const std::vector<TubePoint> through{{from.point - 12.0f * from.onward, 21},
                                        {from.point, 19.5f},
-                                       {{9, -79 + 0.7f * back, 940.5f}, 18.5f},
-                                       {{16, -93 + 0.2f * back, 947.5f}, 18},
-                                       {{29, -111, 950.5f}, 17.5f},
-                                       {{47, -128, 949}, 17.5f},
-                                       {{68, -139, 949}, 18},
+                                       {{9, -80 + 0.7f * back, 938.5f}, 18.5f},
+                                       {{16, -94 + 0.2f * back, 945.5f}, 17.5f},
+                                       {{28, -114, 945.5f}, 17.3f},
+                                       {{47, -129.5f, 946.5f}, 17.5f},
+                                       {{68, -140, 947.5f}, 18},
                                        {{88, -142, 957}, 18.5f},
                                        {{101, -138, 974}, 19},
                                        {{106, -132, 995}, 19.5f},
@@ -206,13 +207,14 @@ DemoStructure sigmoidColon(Sex sex) {
   // The descending colon would follow at the iliac crest.
   const glm::vec3 top(107, -126, 1028);
   const glm::vec3 up(0, 0.1f, 1);
-  DemoStructure body = organ("sigmoid colon", gutColour,
-                             cutOff(cutOff(course, from.point, -from.onward), top, up), 2.0f);
+  DemoStructure body =
+      organ("sigmoid colon", gutColour,
+            cutOff(cutOff(course, from.point + 0.1f * from.onward, -from.onward), top, up), 2.2f);
   body.box.high.z = top.z + 8.0f;
   body.wall = wall;
-  const Field ends = anyOf({beyondPlane(from.point + 8.0f * from.onward, -from.onward, 40.0f),
-                            beyondPlane(top - 8.0f * up, up, 60.0f)});
-  body.gap = 0.25f;
+  const Field ends = anyOf({beyondPlane(from.point + 4.5f * from.onward, -from.onward, 40.0f),
+                            beyondPlane(top - 4.5f * up, up, 60.0f)});
+  body.rounding = 0.6f;
   const Field lumen = [course = course.field](const glm::vec3& p) { return course(p) + wall; };
   const auto atEnds = [ends, lumen](const glm::vec3& p) {
     const float d = ends(p);
@@ -228,9 +230,9 @@ Shape bladder(Sex sex) {
   const bool male = sex == Sex::male;
   const std::vector<Blob> parts =
       male ? std::vector<Blob>{Blob({x, -92, 880}, {35, 26, 18}, {-6, 0, 0}),
-                               Blob({x, -113, 883}, {19, 24, 9}, {-4, 0, 0}),
+                               Blob({x, -111, 882}, {21, 25, 11}, {-4, 0, 0}),
                                Blob({x, -91, 866}, {17, 14, 8.5f})}
-           : std::vector<Blob>{Blob({x, -107, 868.5f}, {32, 23, 14.5f}, {-10, 0, 0}),
+           : std::vector<Blob>{Blob({x, -108.5f, 868.5f}, {32, 23, 14.5f}, {-10, 0, 0}),
                                Blob({x, -122, 875}, {19, 19, 9}, {-10, 0, 0}),
                                Blob({x, -101, 857}, {14, 12, 8})};
   return rippled(

@@ -72,10 +72,9 @@ Shape merged(Shape a, Shape b, float blend) {
           box};
 }
 
-Shape cutOff(Shape shape, const glm::vec3& point, const glm::vec3& normal) {
-  constexpr float rounding = 0.8f;
+Shape cutOff(Shape shape, const glm::vec3& point, const glm::vec3& normal, float rounding) {
   const glm::vec3 n = glm::normalize(normal);
-  return {[field = std::move(shape.field), point, n](const glm::vec3& p) {
+  return {[field = std::move(shape.field), point, n, rounding](const glm::vec3& p) {
             return blendedDifference(field(p), glm::dot(point - p, n), rounding);
           },
           shape.box};

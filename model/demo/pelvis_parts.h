@@ -27,8 +27,9 @@ Shape smoothed(Lamina lamina, float smoothing);
 /// Tubes that branch off each other, blended where they meet.
 Shape branching(std::vector<Tube> tubes, float blend);
 Shape merged(Shape a, Shape b, float blend);
-/// The body less what lies beyond the plane through `point`, on the side its normal points to.
-Shape cutOff(Shape shape, const glm::vec3& point, const glm::vec3& normal);
+/// The body less what lies beyond the plane through `point`, on the side its normal points to; the
+/// edge is rounded over that many mm.
+Shape cutOff(Shape shape, const glm::vec3& point, const glm::vec3& normal, float rounding = 0.8f);
 /// What lies within `reach` mm of the point, beyond the plane there on the side its normal points
 /// to.
 Field beyondPlane(const glm::vec3& point, const glm::vec3& normal, float reach);

@@ -49,11 +49,19 @@ DemoStructure pieceOf(const Shape& course, const Palette& palette, const char* n
                     });
 }
 
-/// The same where nothing branches off.
+/// For clean rims where it is cut.
+DemoStructure fine(DemoStructure vessel) {
+  vessel.edge = 1.05f;
+  vessel.rounding = 1.0f;
+  return vessel;
+}
+
+/// A piece where nothing branches off.
 DemoStructure pieceOf(const Tube& course, const Palette& palette, const char* name,
                       const std::array<PipeEnd, 2>& ends) {
   DemoStructure piece = pieceOf(shapeOf(course), palette, name, {ends[0], ends[1]});
-  piece.pattern = pipe(course.course(), wallOf(palette), ends, palette.edge);
+  // Even triangles may be larger.
+  piece.pattern = pipe(course.course(), wallOf(palette), ends, 1.35f * palette.edge);
   return piece;
 }
 
@@ -75,9 +83,9 @@ const std::initializer_list<TubePoint> rightArteryCourse{
     {{-62, -112, 907}, 4.9f},       {{-60.5f, -124.5f, 897}, 4.9f}, {{-58.5f, -138, 887}, 4.8f},
     {{-56, -151, 877}, 4.8f},       {{-53.5f, -162, 868}, 4.8f}};
 const PipeEnd leftBifurcation{{9, -134.5f, 1033}, {0.34f, 0.36f, -0.87f}};
-const PipeEnd rightBifurcation{{-2.2f, -137.2f, 1032.5f}, {-0.48f, 0.1f, -0.87f}};
+const PipeEnd rightBifurcation{{-1.6f, -137.3f, 1033.7f}, {-0.48f, 0.1f, -0.87f}};
 const PipeEnd leftArteryFork{{35.8f, -104.1f, 978}, {0.44f, 0.44f, -0.78f}};
-const PipeEnd rightArteryFork{{-36.5f, -119.5f, 983.5f}, {-0.52f, 0.5f, -0.7f}};
+const PipeEnd rightArteryFork{{-37.8f, -118, 981.8f}, {-0.52f, 0.5f, -0.7f}};
 
 void addMainArteries(std::vector<DemoStructure>& list) {
   const Tube left(leftArteryCourse);
@@ -88,8 +96,8 @@ void addMainArteries(std::vector<DemoStructure>& list) {
                                       {{4.2f, -137.5f, 1045}, 6.4f}},
                                  Tube(leftArteryCourse), Tube(rightArteryCourse)},
                                 5.0f);
-  list.push_back(pieceOf(aorta, arteryPalette, "abdominal aorta",
-                         {{{7, -138, 1076}, {0, 0, 1}}, leftBifurcation, rightBifurcation}));
+  list.push_back(fine(pieceOf(aorta, arteryPalette, "abdominal aorta",
+                              {{{7, -138, 1076}, {0, 0, 1}}, leftBifurcation, rightBifurcation})));
   list.push_back(pieceOf(left, arteryPalette, "left common iliac artery",
                          {{opposite(leftBifurcation), leftArteryFork}}));
   list.push_back(pieceOf(right, arteryPalette, "right common iliac artery",
@@ -126,29 +134,32 @@ Shape rightInternalArtery() {
 }
 
 void addArteryBranches(std::vector<DemoStructure>& list) {
-  addPair(list, arteryPalette, "obturator artery",
+  Palette thin = arteryPalette;
+  thin.edge = 1.0f;
+  addPair(list, thin, "obturator artery",
           shapeOf(Tube{{{29, -76, 947}, 1.5f},
-                       {{41, -75, 931}, 1.5f},
+                       {{41, -71.5f, 930}, 1.5f},
                        {{52, -83, 911}, 1.4f},
                        {{52, -98, 897}, 1.4f},
                        {{47.5f, -112, 884}, 1.3f},
                        {{43, -118, 875}, 1.2f}}));
   // The part of the umbilical artery that stays open, and its branches to the bladder's top.
-  addPair(list, arteryPalette, "superior vesical artery",
+  addPair(list, thin, "superior vesical artery",
           branching({Tube{{{27.5f, -77, 948}, 1.6f},
-                          {{36, -75, 939}, 1.5f},
-                          {{42, -81, 930}, 1.5f},
-                          {{44, -90, 916}, 1.4f},
+                          {{38.5f, -70.5f, 939}, 1.5f},
+                          {{43.1f, -76, 931}, 1.5f},
+                          {{42.5f, -86, 921}, 1.4f},
+                          {{42.8f, -92.5f, 911}, 1.3f},
                           {{40, -99, 904}, 1.2f},
                           {{33, -107, 897}, 1.1f},
                           {{25, -113, 893}, 1},
                           {{17, -120, 892}, 0.8f}},
-                     Tube{{{44, -88, 919}, 1.3f},
-                          {{43, -92, 906}, 1.1f},
+                     Tube{{{42.6f, -90, 915}, 1.2f},
+                          {{42, -92.5f, 905}, 1.1f},
                           {{39, -93, 895}, 1},
                           {{34.5f, -92, 887}, 0.8f}}},
                     1.5f));
-  addPair(list, arteryPalette, "internal pudendal artery",
+  addPair(list, thin, "internal pudendal artery",
           shapeOf(Tube{{{33, -58, 942}, 1.7f},
                        {{37, -46, 924}, 1.6f},
                        {{42, -31, 907}, 1.5f},
@@ -172,16 +183,16 @@ std::vector<DemoStructure> pelvisArteries() {
 namespace {
 /// From within the vena cava to below the inguinal ligament.
 const std::initializer_list<TubePoint> leftVeinCourse{
-    {{-11.3f, -132.5f, 1061}, 4.6f}, {{-9, -130.5f, 1049}, 6},      {{-3, -126.5f, 1038}, 7.1f},
-    {{2, -120.5f, 1027}, 7.1f},      {{5.8f, -114.5f, 1016}, 7.2f}, {{9.5f, -108.5f, 1005}, 7.2f},
-    {{14, -102, 993.5f}, 7.1f},      {{19.5f, -96.3f, 982}, 6.9f},  {{25, -91.8f, 973}, 6.6f},
+    {{-11.3f, -132.5f, 1061}, 4.6f}, {{-9, -130.5f, 1049}, 6},      {{-4.3f, -127.5f, 1038}, 7.1f},
+    {{1.2f, -123.5f, 1027}, 7.1f},   {{5.4f, -120, 1016}, 7.2f},    {{9.4f, -116.2f, 1005}, 7.2f},
+    {{14, -108, 993.5f}, 7.1f},      {{19.3f, -99.5f, 982}, 6.9f},  {{25, -93.3f, 973}, 6.6f},
     {{31, -87.6f, 964}, 6.3f},       {{37, -84.5f, 955}, 6},        {{42.3f, -83.2f, 946.5f}, 5.8f},
     {{47, -83.8f, 938}, 5.7f},       {{51, -86.5f, 928}, 5.6f},     {{53.4f, -92.5f, 918}, 5.5f},
     {{53.4f, -104.5f, 908}, 5.5f},   {{49.8f, -125, 898.5f}, 5.5f}, {{44.5f, -145, 888}, 5.4f},
     {{41, -158.5f, 877}, 5.3f},      {{39, -167, 868.5f}, 5.3f}};
 const std::initializer_list<TubePoint> rightVeinCourse{
     {{-12, -132.5f, 1061}, 4.6f},     {{-13.5f, -130.5f, 1049}, 6},
-    {{-16, -127, 1038}, 7},           {{-18.5f, -123.7f, 1027}, 7},
+    {{-16.6f, -127.5f, 1038}, 7},     {{-18.5f, -123.7f, 1027}, 7},
     {{-21.5f, -120, 1016}, 7.1f},     {{-24.7f, -116, 1004.5f}, 7.2f},
     {{-28.3f, -111.7f, 993}, 7.3f},   {{-32.3f, -106.5f, 982}, 7.1f},
     {{-36.5f, -99.5f, 972.5f}, 6.7f}, {{-41, -91, 963}, 6.3f},
@@ -191,9 +202,9 @@ const std::initializer_list<TubePoint> rightVeinCourse{
     {{-49.5f, -115, 898}, 5.5f},      {{-47, -129, 888}, 5.4f},
     {{-44.5f, -143, 878}, 5.4f},      {{-43, -156, 868}, 5.3f},
     {{-42, -167, 858}, 5.3f}};
-const PipeEnd leftConfluence{{-2.7f, -126.2f, 1037.5f}, {0.45f, 0.45f, -0.77f}};
-const PipeEnd rightConfluence{{-16.1f, -126.9f, 1037.5f}, {-0.22f, 0.32f, -0.92f}};
-const PipeEnd leftVeinFork{{21.5f, -94.6f, 978.7f}, {0.5f, 0.42f, -0.76f}};
+const PipeEnd leftConfluence{{-2.6f, -126.2f, 1034.7f}, {0.45f, 0.35f, -0.82f}};
+const PipeEnd rightConfluence{{-17.2f, -126.6f, 1034.7f}, {-0.22f, 0.32f, -0.92f}};
+const PipeEnd leftVeinFork{{23, -95.3f, 976.3f}, {0.5f, 0.42f, -0.76f}};
 const PipeEnd rightVeinFork{{-33.6f, -104.5f, 979}, {-0.36f, 0.5f, -0.79f}};
 
 void addMainVeins(std::vector<DemoStructure>& list) {
@@ -205,8 +216,8 @@ void addMainVeins(std::vector<DemoStructure>& list) {
                                      {{-11.2f, -131, 1049}, 6.8f}},
                                 Tube(leftVeinCourse), Tube(rightVeinCourse)},
                                6.0f);
-  list.push_back(pieceOf(cava, veinPalette, "inferior vena cava",
-                         {{{-12, -133, 1073}, {0, 0, 1}}, leftConfluence, rightConfluence}));
+  list.push_back(fine(pieceOf(cava, veinPalette, "inferior vena cava",
+                              {{{-12, -133, 1073}, {0, 0, 1}}, leftConfluence, rightConfluence})));
   list.push_back(pieceOf(left, veinPalette, "left common iliac vein",
                          {{opposite(leftConfluence), leftVeinFork}}));
   list.push_back(pieceOf(right, veinPalette, "right common iliac vein",
@@ -226,15 +237,13 @@ std::vector<DemoStructure> pelvisVeins() {
   list.push_back(vein("left internal iliac vein", shapeOf(Tube{{{20.8f, -94, 978}, 4.6f},
                                                                {{25, -88, 970}, 4.6f},
                                                                {{27, -78, 961}, 4.3f},
-                                                               {{25, -63, 951.5f}, 4},
-                                                               {{22.5f, -49, 941}, 3.4f},
-                                                               {{25.5f, -37.5f, 927}, 2.6f}})));
+                                                               {{26, -63, 954}, 3.7f},
+                                                               {{26, -51, 948}, 2.8f}})));
   list.push_back(vein("right internal iliac vein", shapeOf(Tube{{{-33.2f, -106, 978}, 4.6f},
                                                                 {{-31, -96, 969.5f}, 4.6f},
                                                                 {{-28.5f, -80, 960}, 4.3f},
-                                                                {{-26, -63, 951}, 4},
-                                                                {{-25, -50, 941}, 3.4f},
-                                                                {{-27.5f, -38.5f, 927}, 2.6f}})));
+                                                                {{-27, -65, 953.5f}, 3.7f},
+                                                                {{-27.5f, -53, 947.5f}, 2.8f}})));
   return list;
 }
 

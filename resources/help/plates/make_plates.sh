@@ -43,10 +43,12 @@ plate abdomen_back abdomen --view "From behind" --size 900x900
 
 # Pelvis: first as the program opens with it.
 plate pelvis pelvis --size 1000x800
-pelvis=(--size 1000x800 "${vessels[@]}")
+pelvis=(--size 1000x800)
 plate pelvis_front pelvis --view Overview "${pelvis[@]}"
 plate pelvis_back pelvis --view posterior "${pelvis[@]}" --gamma Nerves=4.5
-plate pelvis_left pelvis --view left "${pelvis[@]}" --fill veil --gamma Bones=1
+# The left wall of the pelvis is taken away beside the sacrum, organs and vessels stay whole.
+plate pelvis_left pelvis --view left --size 900x900 --section sagittal=32:right \
+  --section-group Bones --section-group Muscles --section-group Nerves
 
 # Half pelves
 plate half_pelvis_male pelvis --sex male --view Midsagittal --section sagittal --size 900x900

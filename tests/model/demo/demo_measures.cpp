@@ -38,6 +38,11 @@ std::vector<double> volumesOfParts(const model::Mesh& mesh) {
   return volumes;
 }
 
+int handlesOf(const model::Mesh& mesh) {
+  // Euler and Poincaré: V − E + F = 2 − 2 g, and E = 3 F / 2.
+  return 1 - (int(mesh.vertexCount()) - int(mesh.triangleCount()) / 2) / 2;
+}
+
 bool inside(const model::Bvh& bvh, const glm::vec3& p) {
   int crossings = 0;
   model::Ray ray{.origin = p, .direction = {0.577f, 0.211f, 0.789f}};
