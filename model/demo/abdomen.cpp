@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
 #include <iterator>
+#include <memory>
 #include <string_view>
 #include <utility>
 
@@ -75,10 +76,10 @@ std::vector<DemoStructure> inOrderOfFirmness() {
   append(abdomenVeins());
   append(abdomenUrinary());
   append(abdomenGlands());
+  append(abdomenMuscles());
   append(abdomenGut());
   append(abdomenBowel(all));
   append(abdomenSpleenAndLiver());
-  append(abdomenMuscles());
   for (DemoStructure& s : all) {
     s.fill = Fill::paper;
     if (s.groups.front() == "Bones" || s.groups.front() == "Discs and cartilage")
@@ -94,23 +95,63 @@ std::vector<DemoStructure> inOrderOfFirmness() {
   return all;
 }
 
+Field scaled(Field field, float factor) {
+  return
+      [field = std::move(field), factor](const glm::vec3& p) { return factor * field(p / factor); };
+}
+
 void scale(DemoStructure& s, float factor) {
-  s.field = [field = std::move(s.field), factor](const glm::vec3& p) {
-    return factor * field(p / factor);
-  };
+  s.field = scaled(std::move(s.field), factor);
+  if (s.folds)
+    s.folds = scaled(std::move(s.folds), factor);
+  if (s.mesher)
+    s.mesher = [mesher = std::move(s.mesher), factor](const Field& solid, float edge) {
+      const MeshPtr mesh = mesher(scaled(solid, 1.0f / factor), edge / factor);
+      std::vector<glm::vec3> positions(mesh->positions().begin(), mesh->positions().end());
+      for (glm::vec3& p : positions)
+        p *= factor;
+      return std::make_shared<const Mesh>(
+          Mesh::create(std::move(positions), {mesh->triangles().begin(), mesh->triangles().end()})
+              .value());
+    };
   s.box.low *= factor;
   s.box.high *= factor;
 }
 
-/// Orthographic-like: from far away with a narrow opening.
-View viewFrom(const char* name, const glm::vec3& target, const glm::vec3& direction, float height) {
+struct Aim {
+  glm::vec3 target;
+  glm::vec3 direction;  ///< to the eye
+  glm::vec3 up{0, 0, 1};
+};
+
+/// Orthographic-like: from far away with a narrow opening, `height` mm at the target.
+View viewFrom(const char* name, const Aim& aim, float height) {
   constexpr float distance = 1100.0f;
   const float opening = 2.0f * std::atan(0.5f * height / distance) * 57.29578f;
   return {.name = name,
-          .camera = {.eye = target + distance * glm::normalize(direction),
-                     .target = target,
-                     .up = {0, 0, 1},
-                     .fovyDegrees = opening}};
+          .camera = {.eye = aim.target + distance * glm::normalize(aim.direction),
+                     .target = aim.target,
+                     .up = aim.up,
+                     .fovyDegrees = opening},
+          .sections = std::vector<Section>{}};
+}
+
+View cut(View view, const char* name, const Plane& plane) {
+  view.sections = {{.id = {1}, .name = name, .plane = plane}};
+  return view;
+}
+
+std::vector<View> savedViews(float size) {
+  const auto at = [size](float x, float y, float z) { return size * glm::vec3(x, y, z); };
+  return {viewFrom("Overview", {at(0, -10, -58), {0.10f, -1.0f, 0.06f}}, size * 400.0f),
+          viewFrom("From the left", {at(0, -10, -58), {1.0f, -0.25f, 0.05f}}, size * 400.0f),
+          viewFrom("From behind", {at(0, 10, -58), {0.0f, 1.0f, 0.05f}}, size * 400.0f),
+          cut(viewFrom("Transpyloric plane", {at(0, -4, -10), {0.0f, 0.0f, -1.0f}, {0, -1, 0}},
+                       size * 252.0f),
+              "Transpyloric plane", anatomicalPlane(AnatomicalView::superior, size * -10.0f)),
+          cut(viewFrom("Sagittal through the aorta", {at(8, -10, -58), {-1.0f, 0.0f, 0.0f}},
+                       size * 400.0f),
+              "Sagittal plane", anatomicalPlane(AnatomicalView::left, size * 8.0f))};
 }
 }  // namespace
 
@@ -128,14 +169,7 @@ std::vector<DemoStructure> abdomenStructures(Sex sex) {
 Scene abdomenDemo(Sex sex) {
   Scene scene = demoScene(abdomenStructures(sex));
   const float size = sex == Sex::female ? femaleSize : 1.0f;
-  scene.setViews(
-      {viewFrom("Overview", size * glm::vec3(0, -10, -58), {0.10f, -1.0f, 0.06f}, size * 400.0f),
-       viewFrom("Behind the stomach", size * glm::vec3(10, 0, 10), {0.18f, -1.0f, -0.10f},
-                size * 240.0f),
-       viewFrom("Posterior abdominal wall", size * glm::vec3(0, 10, -60), {0.0f, 1.0f, 0.05f},
-                size * 400.0f),
-       viewFrom("Visceral surface of the liver", size * glm::vec3(-40, -16, 14),
-                {0.25f, 0.45f, -1.0f}, size * 262.0f)});
+  scene.setViews(savedViews(size));
   return scene;
 }
 

@@ -13,8 +13,9 @@ std::vector<DemoStructure> abdomenStructures(Sex sex);
 /// The organs of the abdomen before the lumbar column, modelled by the program: some fifty closed
 /// surfaces in groups by system, patient frame LPS, millimetres. No organ here differs between the
 /// sexes in kind; the female body is the male one at 0.93 of its size, the ratio of mean statures.
-/// Saved views: "Overview", "Behind the stomach", "Posterior abdominal wall", "Visceral surface of
-/// the liver".
+/// What is in focus is shaded, vessels are hatched, bowel, bones and muscles are drawn in few
+/// lines. Saved views: "Overview", "From the left", "From behind", and cut open "Transpyloric
+/// plane" and "Sagittal through the aorta".
 Scene abdomenDemo(Sex sex);
 
 }  // namespace sline::model

@@ -10,13 +10,15 @@
 
 #include "model/demo/abdomen_parts.h"
 #include "model/demo/coil.h"
+#include "model/demo/sampled_field.h"
 #include "model/demo/swept.h"
+#include "model/demo/tube_mesh.h"
 
 namespace sline::model {
 
 namespace {
 constexpr Colour bowelColour{217, 160, 124};
-constexpr float bowelRadius = 12.8f;
+constexpr float bowelRadius = 9.4f;
 constexpr float pi = 3.14159265f;
 
 /// Back and front of the peritoneal cavity, low down its narrowing, and the mesentery's vessels.
@@ -30,8 +32,8 @@ float cavityWall(const glm::vec3& p) {
 
 std::vector<glm::vec3> laidPath() {
   return {// from the duodenojejunal flexure, rows behind the transverse colon
-          {46, -46, -30},
-          {58, -44, -38},
+          {46.4f, -44.4f, -28.3f},
+          {54, -50, -36},
           {76, -30, -34},
           {90, -22, -46},
           {84, -22, -66},
@@ -82,25 +84,41 @@ DemoStructure stretch(const char* name, const std::shared_ptr<const Swept>& tube
   const Field field = [=](const glm::vec3& p) {
     const SweptPlace at = tube->place(p);
     if (at.distance > 8.0f)
-      return at.distance - 1.5f;
-    // Circular folds show through the wall, closer together in the jejunum; slow waves pass along.
-    const float folds = first ? 0.30f * std::sin(at.along * 2.0f * pi / 7.5f + std::sin(at.angle))
-                              : 0.12f * std::sin(at.along * 2.0f * pi / 11.0f);
-    const float waves = 0.7f + 0.4f * std::sin(at.along * 2.0f * pi / 61.0f) +
-                        0.3f * std::sin(at.along * 2.0f * pi / 37.0f + 1.0f);
-    const float wall = at.distance + folds + waves;
-    return first ? -blendedUnion(-wall, -tube->beyond(to, p, at), 3.0f)
-                 : -blendedUnion(-wall, tube->beyond(from, p, at), 3.0f);
+      return at.distance;
+    // Loops flatten where they touch.
+    const float others = tube->distanceToOthers(p, at, 6.0f);
+    const float wall = blendedDifference(at.distance, 0.5f * (others - at.distance) - 0.2f, 1.0f);
+    return std::max(wall, first ? tube->beyond(to, p, at) : -tube->beyond(from, p, at));
   };
   DemoStructure s{.name = name,
                   .groups = {"Digestive system"},
                   .colour = bowelColour,
-                  .gamma = Gamma::clamped(4.2f),
+                  .gamma = Gamma::clamped(1.4f),
+                  .inkColour = bowelInk,
                   .field = field,
                   .box = grown(tube->bounds(from, to), 4.0f)};
-  s.edge = 2.3f;
+  s.edge = 2.8f;
+  s.gap = 1.0f;
+  s.mesher = [=](const Field& solid, float edge) {
+    return tubeMesh(*tube, {.from = from, .to = to, .edge = edge, .rim = 1.5f}, solid);
+  };
   s.rounding = 2.0f;
+  s.wall = 1.8f;
+  // Circular folds, closer together in the jejunum.
+  s.folds = [=](const glm::vec3& p) {
+    const SweptPlace at = tube->place(p);
+    return first ? 0.9f + 0.9f * std::sin(at.along * 2.0f * pi / 7.5f + std::sin(at.angle))
+                 : 0.4f + 0.4f * std::sin(at.along * 2.0f * pi / 11.0f);
+  };
   return s;
+}
+
+/// Where the bowel may not be, read quickly: it is asked for each point of the tube many times.
+Field sampledKeepOut(const Field& keepOut) {
+  const Box cavity{{-110, -124, -234}, {112, -4, 0}};
+  const auto samples = std::make_shared<const SampledField>(
+      [&](const glm::vec3&, float) { return keepOut; }, cavity, SampledField::Fineness{5.0f, 4.0f});
+  return [samples](const glm::vec3& p) { return samples->distance(p); };
 }
 }  // namespace
 
@@ -112,11 +130,20 @@ std::vector<DemoStructure> abdomenBowel(const std::vector<DemoStructure>& there)
         d = std::min(d, organ.field(p));
     return d;
   };
-  const std::vector<glm::vec3> line =
-      settledCoil(laidPath(), {.radius = bowelRadius + 0.7f, .keepOut = keepOut});
+  const std::vector<glm::vec3> line = settledCoil(laidPath(), {.radius = bowelRadius + 0.6f,
+                                                               .spacing = 4.5f,
+                                                               .keepOut = sampledKeepOut(keepOut),
+                                                               .rounds = 40,
+                                                               .stages = 15,
+                                                               .settling = 6,
+                                                               .growth = 1.13f});
+  // Narrower towards its end, and with slow waves of narrower and wider places.
   std::vector<SweptPoint> points;
-  for (std::size_t i = 0; i < line.size(); i += 2)
-    points.push_back({line[i], bowelRadius});
+  for (std::size_t i = 0; i < line.size(); i += 2) {
+    const float share = float(i) / float(line.size());
+    const float wave = 0.35f * std::sin(0.31f * float(i)) + 0.25f * std::sin(0.19f * float(i) + 1);
+    points.push_back({line[i], bowelRadius * (1.06f - 0.12f * share) + wave});
+  }
   const auto tube = std::make_shared<Swept>(points, glm::vec3(0, -1, 0), 2.5f);
   const float middle = 0.36f * tube->length();
   return {stretch("jejunum", tube, 0.0f, middle - 0.3f),

@@ -37,18 +37,20 @@ DemoStructure gland(std::string name, const Look& look, Field field, const Box& 
 }
 
 DemoStructure liver() {
-  DemoStructure s = gland("liver", {"Digestive system", liverColour, 4.4f}, liverField(),
+  DemoStructure s = gland("liver", {"Digestive system", liverColour, 4.3f}, liverField(),
                           {{-150, -104, -75}, {96, 88, 122}});
-  s.edge = 2.5f;
+  s.edge = 2.4f;
   s.rounding = 7.0f;
+  s.gap = 1.7f;
+  s.smoothing = 3.0f;
   return s;
 }
 
 std::shared_ptr<const Swept> gallbladderTube() {
-  return std::make_shared<Swept>(std::array<SweptPoint, 8>{{{{-63, -83, -35}, 14.6f},
-                                                            {{-61, -75, -28}, 15.2f},
-                                                            {{-58, -64, -17}, 15.5f},
-                                                            {{-53, -50, -3}, 12.0f},
+  return std::make_shared<Swept>(std::array<SweptPoint, 8>{{{{-63, -83, -35}, 13.2f},
+                                                            {{-61, -75, -28}, 15.3f},
+                                                            {{-58, -64, -17}, 15.2f},
+                                                            {{-53, -50, -3}, 11.8f},
                                                             {{-48, -41, 9}, 7.5f},
                                                             {{-44, -36, 17}, 4.6f},
                                                             {{-42, -31, 22}, 2.8f},
@@ -62,11 +64,13 @@ DemoStructure gallbladder() {
     const SweptPlace at = tube->place(p);
     // The spiral fold twists the neck.
     const float neck = std::clamp((at.along - 58.0f) / 10.0f, 0.0f, 1.0f);
-    return at.distance + neck * 0.5f * std::sin(at.along * 1.25f + at.angle);
+    return at.distance + neck * 0.4f * std::sin(at.along * 1.25f + at.angle);
   };
-  DemoStructure s = gland("gallbladder", {"Biliary system", bileColour, 5.0f}, field,
+  DemoStructure s = gland("gallbladder", {"Biliary system", bileColour, 4.5f}, field,
                           grown(tube->bounds(), 3.0f));
-  s.edge = 1.7f;
+  s.edge = 1.6f;
+  s.smoothing = 1.0f;
+  s.wall = 2.0f;
   return s;
 }
 
@@ -101,9 +105,11 @@ DemoStructure bileDucts() {
   for (const auto& branch : {right, left, cystic})
     box.add(branch->bounds());
   DemoStructure s =
-      gland("bile duct", {"Biliary system", bileColour, 5.0f}, field, grown(box, 3.0f));
-  s.edge = 1.2f;
+      gland("bile duct", {"Biliary system", bileColour, 4.5f}, field, grown(box, 3.0f));
+  s.edge = 1.0f;
   s.gap = 0.3f;
+  s.smoothing = 0.6f;
+  s.wall = 0.8f;
   return s;
 }
 
@@ -139,9 +145,10 @@ DemoStructure pancreas() {
   Box box = body->bounds();
   box.add(uncinate->bounds());
   DemoStructure s =
-      gland("pancreas", {"Digestive system", pancreasColour, 4.8f}, field, grown(box, 4.0f));
-  s.edge = 1.8f;
+      gland("pancreas", {"Digestive system", pancreasColour, 4.5f}, field, grown(box, 4.0f));
+  s.edge = 1.7f;
   s.rounding = 2.0f;
+  s.smoothing = 1.3f;
   return s;
 }
 
@@ -169,7 +176,7 @@ DemoStructure spleen() {
     d = blendedDifference(d, renal, 9.0f);
     d = blendedDifference(d, ellipsoid(q - glm::vec3(0, 1, -17), {26.0f, 4.0f, 7.0f}), 4.0f);
     // Notches of the upper border.
-    for (const auto& [along, size] : {std::pair{6.0f, 4.2f}, {23.0f, 5.0f}, {38.0f, 3.6f}}) {
+    for (const auto& [along, size] : {std::pair{10.0f, 2.6f}, {25.0f, 4.4f}, {38.0f, 2.2f}}) {
       const glm::vec3 n = q - glm::vec3(along, 0.011f * along * along - 41.0f, -8.0f);
       d = blendedDifference(d, ellipsoid(n, {size * 0.7f, 2.6f * size, 22.0f}), 5.0f);
     }
@@ -177,8 +184,9 @@ DemoStructure spleen() {
   };
   DemoStructure s = gland("spleen", {"Glands and spleen", spleenColour, 4.3f}, field,
                           {{40, -34, 4}, {162, 112, 132}});
-  s.edge = 2.4f;
+  s.edge = 2.0f;
   s.rounding = 4.0f;
+  s.smoothing = 1.8f;
   return s;
 }
 
@@ -199,14 +207,15 @@ DemoStructure adrenal(const char* name, const glm::vec3& apex, float side, bool 
   const Field field = [=](const glm::vec3& p) {
     float d = blendedUnion(medial->distance(p), lateral->distance(p), 4.0f);
     d = blendedUnion(d, crest->distance(p), 5.0f);
-    return d + 0.25f * std::sin(0.8f * p.x + 0.5f) * std::sin(0.7f * p.z);
+    return d;
   };
   Box box = medial->bounds();
   box.add(lateral->bounds());
   box.add(crest->bounds());
   DemoStructure s =
       gland(name, {"Glands and spleen", adrenalColour, 4.0f}, field, grown(box, 3.0f));
-  s.edge = 1.4f;
+  s.edge = 1.3f;
+  s.smoothing = 0.9f;
   return s;
 }
 }  // namespace

@@ -29,41 +29,54 @@ DemoStructure organ(std::string name, Colour colour, float gamma, Field field, B
           .box = box};
 }
 
+/// Folds along the cavity, the rugae: how much thicker they make the wall, mm. They fade towards
+/// the pylorus.
+float rugae(const SweptPlace& at, float length) {
+  const float phase = 7.0f * at.angle + 1.1f * std::sin(at.along / 17.0f) +
+                      0.7f * std::sin(at.along / 9.0f + 2.0f * at.angle);
+  const float fade = std::clamp((length - at.along) / 60.0f, 0.0f, 1.0f);
+  return (0.3f + 0.9f * fade) * (1.0f + std::sin(phase));
+}
+
 DemoStructure stomach() {
   const auto body =
-      std::make_shared<Swept>(std::array<SweptPoint, 9>{{{{60, -3, 80}, 31, 1.0f},
-                                                         {{66, -16, 60}, 37, 0.92f},
-                                                         {{66, -40, 34}, 37, 0.84f},
-                                                         {{58, -59, 6}, 36, 0.78f},
-                                                         {{40, -71, -17}, 32, 0.80f},
-                                                         {{14, -73, -24}, 25, 0.90f},
-                                                         {{-9, -69, -16}, 18, 0.95f},
-                                                         {{-25, -62, -6}, 12.5f, 1.0f},
-                                                         {{-32, -56, 0}, 10.5f, 1.0f}}},
+      std::make_shared<Swept>(std::array<SweptPoint, 10>{{{{57, 9, 88}, 29, 1.0f},
+                                                          {{64, -4, 68}, 36, 0.97f},
+                                                          {{67, -26, 40}, 38.5f, 0.89f},
+                                                          {{62, -49, 10}, 36, 0.82f},
+                                                          {{46, -65, -15}, 31.5f, 0.82f},
+                                                          {{22, -71, -27}, 25.5f, 0.90f},
+                                                          {{-4, -69, -22}, 19, 0.95f},
+                                                          {{-20, -64, -11}, 13.5f, 1.0f},
+                                                          {{-28, -59, -3}, 11.0f, 1.0f},
+                                                          {{-33, -55, 1}, 11.0f, 1.0f}}},
                               glm::vec3(0, -1, 0));
   const auto gullet = std::make_shared<Swept>(std::array<SweptPoint, 5>{{{{17, -19, 132}, 8.5f},
                                                                          {{17, -20, 106}, 8.5f},
-                                                                         {{22, -19, 91}, 9.0f},
-                                                                         {{35, -14, 78}, 14.0f},
-                                                                         {{48, -12, 68}, 18.0f}}},
+                                                                         {{22, -19, 90}, 9.0f},
+                                                                         {{34, -15, 75}, 13.0f},
+                                                                         {{48, -12, 64}, 17.0f}}},
                                               glm::vec3(0, -1, 0));
   const Field field = [body, gullet](const glm::vec3& p) {
     const SweptPlace at = body->place(p);
-    // Peristalsis narrows the antrum; the pylorus is a ring of muscle.
+    // The pylorus is a ring of muscle at the end of a narrow canal.
     const float towardsPylorus = at.along - body->length();
-    const float wave =
-        0.7f * std::sin(towardsPylorus * 2.0f * pi / 34.0f) * std::exp(towardsPylorus / 45.0f);
-    const float ring = 2.0f * std::exp(-0.5f * std::pow((towardsPylorus + 2.0f) / 5.0f, 2.0f));
-    const float fundus = ellipsoid(p - glm::vec3(59, 3, 83), {38.0f, 33.0f, 33.0f});
-    const float d = blendedUnion(at.distance + wave - ring, fundus, 46.0f);
-    return blendedUnion(d, gullet->distance(p), 9.0f);
+    const float canal = 1.4f * std::exp(-0.5f * std::pow((towardsPylorus + 13.0f) / 5.0f, 2.0f));
+    const float ring = 1.6f * std::exp(-0.5f * std::pow((towardsPylorus + 3.0f) / 4.0f, 2.0f));
+    const float d = blendedUnion(at.distance + canal - ring, gullet->distance(p), 8.0f);
+    // The angular notch of the lesser curvature parts body and antrum.
+    const float notch = Blob({16, -66, 9}, {7.0f, 30.0f, 16.0f}, {0, -24, 0}).distance(p);
+    return blendedDifference(d, notch, 13.0f);
   };
   Box box = grown(body->bounds(), 5.0f);
   box.add(gullet->bounds());
-  box.add({{20, -32, 50}, {100, 42, 120}});
-  DemoStructure s = organ("stomach", stomachColour, 4.4f, field, grown(box, 3.0f));
-  s.edge = 2.6f;
+  DemoStructure s = organ("stomach", stomachColour, 4.3f, field, grown(box, 3.0f));
+  s.edge = 2.3f;
   s.rounding = 6.0f;
+  s.gap = 1.2f;
+  s.smoothing = 3.0f;
+  s.wall = 2.6f;
+  s.folds = [body](const glm::vec3& p) { return rugae(body->place(p), body->length()); };
   return s;
 }
 
@@ -81,19 +94,30 @@ DemoStructure duodenum() {
                                                                         {{19, -36, -64}, 12.5f},
                                                                         {{29, -29, -48}, 12.5f},
                                                                         {{32, -28, -32}, 12.5f},
-                                                                        {{38, -35, -22}, 12.5f},
-                                                                        {{46, -44, -28}, 11.0f}}},
+                                                                        {{38, -35, -22}, 12.0f},
+                                                                        {{46, -44, -28}, 10.0f}}},
                                             glm::vec3(0, -1, 0));
-  const Field field = [tube](const glm::vec3& p) {
+  DemoStructure s = organ(
+      "duodenum", bowelColour, 3.0f,
+      [tube](const glm::vec3& p) {
+        // The jejunum goes on where it ends.
+        const SweptPlace at = tube->place(p);
+        return -blendedUnion(-at.distance, -tube->beyond(tube->length(), p, at), 3.0f);
+      },
+      grown(tube->bounds(), 4.0f));
+  s.inkColour = bowelInk;
+  s.edge = 2.0f;
+  s.rounding = 3.0f;
+  s.gap = 0.8f;
+  s.smoothing = 1.6f;
+  s.wall = 1.8f;
+  // The superior part is smooth; further on circular folds stand into the cavity.
+  s.folds = [tube](const glm::vec3& p) {
     const SweptPlace at = tube->place(p);
-    // The superior part is smooth; further on the circular folds show faintly through the wall.
-    const float folds = std::min(std::max((at.along - 30.0f) / 30.0f, 0.0f), 1.0f);
-    return at.distance +
-           folds * 0.55f * std::sin(at.along * 2.0f * pi / 9.0f + 0.8f * std::sin(at.angle));
+    const float further = std::clamp((at.along - 30.0f) / 30.0f, 0.0f, 1.0f);
+    return further *
+           (1.0f + std::sin(at.along * 2.0f * pi / 8.0f + 0.8f * std::sin(at.angle + 1.0f)));
   };
-  DemoStructure s = organ("duodenum", bowelColour, 4.2f, field, grown(tube->bounds(), 4.0f));
-  s.edge = 2.2f;
-  s.rounding = 2.0f;
   return s;
 }
 
@@ -103,15 +127,15 @@ float haustrated(const SweptPlace& at) {
     return at.distance - 2.0f;
   const float across = std::sin(1.5f * at.angle);
   const float band = across * across;
-  const float sac = std::sqrt(band + 0.01f);
+  const float sac = std::sqrt(std::sqrt(band + 0.004f));
   // Folds are a little longer here, shorter there, and staggered between the bands.
   const float phase =
       2.75f * at.widths + 0.5f * std::sin(0.83f * at.widths) + 0.9f * std::sin(at.angle + 0.6f);
   const float wave = std::sin(phase);
   const float swell = std::sqrt(std::sqrt(wave * wave + 0.004f));
   const float end = std::clamp(1.3f * at.widths, 0.0f, 1.0f);
-  const float hollow = 0.20f * (1.0f - swell) * sac + 0.10f * (1.0f - sac);
-  const float taenia = 0.035f * std::exp(-band / 0.02f);
+  const float hollow = 0.36f * (1.0f - swell) * sac + 0.12f * (1.0f - sac);
+  const float taenia = 0.05f * std::exp(-band / 0.02f);
   return at.distance + at.radius * (hollow * (0.3f + 0.7f * end) - taenia * end);
 }
 
@@ -157,9 +181,12 @@ DemoStructure colonPart(const char* name, const std::shared_ptr<const Swept>& tu
     return within(*tube, stretch, p, at, haustrated(at));
   };
   const Box box = tube->bounds(stretch.from.value_or(0.0f), stretch.to.value_or(tube->length()));
-  DemoStructure s = organ(name, colonColour, 4.2f, field, grown(box, 4.0f));
-  s.edge = 2.6f;
+  DemoStructure s = organ(name, colonColour, 1.4f, field, grown(box, 4.0f));
+  s.inkColour = bowelInk;
+  s.edge = 2.5f;
   s.rounding = 2.0f;
+  s.smoothing = 1.4f;
+  s.wall = 2.2f;
   return s;
 }
 
@@ -172,9 +199,10 @@ DemoStructure appendix() {
                                                                        {{-40, -50, -198}, 3.3f}}},
                                             glm::vec3(0, -1, 0));
   DemoStructure s = organ(
-      "vermiform appendix", colonColour, 4.2f,
+      "vermiform appendix", colonColour, 1.4f,
       [tube](const glm::vec3& p) { return tube->distance(p); }, grown(tube->bounds(), 3.0f));
-  s.edge = 1.5f;
+  s.inkColour = bowelInk;
+  s.edge = 1.3f;
   return s;
 }
 

@@ -4,7 +4,6 @@
 // marked by the fissures around the quadrate and caudate lobes. Neighbours press in later.
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 
@@ -32,32 +31,33 @@ float blendedIntersection(float a, float b, float radius) {
   return -blendedUnion(-a, -b, radius);
 }
 
-/// About the signed distance to a body between an ellipsoid and a box (exponent 2.35).
-float rounded(const glm::vec3& p, const glm::vec3& semiAxes) {
-  constexpr float exponent = 2.35f;
-  const glm::vec3 q = glm::max(glm::abs(p / semiAxes), glm::vec3(1e-4f));
-  const glm::vec3 powers = glm::pow(q, glm::vec3(exponent));
-  const float k = std::pow(powers.x + powers.y + powers.z, 1.0f / exponent);
-  const glm::vec3 gradient = powers / q / semiAxes * std::pow(k, 1.0f - exponent);
-  return (k - 1.0f) / glm::length(gradient);
-}
-
 /// What the diaphragm moulds: a high right dome, a flat left lobe that thins to its tip, and the
 /// hollow behind where the spine and the crura stand.
 float domeField(const glm::vec3& p) {
   // Fuller below than an ellipsoid: the flank falls steeply to the inferior margin.
   glm::vec3 r = p - glm::vec3(-66, -10, 20);
-  r.z *= 0.80f + 0.20f * std::tanh(r.z / 30.0f);
-  const float right = rounded(r, {76.0f, 84.0f, 89.0f});
+  r.z *= 0.86f + 0.14f * std::tanh(r.z / 45.0f);
+  const float right = cushion(r, {76.0f, 84.0f, 89.0f}, 0.3f);
   glm::vec3 l = p - glm::vec3(4, -40, 62);
   l.z += 0.0012f * l.x * l.x - 0.10f * l.x;
   l.y -= 0.0016f * l.x * l.x;
-  const float left = ellipsoid(l, {86.0f, 46.0f, 36.0f});
+  // Thinner towards its tip.
+  const float taper = 1.0f - 0.12f * std::tanh(l.x / 70.0f);
+  const float left = ellipsoid(l / glm::vec3(1, taper, taper), {90.0f, 47.0f, 41.0f}) * taper;
   float d = blendedUnion(right, left, 46.0f);
   const float spine = glm::length(glm::vec2(p.x - 12.0f, p.y - 34.0f)) - 55.0f;
   d = blendedDifference(d, spine, 22.0f);
   const float heart = glm::length(p - glm::vec3(22, -48, 196)) - 100.0f;
   return blendedDifference(d, heart, 24.0f);
+}
+
+/// How far the left lobe's surface lies below the right one's: along the falciform ligament, from
+/// the notch of the round ligament over the dome, by a step that fades to the left.
+float leftLobeStep(const glm::vec3& p) {
+  const float ligament = -3.0f + 6.0f * std::sin((p.z - 20.0f) / 42.0f);
+  const float beyond = p.x - ligament;
+  const float step = 6.5f * ramp(-4.5f, 4.5f, beyond) * std::exp(-std::max(beyond, 0.0f) / 60.0f);
+  return step * ramp(20.0f, -40.0f, p.y) * (1.0f - 0.75f * ramp(70.0f, 100.0f, p.z));
 }
 
 /// Height of the visceral surface above (x, y).
@@ -94,9 +94,7 @@ Field liverField() {
     constexpr float farAway = 30.0f;
     if (dome > farAway)
       return dome;
-    // A faint furrow under the falciform ligament parts the lobes in front.
-    const float furrow = 1.6f * hill({p.x, p.z}, {-2.0f, 52}, {4.5f, 60}) * ramp(-20, -60, p.y);
-    return blendedIntersection(dome + furrow, visceralField(p), 11.0f);
+    return blendedIntersection(dome + leftLobeStep(p), visceralField(p), 11.0f);
   };
 }
 

@@ -77,8 +77,8 @@ struct Arch {
             {0, 0, 1}),
         transverse(
             std::array<SweptPoint, 3>{{{{14, 26, 4}, 5.0f, 1.2f},
-                                       {{18.0f + 0.5f * transverseLength, 29, 4}, 3.6f, 1.5f},
-                                       {{16.0f + transverseLength, 33, 5}, 3.2f, 1.7f}}},
+                                       {{18.0f + 0.5f * transverseLength, 29, 4.5f}, 3.3f, 1.7f},
+                                       {{17.0f + transverseLength, 34, 7}, 2.2f, 1.7f}}},
             {0, 0, 1}),
         superior(
             std::array<SweptPoint, 3>{
@@ -127,8 +127,9 @@ DemoStructure vertebra(const Level& level) {
     for (const float y : {-22.0f, 84.0f})
       for (const float z : {-34.0f, 28.0f})
         s.box.add(outOfLevel(level, {x, y, z}));
-  s.edge = 2.3f;
+  s.edge = 2.0f;
   s.gap = 0.6f;
+  s.smoothing = 1.1f;
   return s;
 }
 
@@ -151,9 +152,10 @@ DemoStructure disc(const Level& above, const Level& below) {
     return middle.size * blendedIntersection(wall, std::abs(q.z) - 8.0f, 5.0f);
   };
   s.box = {middle.middle - glm::vec3(30, 25, 17), middle.middle + glm::vec3(30, 25, 17)};
-  s.edge = 2.3f;
-  s.gap = 0.4f;
+  s.edge = 2.0f;
+  s.gap = 0.5f;
   s.rounding = 1.8f;
+  s.smoothing = 1.0f;
   return s;
 }
 
@@ -184,7 +186,8 @@ DemoStructure rib(const char* name, float side) {
                                                        side),
                                              glm::vec3(0, 0, 1));
   DemoStructure s = swept(name, "Bones", boneColour, shape);
-  s.edge = 1.8f;
+  s.edge = 1.6f;
+  s.smoothing = 1.0f;
   return s;
 }
 
@@ -199,15 +202,17 @@ DemoStructure psoas(const char* name, float side) {
                                                        side),
                                              glm::vec3(0, -1, 0));
   DemoStructure s = swept(name, "Muscles", muscleColour, shape);
-  s.gamma = Gamma::clamped(1.7f);
+  s.gamma = Gamma::clamped(1.4f);
   s.field = [shape](const glm::vec3& p) {
     // Bundles of fibres that run its length.
     const SweptPlace at = shape->place(p);
     const float bundles = std::sin(7.0f * at.angle + 0.9f * std::sin(at.along / 40.0f));
     return at.distance + 0.35f * bundles * std::min(at.radius / 12.0f, 1.0f);
   };
-  s.edge = 2.8f;
+  s.edge = 2.6f;
+  s.gap = 0.8f;
   s.rounding = 3.0f;
+  s.smoothing = 2.0f;
   return s;
 }
 }  // namespace

@@ -31,11 +31,13 @@ DemoStructure kidney(const char* name, float side, const glm::vec3& middle) {
   DemoStructure s{.name = name,
                   .groups = {"Urinary system"},
                   .colour = kidneyColour,
-                  .gamma = Gamma::clamped(4.4f),
+                  .gamma = Gamma::clamped(4.3f),
                   .field = field,
                   .box = {middle - glm::vec3(52, 48, 72), middle + glm::vec3(52, 48, 70)}};
-  s.edge = 2.1f;
-  s.rounding = 2.0f;
+  s.edge = 2.0f;
+  s.gap = 0.9f;
+  s.rounding = 2.5f;
+  s.smoothing = 1.5f;
   return s;
 }
 
@@ -48,8 +50,8 @@ DemoStructure ureter(const char* name, float side, float drop) {
                                                           {place(36, 11, -30), 2.5f},
                                                           {place(38, -9, -58), 2.3f},
                                                           {place(41, -14, -100), 2.4f},
-                                                          {{side * 40, -20, -148}, 2.3f},
-                                                          {{side * 33, -4, -184}, 2.4f},
+                                                          {{side * 40, -23, -150}, 2.3f},
+                                                          {{side * 34, -16, -184}, 2.4f},
                                                           {{side * 31, 10, -214}, 2.4f},
                                                           {{side * 32, 20, -244}, 2.4f}}},
                               glm::vec3(0, -1, 0));
@@ -62,13 +64,15 @@ DemoStructure ureter(const char* name, float side, float drop) {
   DemoStructure s{.name = name,
                   .groups = {"Urinary system"},
                   .colour = ureterColour,
-                  .gamma = Gamma::clamped(5.0f),
+                  .gamma = Gamma::clamped(4.3f),
                   .field =
                       [tube, calyx](const glm::vec3& p) {
                         return blendedUnion(tube->distance(p), calyx->distance(p), 3.0f);
                       },
                   .box = grown(box, 3.0f)};
-  s.edge = 1.4f;
+  s.edge = 1.1f;
+  s.smoothing = 0.8f;
+  s.wall = 0.8f;
   return s;
 }
 }  // namespace

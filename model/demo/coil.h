@@ -16,7 +16,8 @@ struct CoilRules {
   Field keepOut;         ///< negative where the tube may not be
   int rounds = 40;       ///< in each of its stages
   int stages = 6;
-  float growth = 1.14f;  ///< how much longer it gets in each stage but the last two
+  int settling = 2;      ///< stages at the end in which it grows no more
+  float growth = 1.14f;  ///< how much longer it gets in each of the others, while there is room
 };
 
 /// Lets a tube laid roughly along `path` settle like bowel in its cavity: it grows, bends gently,

@@ -29,79 +29,88 @@ struct Timed {
   float t;
 };
 
-/// Barry and Goldman's pyramid for a centripetal Catmull-Rom piece between the two middle knots.
-Knot onPiece(const std::array<Timed, 4>& k, float t) {
-  const auto mix = [t](const Knot& a, float ta, const Knot& b, float tb) {
-    return a + (t - ta) / (tb - ta) * (b - a);
-  };
-  const Knot a1 = mix(k[0].value, k[0].t, k[1].value, k[1].t);
-  const Knot a2 = mix(k[1].value, k[1].t, k[2].value, k[2].t);
-  const Knot a3 = mix(k[2].value, k[2].t, k[3].value, k[3].t);
-  const Knot b1 = mix(a1, k[0].t, a2, k[2].t);
-  const Knot b2 = mix(a2, k[1].t, a3, k[3].t);
-  return mix(b1, k[1].t, b2, k[2].t);
-}
-
-/// The given knots with one more at either end that continues the curve straight on.
+/// The given knots and where the curve passes them: centripetal, the root of the way between.
 std::vector<Timed> timed(std::span<const Knot> through) {
   std::vector<Timed> knots;
-  const auto add = [&knots](const Knot& value) {
+  for (const Knot& knot : through) {
     const float t =
         knots.empty() ? 0.0f
                       : knots.back().t + std::sqrt(glm::distance(glm::vec3(knots.back().value.main),
-                                                                 glm::vec3(value.main)));
-    knots.push_back({value, t});
-  };
-  const std::size_t last = through.size() - 1;
-  add(2.0f * through[0] - through[1]);
-  for (const Knot& knot : through)
-    add(knot);
-  add(2.0f * through[last] - through[last - 1]);
+                                                                 glm::vec3(knot.main)));
+    knots.push_back({knot, t});
+  }
   return knots;
+}
+
+/// Second derivatives at the knots of the cubic spline through them, whose end pieces keep theirs
+/// (Thomas' elimination): curvature is continuous, or lines would show each knot on the wall.
+std::vector<Knot> bends(const std::vector<Timed>& k) {
+  std::vector<Knot> bend(k.size());
+  std::vector<float> above(k.size(), 0.0f);
+  for (std::size_t i = 1; i + 1 < k.size(); ++i) {
+    const float before = k[i].t - k[i - 1].t;
+    const float after = k[i + 1].t - k[i].t;
+    const Knot turn = 1.0f / after * (k[i + 1].value - k[i].value) -
+                      1.0f / before * (k[i].value - k[i - 1].value);
+    // The end's own is that of its neighbour.
+    const float ends = (i == 1 ? before : 0.0f) + (i + 2 == k.size() ? after : 0.0f);
+    const float pivot = 2.0f * (before + after) + ends - before * above[i - 1];
+    above[i] = after / pivot;
+    bend[i] = 1.0f / pivot * (6.0f * turn - before * bend[i - 1]);
+  }
+  for (std::size_t i = k.size() - 1; i-- > 1;)
+    bend[i] = bend[i] - above[i] * bend[i + 1];
+  bend.front() = bend[1];
+  bend.back() = bend[k.size() - 2];
+  return bend;
 }
 
 std::vector<Knot> sampled(std::span<const Knot> through, float step) {
   const std::vector<Timed> knots = timed(through);
+  const std::vector<Knot> bend = bends(knots);
   std::vector<Knot> samples;
   for (std::size_t i = 0; i + 1 < through.size(); ++i) {
-    const std::array<Timed, 4> piece{knots[i], knots[i + 1], knots[i + 2], knots[i + 3]};
+    const float h = knots[i + 1].t - knots[i].t;
+    const auto onPiece = [&](float u) {
+      const auto cubic = [h](float v) { return h * h / 6.0f * (v * v * v - v); };
+      return (1.0f - u) * knots[i].value + u * knots[i + 1].value +
+             (cubic(1.0f - u) * bend[i] + cubic(u) * bend[i + 1]);
+    };
     const float length = glm::distance(glm::vec3(through[i].main), glm::vec3(through[i + 1].main));
     const int steps = std::max(2, int(std::ceil(length / step)));
     for (int s = 0; s < steps + (i + 2 == through.size()); ++s)
-      samples.push_back(
-          onPiece(piece, piece[1].t + (piece[2].t - piece[1].t) * float(s) / float(steps)));
+      samples.push_back(onPiece(float(s) / float(steps)));
   }
   return samples;
 }
 
-/// Hermite's cubic and its first two derivatives.
-struct Cubic {
-  float h00, h10, h01, h11;
-
-  static Cubic value(float t) {
-    const float t2 = t * t;
-    const float t3 = t2 * t;
-    return {2 * t3 - 3 * t2 + 1, t3 - 2 * t2 + t, -2 * t3 + 3 * t2, t3 - t2};
-  }
-  static Cubic first(float t) {
-    const float t2 = t * t;
-    return {6 * t2 - 6 * t, 3 * t2 - 4 * t + 1, -6 * t2 + 6 * t, 3 * t2 - 2 * t};
-  }
-  static Cubic second(float t) { return {12 * t - 6, 6 * t - 4, -12 * t + 6, 6 * t - 2}; }
-  glm::vec4 of(const glm::vec4& a, const glm::vec4& da, const glm::vec4& b,
-               const glm::vec4& db) const {
-    return h00 * a + h10 * da + h01 * b + h11 * db;
-  }
+/// Weights of four samples in a row on a uniform cubic B-spline between the middle two, and their
+/// first and second derivatives. Its curvature is continuous.
+struct Weights {
+  std::array<float, 4> value;
+  std::array<float, 4> first;
+  std::array<float, 4> second;
 };
+
+Weights weightsAt(float t) {
+  const float s = 1.0f - t;
+  return {{s * s * s / 6.0f, (3.0f * t * t * t - 6.0f * t * t + 4.0f) / 6.0f,
+           (3.0f * s * s * s - 6.0f * s * s + 4.0f) / 6.0f, t * t * t / 6.0f},
+          {-0.5f * s * s, 1.5f * t * t - 2.0f * t, 2.0f * s - 1.5f * s * s, 0.5f * t * t},
+          {s, 3.0f * t - 2.0f, 3.0f * s - 2.0f, t}};
+}
 }  // namespace
 
 Curve::Curve(std::span<const Knot> through, float step) : m_knots(sampled(through, step)) {
   const std::size_t count = m_knots.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t before = i > 0 ? i - 1 : 0;
-    const std::size_t after = std::min(i + 1, count - 1);
-    m_slopes.push_back(1.0f / float(after - before) * (m_knots[after] - m_knots[before]));
-  }
+  // Beyond its ends the curve goes straight on.
+  m_spline.push_back(2.0f * m_knots[0] - m_knots[1]);
+  m_spline.insert(m_spline.end(), m_knots.begin(), m_knots.end());
+  // A B-spline cuts corners, by a sixth of the second difference.
+  for (std::size_t i = 1; i + 1 < count; ++i)
+    m_spline[i + 1] =
+        m_knots[i] - 1.0f / 6.0f * (m_knots[i - 1] + m_knots[i + 1] - 2.0f * m_knots[i]);
+  m_spline.push_back(2.0f * m_knots[count - 1] - m_knots[count - 2]);
   for (std::size_t first = 0; first + 1 < count; first += chunkSegments) {
     const std::size_t end = std::min(first + chunkSegments, count - 1);
     Box box;
@@ -144,25 +153,35 @@ Curve::Place Curve::nearest(const glm::vec3& p, float weight) const {
       search(m_chunks[c], p, weight, best);
 
   // From the chord to the smooth curve, so that no bend shows facets: Newton on (p − c)·c′ = 0.
-  const std::size_t i = best.segment;
-  const Knot& a = m_knots[i];
-  const Knot& b = m_knots[i + 1];
-  const Knot& da = m_slopes[i];
-  const Knot& db = m_slopes[i + 1];
-  const float low = i == 0 ? 0.0f : -0.5f;
-  const float high = i + 2 == m_knots.size() ? 1.0f : 1.5f;
-  float t = best.t;
-  for (int step = 0; step < 2; ++step) {
-    const glm::vec3 away = p - glm::vec3(Cubic::value(t).of(a.main, da.main, b.main, db.main));
-    const glm::vec3 along(Cubic::first(t).of(a.main, da.main, b.main, db.main));
-    const glm::vec3 bend(Cubic::second(t).of(a.main, da.main, b.main, db.main));
+  const float end = float(m_knots.size() - 1);
+  float s = float(best.segment) + best.t;
+  for (int step = 0; step < 3; ++step) {
+    const std::size_t i = pieceAt(s);
+    const Weights w = weightsAt(s - float(i));
+    const glm::vec3 away = p - glm::vec3(mixed(i, w.value).main);
+    const glm::vec3 along(mixed(i, w.first).main);
+    const glm::vec3 bend(mixed(i, w.second).main);
     const float square = glm::dot(along, along);
     const float slope = std::max(square - glm::dot(away, bend), 0.3f * square);
-    t = std::clamp(t + glm::dot(away, along) / slope, low, high);
+    s = std::clamp(s + std::clamp(glm::dot(away, along) / slope, -1.0f, 1.0f), 0.0f, end);
   }
-  const Cubic value = Cubic::value(t);
-  return {value.of(a.main, da.main, b.main, db.main), value.of(a.more, da.more, b.more, db.more),
-          glm::normalize(glm::vec3(Cubic::first(t).of(a.main, da.main, b.main, db.main)))};
+  return at(s);
+}
+
+Curve::Place Curve::at(float s) const {
+  const std::size_t i = pieceAt(s);
+  const Weights w = weightsAt(s - float(i));
+  const Knot here = mixed(i, w.value);
+  return {here.main, here.more, glm::normalize(glm::vec3(mixed(i, w.first).main))};
+}
+
+std::size_t Curve::pieceAt(float s) const {
+  return std::min(std::size_t(s), m_knots.size() - 2);
+}
+
+Curve::Knot Curve::mixed(std::size_t piece, const std::array<float, 4>& weights) const {
+  const Knot* k = &m_spline[piece];
+  return weights[0] * k[0] + weights[1] * k[1] + (weights[2] * k[2] + weights[3] * k[3]);
 }
 
 namespace {

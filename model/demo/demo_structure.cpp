@@ -5,11 +5,13 @@
 #include <cassert>
 #include <glm/vector_relational.hpp>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <utility>
 
 #include "model/base/parallel.h"
 #include "model/demo/polygonise.h"
+#include "model/demo/sampled_field.h"
 #include "model/geometry/topology.h"
 
 namespace sline::model {
@@ -19,15 +21,18 @@ bool meet(const Box& a, const Box& b) {
   return glm::all(glm::lessThan(a.low, b.high)) && glm::all(glm::lessThan(b.low, a.high));
 }
 
+/// mm
+constexpr float deepestFold = 3.0f;
+
 struct Cutter {
   const Field* field = nullptr;
   Box reach;  ///< outside it the cut is not felt
 };
 
 /// How far from a neighbour the structure's shape may depend on it: an inner surface follows a dent
-/// of the outer one.
+/// of the outer one, and smoothing looks around.
 float feltWithin(const DemoStructure& own) {
-  return own.gap + 2.0f * own.rounding + 2.0f * own.wall;
+  return own.gap + 2.0f * own.rounding + 2.0f * own.wall + 5.0f * own.smoothing;
 }
 
 /// The structure's own field less its neighbours'. Far from a neighbour the distance to its box
@@ -47,14 +52,27 @@ Field cutField(const DemoStructure& own, std::vector<Cutter> cutters) {
   };
 }
 
+/// The same within `reach` of a place: without the cutters that are not felt there.
+Field localCutField(const DemoStructure& own, const std::vector<Cutter>& cutters,
+                    const glm::vec3& place, float reach) {
+  const float margin = feltWithin(own);
+  std::vector<Cutter> felt;
+  for (const Cutter& cutter : cutters)
+    if (distanceToBox(cutter.reach, place) <= reach && (*cutter.field)(place) <= reach + margin)
+      felt.push_back(cutter);
+  return [field = cutField(own, std::move(felt)), least = own.gap - margin](const glm::vec3& p) {
+    return std::max(field(p), least);
+  };
+}
+
 Field hollowed(const DemoStructure& own, Field solid) {
-  if (own.wall <= 0.0f)
+  if (!own.opening)
     return solid;
-  assert(own.opening);
   return [&own, solid = std::move(solid)](const glm::vec3& p) {
-    const float d = solid(p);
-    return blendedDifference(blendedDifference(d, d + own.wall, own.rounding), own.opening(p),
-                             own.rounding);
+    float d = solid(p);
+    if (own.wall > 0.0f)
+      d = blendedDifference(d, d + own.wall, own.rounding);
+    return blendedDifference(d, own.opening(p), own.rounding);
   };
 }
 
@@ -62,6 +80,19 @@ const DemoStructure* named(const std::vector<DemoStructure>& structures, const s
   const auto at = std::find_if(structures.begin(), structures.end(),
                                [&](const DemoStructure& s) { return s.name == name; });
   return at == structures.end() ? nullptr : &*at;
+}
+
+Field smoothed(const DemoStructure& own, const std::vector<Cutter>& cutters) {
+  const auto local = [&](const glm::vec3& place, float reach) {
+    return localCutField(own, cutters, place, reach);
+  };
+  // Samples no farther apart than the smoothing leave no trace of their lattice. A cavity's surface
+  // lies well within the body.
+  const float depth = own.wall + (own.folds ? deepestFold : 0.0f);
+  const SampledField::Fineness fineness{own.smoothing, own.smoothing, depth};
+  const auto samples =
+      std::make_shared<const SampledField>(local, grown(own.box, 3.0f * own.smoothing), fineness);
+  return [samples](const glm::vec3& p) { return samples->distance(p); };
 }
 
 Field cutField(const DemoStructure& own, const std::vector<DemoStructure>& all) {
@@ -73,7 +104,7 @@ Field cutField(const DemoStructure& own, const std::vector<DemoStructure>& all) 
     if (meet(reach, own.box))
       cutters.push_back({&other->field, reach});
   }
-  return hollowed(own, cutField(own, std::move(cutters)));
+  return own.smoothing > 0.0f ? smoothed(own, cutters) : cutField(own, std::move(cutters));
 }
 
 /// The component with the most triangles; cutting may leave crumbs.
@@ -103,6 +134,38 @@ MeshPtr largestComponent(const MeshPtr& mesh) {
   }
   return std::make_shared<const Mesh>(
       Mesh::create(std::move(positions), std::move(triangles)).value());
+}
+
+/// Both surfaces as one mesh, the second turned inside out.
+MeshPtr withCavity(const Mesh& outer, const Mesh& cavity) {
+  std::vector<glm::vec3> positions(outer.positions().begin(), outer.positions().end());
+  std::vector<Triangle> triangles(outer.triangles().begin(), outer.triangles().end());
+  const auto first = std::uint32_t(positions.size());
+  positions.insert(positions.end(), cavity.positions().begin(), cavity.positions().end());
+  for (const auto& [a, b, c] : cavity.triangles())
+    triangles.push_back({first + a, first + c, first + b});
+  return std::make_shared<const Mesh>(
+      Mesh::create(std::move(positions), std::move(triangles)).value());
+}
+
+MeshPtr meshed(const DemoStructure& own, const std::vector<DemoStructure>& all) {
+  const Field solid = cutField(own, all);
+  const auto mesh = [&own](const Field& body, float edge) {
+    if (own.mesher)
+      return own.mesher(body, edge);
+    return largestComponent(own.pattern ? fitted(*own.pattern, body, edge)
+                                        : polygonise(body, own.box, edge));
+  };
+  MeshPtr outer = mesh(hollowed(own, solid), own.edge);
+  if (own.wall <= 0.0f || own.opening)
+    return outer;
+  assert(!own.pattern);
+  const Field cavity = [&own, &solid](const glm::vec3& p) {
+    return solid(p) + own.wall + (own.folds ? own.folds(p) : 0.0f);
+  };
+  // Seen only where the body is cut open.
+  constexpr float coarser = 1.6f;
+  return withCavity(*outer, *mesh(cavity, coarser * own.edge));
 }
 
 [[maybe_unused]] bool namesAreUnique(const std::vector<DemoStructure>& structures) {
@@ -141,10 +204,8 @@ Scene demoScene(const std::vector<DemoStructure>& structures) {
   };
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return work(a) > work(b); });
-  parallelFor(order.size(), 1, [&](std::size_t k) {
-    const DemoStructure& s = structures[order[k]];
-    meshes[order[k]] = largestComponent(polygonise(cutField(s, structures), s.box, s.edge));
-  });
+  parallelFor(order.size(), 1,
+              [&](std::size_t k) { meshes[order[k]] = meshed(structures[order[k]], structures); });
 
   Scene scene;
   std::map<std::vector<std::string>, NodeId> groups;

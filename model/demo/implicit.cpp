@@ -18,6 +18,18 @@ float ellipsoid(const glm::vec3& p, const glm::vec3& semiAxes) {
   return k1 > 1e-12f ? k0 * (k0 - 1.0f) / k1 : -std::min({semiAxes.x, semiAxes.y, semiAxes.z});
 }
 
+float cushion(const glm::vec3& p, const glm::vec3& semiAxes, float fullness) {
+  // f/|∇f| of f = Σ (1 − a) q² + a q⁴ − 1, q = p / semiAxes: unlike a power between 2 and 4 it
+  // leaves no flat spots on the axes.
+  const glm::vec3 q = p / semiAxes;
+  const glm::vec3 squares = q * q;
+  const float f = glm::dot(squares, glm::vec3(1.0f - fullness) + fullness * squares) - 1.0f;
+  const glm::vec3 gradient =
+      q / semiAxes * (glm::vec3(2.0f - 2.0f * fullness) + 4.0f * fullness * squares);
+  const float least = std::min({semiAxes.x, semiAxes.y, semiAxes.z});
+  return f / std::max(glm::length(gradient), 1.0f / least);
+}
+
 namespace {
 /// The smaller of both, rounded by a quartic that meets it with continuous curvature.
 float smoothMinimum(float a, float b, float radius) {

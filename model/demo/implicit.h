@@ -3,6 +3,7 @@
 // far away only the sign is exact). Anatomy is built by blending a few of them.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
@@ -19,6 +20,10 @@ using Field = std::function<float(const glm::vec3&)>;
 
 /// About the signed distance to an ellipsoid at the origin, exact to first order at its surface.
 float ellipsoid(const glm::vec3& p, const glm::vec3& semiAxes);
+
+/// The same to a body between an ellipsoid (`fullness` 0) and a box: up to about 0.5, smooth all
+/// over.
+float cushion(const glm::vec3& p, const glm::vec3& semiAxes, float fullness);
 
 /// Union and difference whose seam is rounded over about `radius` mm, with continuous curvature.
 float blendedUnion(float a, float b, float radius);
@@ -65,8 +70,8 @@ struct BandPoint {
   glm::vec3 across;
 };
 
-/// A smooth curve through given points (centripetal Catmull and Rom) that carries a few numbers
-/// along, with a fast search for its nearest place.
+/// A smooth curve through given points (a centripetal cubic spline, of continuous curvature) that
+/// carries a few numbers along, with a fast search for its nearest place.
 class Curve {
  public:
   struct Knot {
@@ -81,6 +86,8 @@ class Curve {
   Curve(std::span<const Knot> through, float step);
   /// Where distance − `weight` · radius is least; beyond the ends the end itself.
   Place nearest(const glm::vec3& p, float weight) const;
+  /// At `s` knots from the start, 0 to knots − 1.
+  Place at(float s) const;
   const std::vector<Knot>& knots() const { return m_knots; }
 
  private:
@@ -96,8 +103,10 @@ class Curve {
     float distance = std::numeric_limits<float>::infinity();
   };
   void search(const Chunk& chunk, const glm::vec3& p, float weight, Nearest& best) const;
+  std::size_t pieceAt(float s) const;
+  Knot mixed(std::size_t piece, const std::array<float, 4>& weights) const;
   std::vector<Knot> m_knots;
-  std::vector<Knot> m_slopes;  ///< per knot, of one step
+  std::vector<Knot> m_spline;  ///< the knots and one more at either end
   std::vector<Chunk> m_chunks;
 };
 
@@ -110,6 +119,7 @@ class Tube {
       : Tube(std::span<const TubePoint>(through.begin(), through.size())) {}
   float distance(const glm::vec3& p) const;
   const Box& bounds() const { return m_bounds; }
+  const Curve& course() const { return m_curve; }
 
  private:
   Curve m_curve;

@@ -7,24 +7,24 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <utility>
+#include <vector>
 
+#include "model/demo/demo_structure.h"
 #include "model/demo/implicit.h"
-#include "model/demo/polygonise.h"
 
 namespace sline::model {
 
-/// A bean: an ellipsoid bent around the hilum, its lower half a little fuller, with faint lobes and
-/// a sinus that the vessels enter.
+/// A bean: an ellipsoid bent around the hilum, fuller towards its poles, the upper one broader,
+/// with a slit between two lips that opens into the sinus.
 float kidneyField(const glm::vec3& p) {
   glm::vec3 q = p;
-  q.x += 0.0065f * q.z * q.z;
+  q.x += 0.0052f * q.z * q.z - 2.0f;
   q.x += 0.10f * q.y;
-  const float lower = 1.0f + 0.0011f * -q.z;
-  float d = ellipsoid(q / lower, {27.0f, 20.0f, 55.0f}) * lower;
-  d += 0.45f * std::sin(q.z * 0.17f + 0.6f) * std::sin(q.y * 0.13f + 0.3f);
-  const float sinus = ellipsoid(p - glm::vec3(-24, -1, 0), {17.0f, 11.0f, 18.0f});
-  return blendedDifference(d, sinus, 9.0f);
+  const float broad = 1.0f + 0.0016f * q.z;
+  const float d = cushion(q / glm::vec3(broad, broad, 1.0f), {27.0f, 20.0f, 55.0f}, 0.3f) * broad;
+  const float slit = ellipsoid(p - glm::vec3(-27, -3, 0), {16.0f, 8.0f, 18.0f});
+  const float sinus = ellipsoid(p - glm::vec3(-13, 0, 0), {12.0f, 10.0f, 21.0f});
+  return blendedDifference(d, blendedUnion(slit, sinus, 6.0f), 5.0f);
 }
 
 namespace {
@@ -84,63 +84,65 @@ Box around(const Tubes& tubes, float margin) {
   Box box;
   for (const Tube& tube : tubes)
     box.add(tube.bounds());
-  box.low -= margin;
-  box.high += margin;
-  return box;
+  return grown(box, margin);
 }
 
-NodeId addGroup(Scene& scene, const char* name) {
-  return scene.append({.name = name});
+/// Branching tubes with a thin wall, fine enough for the smaller branches.
+DemoStructure vessel(const char* name, const char* group, Colour colour, const Tubes& tubes) {
+  // Vessels and ureter go on beyond the scene and end in a clean cut.
+  constexpr float cutX = -58.0f;
+  constexpr float cutZ = -106.0f;
+  DemoStructure s{
+      .name = name,
+      .groups = {group},
+      .colour = colour,
+      .field =
+          [tubes](const glm::vec3& p) {
+            const float cut = std::max(cutX - p.x, cutZ - p.z);
+            return -blendedUnion(-branched(tubes, p, 3.0f), -cut, 0.8f);
+          },
+      .box = around(tubes, 3.0f),
+  };
+  s.edge = 0.65f;
+  // Vessels keep clear of each other and of the kidney by a hair, so no two structures overlap.
+  s.gap = 0.6f;
+  s.smoothing = 0.5f;
+  s.wall = 0.7f;
+  return s;
 }
 
-struct Look {
-  Colour colour;
-  float gamma;
-};
-
-void addStructure(Scene& scene, NodeId group, const char* name, MeshPtr mesh, Look look) {
-  scene.append({.parent = group,
-                .name = name,
-                .style = {.colour = look.colour, .gamma = Gamma::clamped(look.gamma)},
-                .mesh = std::move(mesh),
-                .provenance = {.frame = "LPS", .frameReason = "modelled in it"}});
+/// What comes first keeps its shape.
+std::vector<DemoStructure> kidneyStructures() {
+  DemoStructure kidney{.name = "left kidney",
+                       .groups = {"Urinary organs"},
+                       .colour = {158, 79, 62},
+                       .field = kidneyField,
+                       .box = {{-58, -34, -72}, {44, 34, 68}}};
+  kidney.edge = 1.1f;
+  kidney.gap = 1.0f;
+  kidney.rounding = 2.0f;
+  kidney.smoothing = 1.3f;
+  DemoStructure artery = vessel("left renal artery", "Vessels", {204, 44, 40}, arteryTubes());
+  DemoStructure vein = vessel("left renal vein", "Vessels", {58, 98, 178}, veinTubes());
+  DemoStructure ureter = vessel("left ureter", "Urinary organs", {226, 190, 92}, ureterTubes());
+  vein.givesWayTo = {artery.name};
+  ureter.givesWayTo = {artery.name, vein.name};
+  kidney.givesWayTo = {artery.name, vein.name, ureter.name};
+  kidney.gamma = Gamma::clamped(4.3f);
+  ureter.gamma = Gamma::clamped(4.5f);
+  artery.gamma = Gamma::clamped(3.0f);
+  vein.gamma = Gamma::clamped(3.0f);
+  artery.inkColour = arteryInk;
+  vein.inkColour = veinInk;
+  std::vector<DemoStructure> all{kidney, ureter, artery, vein};
+  for (DemoStructure& s : all)
+    s.fill = Fill::paper;
+  return all;
 }
 }  // namespace
 
 Scene kidneyDemo() {
-  const Tubes artery = arteryTubes();
-  const Tubes vein = veinTubes();
-  const Tubes ureter = ureterTubes();
-  constexpr float blend = 3.0f;
-  // Vessels keep clear of each other and of the kidney by a hair, so no two structures overlap.
-  constexpr float gap = 0.6f;
-  const Field arteryField = [&](const glm::vec3& p) { return branched(artery, p, blend); };
-  const Field veinField = [&](const glm::vec3& p) {
-    return blendedDifference(branched(vein, p, blend), arteryField(p) - gap, 1.0f);
-  };
-  const Field ureterField = [&](const glm::vec3& p) {
-    const float vessels = std::min(arteryField(p), veinField(p)) - gap;
-    return blendedDifference(branched(ureter, p, blend), vessels, 1.0f);
-  };
-  const Field kidney = [&](const glm::vec3& p) {
-    const float entering = std::min({arteryField(p), veinField(p), ureterField(p)}) - gap;
-    return blendedDifference(kidneyField(p), entering, 2.0f);
-  };
-
-  Scene scene;
-  const NodeId organs = addGroup(scene, "Urinary organs");
-  const NodeId vessels = addGroup(scene, "Vessels");
-  addStructure(scene, organs, "left kidney",
-               polygonise(kidney, {{-58, -34, -72}, {40, 34, 66}}, 1.1f),
-               {.colour = {158, 79, 62}, .gamma = 4.0f});
-  addStructure(scene, organs, "left ureter", polygonise(ureterField, around(ureter, 3.0f), 0.7f),
-               {.colour = {226, 190, 92}, .gamma = 5.0f});
-  addStructure(scene, vessels, "left renal artery",
-               polygonise(arteryField, around(artery, 3.0f), 0.6f),
-               {.colour = {204, 44, 40}, .gamma = 5.0f});
-  addStructure(scene, vessels, "left renal vein", polygonise(veinField, around(vein, 3.0f), 0.7f),
-               {.colour = {58, 98, 178}, .gamma = 5.0f});
-  return scene;
+  return demoScene(kidneyStructures());
 }
 
 }  // namespace sline::model

@@ -14,40 +14,77 @@ namespace {
 constexpr float sampleStep = 3.0f;  // mm
 constexpr float farAway = 12.0f;
 
-/// Weights of four neighbours in a uniform Catmull-Rom piece, and their derivatives.
+/// Weights of four neighbours on a uniform cubic B-spline, and their derivatives.
 struct Weights {
   std::array<float, 4> value;
   std::array<float, 4> slope;
 };
 
 Weights weightsAt(float t) {
-  const float t2 = t * t;
-  const float t3 = t2 * t;
-  return {{0.5f * (-t + 2 * t2 - t3), 0.5f * (2 - 5 * t2 + 3 * t3), 0.5f * (t + 4 * t2 - 3 * t3),
-           0.5f * (t3 - t2)},
-          {0.5f * (-1 + 4 * t - 3 * t2), 0.5f * (-10 * t + 9 * t2), 0.5f * (1 + 8 * t - 9 * t2),
-           0.5f * (3 * t2 - 2 * t)}};
+  const float s = 1.0f - t;
+  return {{s * s * s / 6.0f, (3.0f * t * t * t - 6.0f * t * t + 4.0f) / 6.0f,
+           (3.0f * s * s * s - 6.0f * s * s + 4.0f) / 6.0f, t * t * t / 6.0f},
+          {-0.5f * s * s, 1.5f * t * t - 2.0f * t, 2.0f * s - 1.5f * s * s, 0.5f * t * t}};
+}
+
+/// The control point before the first of a line: the line goes on with the bend it has.
+glm::vec4 beyondEnd(std::span<const glm::vec4> line) {
+  return line.size() == 2 ? 2.0f * line[0] - line[1] : 3.0f * (line[0] - line[1]) + line[2];
+}
+
+/// In place: from points in a line, `stride` apart, to the control points of the cubic B-spline
+/// through them. Each is 6 p[i] = c[i−1] + 4 c[i] + c[i+1], solved by Gauss and Seidel's iteration,
+/// whose error falls to a quarter in each round.
+void toControls(std::span<glm::vec4> line, std::size_t stride) {
+  constexpr int rounds = 20;
+  const std::size_t last = (line.size() - 1) / stride;
+  if (last < 2)
+    return;
+  const std::vector<glm::vec4> points(line.begin(), line.end());
+  for (int round = 0; round < rounds; ++round)
+    for (std::size_t i = 0; i <= last; ++i) {
+      const auto c = [&](std::size_t k) { return line[k * stride]; };
+      const glm::vec4 wanted = 6.0f * points[i * stride];
+      // At the ends with the control point beyond put in.
+      if (i == 0)
+        line[0] = (wanted + 2.0f * c(1) - c(2)) / 7.0f;
+      else if (i == last)
+        line[i * stride] = (wanted + 2.0f * c(i - 1) - c(i - 2)) / 7.0f;
+      else
+        line[i * stride] = (wanted - c(i - 1) - c(i + 1)) / 4.0f;
+    }
 }
 }  // namespace
 
 Lamina::Lamina(std::span<const LaminaPoint> points, std::size_t columns)
     : m_rows(int(points.size() / columns)), m_columns(int(columns)) {
   assert(points.size() == std::size_t(m_rows) * columns && m_rows > 1 && m_columns > 1);
-  const auto given = [&](int row, int column) {
-    const LaminaPoint& p = points[std::size_t(row) * columns + std::size_t(column)];
-    return glm::vec4(p.position, p.halfThickness);
-  };
-  // Beyond the rims the sheet continues straight on.
-  const auto beyond = [&](int row, int column) {
-    const int r = std::clamp(row, 0, m_rows - 1);
-    const int c = std::clamp(column, 0, m_columns - 1);
-    const int r2 = std::clamp(2 * r - row, 0, m_rows - 1);
-    const int c2 = std::clamp(2 * c - column, 0, m_columns - 1);
-    return 2.0f * given(r, c) - given(r2, c2);
-  };
-  for (int row = -1; row <= m_rows; ++row)
-    for (int column = -1; column <= m_columns; ++column)
-      m_controls.push_back(beyond(row, column));
+  const std::size_t width = columns + 2;
+  m_controls.resize((std::size_t(m_rows) + 2) * width);
+  const std::span<glm::vec4> all(m_controls);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    all[(i / columns + 1) * width + i % columns + 1] =
+        glm::vec4(points[i].position, points[i].halfThickness);
+  for (std::size_t row = 1; row <= std::size_t(m_rows); ++row)
+    toControls(all.subspan(row * width + 1, columns), 1);
+  const std::size_t down = (std::size_t(m_rows) - 1) * width + 1;
+  for (std::size_t column = 1; column <= columns; ++column)
+    toControls(all.subspan(width + column, down), width);
+  // One more around: columns first, then whole rows.
+  for (std::size_t row = 1; row <= std::size_t(m_rows); ++row) {
+    std::vector<glm::vec4> line(&all[row * width + 1], &all[row * width + 1] + columns);
+    all[row * width] = beyondEnd(line);
+    std::reverse(line.begin(), line.end());
+    all[row * width + columns + 1] = beyondEnd(line);
+  }
+  for (std::size_t column = 0; column < width; ++column) {
+    std::vector<glm::vec4> line;
+    for (std::size_t row = 1; row <= std::size_t(m_rows); ++row)
+      line.push_back(all[row * width + column]);
+    all[column] = beyondEnd(line);
+    std::reverse(line.begin(), line.end());
+    all[(std::size_t(m_rows) + 1) * width + column] = beyondEnd(line);
+  }
   addSamples();
 }
 

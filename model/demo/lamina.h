@@ -16,7 +16,8 @@ struct LaminaPoint {
 };
 
 /// A curved plate with rounded rims: a flat muscle, a wall, a wing of bone. Its middle surface goes
-/// smoothly (Catmull and Rom, both ways) through rows of points, each row as long as the others.
+/// smoothly (a bicubic spline, of continuous curvature) through rows of points, each row as long as
+/// the others.
 class Lamina {
  public:
   /// `columns` points per row, at least two rows and columns.

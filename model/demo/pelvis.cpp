@@ -41,6 +41,11 @@ bool meet(const Box& a, const Box& b) {
   return glm::all(glm::lessThan(a.low, b.high)) && glm::all(glm::lessThan(b.low, a.high));
 }
 
+/// Cut in one plane, they go over into each other without a gap.
+bool isSeam(const DemoStructure& own, const DemoStructure& other) {
+  return own.name == "sigmoid colon" && other.name == "rectum";
+}
+
 /// Bones keep the rules their makers gave them; every other structure gives way to all before it.
 void settle(std::vector<DemoStructure>& structures) {
   for (std::size_t i = 0; i < structures.size(); ++i) {
@@ -51,7 +56,8 @@ void settle(std::vector<DemoStructure>& structures) {
     for (std::size_t j = 0; j < structures.size(); ++j) {
       const int theirs = precedence(structures[j]);
       const bool first = theirs < mine || (theirs == mine && j < i);
-      if (i != j && first && meet(own.box, grown(structures[j].box, own.gap)))
+      if (i != j && first && !isSeam(own, structures[j]) &&
+          meet(own.box, grown(structures[j].box, own.gap)))
         own.givesWayTo.push_back(structures[j].name);
     }
   }
@@ -62,13 +68,13 @@ void append(std::vector<DemoStructure>& list, std::vector<DemoStructure> more) {
               std::make_move_iterator(more.end()));
 }
 
-/// Muscles are context in red ink. Thin plates that lie one behind the other hide each other, since
-/// from behind their outlines would cross.
-void inkMuscles(std::vector<DemoStructure>& structures) {
-  static constexpr std::array<std::string_view, 5> plates{
-      "puborectalis", "pubococcygeus", "iliococcygeus", "coccygeus", "sphincter"};
+/// Thin plates that lie one behind the other hide each other, since from behind their outlines
+/// would cross.
+void backPlates(std::vector<DemoStructure>& structures) {
+  static constexpr std::array<std::string_view, 7> plates{
+      "puborectalis", "pubococcygeus", "iliococcygeus", "coccygeus",
+      "sphincter",    "piriformis",    "obturator"};
   for (DemoStructure& s : structures) {
-    s.inkColour = muscleInk;
     const auto isPlate = [&](std::string_view part) { return s.name.find(part) != s.name.npos; };
     if (std::any_of(plates.begin(), plates.end(), isPlate))
       s.fill = Fill::paper;
@@ -82,22 +88,29 @@ void widen(DemoStructure& s) {
     s.opening = [inMan = std::move(s.opening)](const glm::vec3& p) {
       return inMan(fromFemalePelvis(p));
     };
+  if (s.pattern)
+    std::transform(s.pattern->positions.begin(), s.pattern->positions.end(),
+                   s.pattern->positions.begin(), toFemalePelvis);
   s.box = grown(s.box, femaleShift);
 }
 
-std::vector<View> savedViews() {
+std::vector<View> savedViews(Sex sex) {
   const auto view = [](const char* name, const glm::vec3& eye, const glm::vec3& target) {
     return View{name, {.eye = eye, .target = target, .fovyDegrees = 28.0f}};
   };
-  return {view("Overview", {-1, -730, 1127}, {-1, -75, 912}),
-          view("From behind", {150, 590, 1055}, {-1, -75, 925}),
-          view("Midsagittal", {-640, -80, 930}, {-1, -80, 922})};
+  // What a man has outside the pelvis hangs lower.
+  const bool man = sex == Sex::male;
+  return {view("Overview", man ? glm::vec3(-1, -890, 1108) : glm::vec3(-1, -720, 1130),
+               man ? glm::vec3(-1, -75, 882) : glm::vec3(-1, -75, 915)),
+          view("From behind", {150, 590, 1055}, {-1, -75, 922}),
+          view("Midsagittal", man ? glm::vec3(-770, -90, 908) : glm::vec3(-590, -82, 944),
+               man ? glm::vec3(-1, -90, 905) : glm::vec3(-1, -82, 941))};
 }
 }  // namespace
 
 std::vector<DemoStructure> pelvisStructures(Sex sex) {
   std::vector<DemoStructure> soft = pelvisMuscles();
-  inkMuscles(soft);
+  backPlates(soft);
   append(soft, pelvisOrgans(sex));
   append(soft, sex == Sex::male ? maleOrgans() : femaleOrgans());
   append(soft, pelvisArteries());
@@ -114,7 +127,7 @@ std::vector<DemoStructure> pelvisStructures(Sex sex) {
 
 Scene pelvisDemo(Sex sex) {
   Scene scene = demoScene(pelvisStructures(sex));
-  scene.setViews(savedViews());
+  scene.setViews(savedViews(sex));
   return scene;
 }
 

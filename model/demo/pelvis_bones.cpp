@@ -75,22 +75,30 @@ glm::vec3 fromFemalePelvis(const glm::vec3& p) {
   return {p.x - wider * std::tanh(aside / arch), p.y, hipLevel + lower * (p.z - hipLevel)};
 }
 
+glm::vec3 toFemalePelvis(const glm::vec3& p) {
+  // What the map adds changes less than the place does: repeated putting in converges.
+  glm::vec3 q = p;
+  for (int step = 0; step < 12; ++step)
+    q += p - fromFemalePelvis(q);
+  return q;
+}
+
 std::vector<DemoStructure> pelvisBones(Sex sex) {
   const Shape hipBone = shapeOf(leftHipBone(), {1.6f, 2.3f});
   const Shape femur = shapeOf(leftFemur(), {1.8f, 2.2f});
   std::vector<DemoStructure> bones;
-  bones.push_back(structure("left hip bone", hipBone, boneColour, 2.0f));
-  bones.push_back(structure("right hip bone", reflected(hipBone), boneColour, 2.0f));
+  bones.push_back(structure("left hip bone", hipBone, boneColour, 2.3f));
+  bones.push_back(structure("right hip bone", reflected(hipBone), boneColour, 2.3f));
   // The sacroiliac joints are as narrow as the cut is: the wings are modelled into the hip bones.
-  DemoStructure wedge = structure("sacrum", shapeOf(sacrum(), {1.3f, 1.6f}), boneColour, 1.7f);
+  DemoStructure wedge = structure("sacrum", shapeOf(sacrum(), {1.3f, 1.8f}), boneColour, 1.8f);
   wedge.givesWayTo = {"left hip bone", "right hip bone"};
   wedge.gap = 1.0f;
   wedge.rounding = 1.5f;
   bones.push_back(std::move(wedge));
   bones.push_back(structure("fifth lumbar vertebra", shapeOf(fifthLumbarVertebra(), {1.2f, 1.3f}),
-                            boneColour, 1.6f));
-  bones.push_back(structure("left femur", femur, boneColour, 2.2f));
-  bones.push_back(structure("right femur", reflected(femur), boneColour, 2.2f));
+                            boneColour, 1.8f));
+  bones.push_back(structure("left femur", femur, boneColour, 2.4f));
+  bones.push_back(structure("right femur", reflected(femur), boneColour, 2.4f));
   DemoStructure disc = structure("fifth lumbar intervertebral disc",
                                  shapeOf(lumbosacralDisc(), {1.4f, 1.0f}), cartilageColour, 1.8f);
   disc.givesWayTo = {"sacrum", "fifth lumbar vertebra"};

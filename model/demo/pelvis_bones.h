@@ -14,6 +14,8 @@ inline constexpr float pelvisMiddle = -0.8f;
 /// the field of a man's structure read there is the woman's: her inlet is wider, the pubic arch
 /// opens wider and the sacrum is shorter and broader. Smooth, and one to one.
 glm::vec3 fromFemalePelvis(const glm::vec3& p);
+/// The way back, to within a hundredth of a millimetre.
+glm::vec3 toFemalePelvis(const glm::vec3& p);
 
 /// Hip bones, sacrum with coccyx, fifth lumbar vertebra, the disc below it, upper ends of the
 /// femora and the disc of the pubic symphysis. No two overlap.

@@ -23,9 +23,9 @@ Shape sacralPlexus() {
                                 {{38, -36, 919}, 2.4f},
                                 {{47, -31, 908}, 2.6f},
                                 {{55, -24.5f, 900}, 3}},
-                           Tube{{{15, -27, 926}, 1.8f},
-                                {{26, -33, 918}, 1.8f},
-                                {{38, -31, 908}, 2},
+                           Tube{{{15, -25.5f, 926}, 1.8f},
+                                {{26, -25.8f, 916.5f}, 1.8f},
+                                {{38, -27, 907}, 2},
                                 {{49, -26, 901}, 2.4f}}},
                           3.5f);
   Shape sciatic = shapeOf(Band{{{51, -28, 907}, 4.5f, 2.6f, {0.6f, 0, 0.8f}},
@@ -34,15 +34,48 @@ Shape sacralPlexus() {
                                {{76, -28, 870}, 5.4f, 3, {1, 0.2f, 0.2f}},
                                {{82, -34, 848}, 5.2f, 3, {1, 0.3f, 0.1f}},
                                {{85, -39, 826}, 5, 3, {1, 0.3f, 0}},
-                               {{86, -42, 808}, 5, 3, {1, 0.3f, 0}}});
-  return cutOff(merged(std::move(roots), std::move(sciatic), 4.0f), {86, -42, 814}, {0, 0, -1});
+                               {{86.5f, -43, 806}, 5, 3, {1, 0.3f, 0}},
+                               {{86.8f, -44, 794}, 5, 3, {1, 0.3f, 0}}});
+  return cutOff(merged(std::move(roots), std::move(sciatic), 4.0f), {86.6f, -43.4f, 802},
+                {0, 0.1f, -1});
+}
+/// In the groove between psoas and iliacus, under the inguinal ligament into the thigh, where it
+/// breaks up into branches that run out.
+Shape femoralNerve() {
+  return cutOff(branching({Tube{{{57, -80, 1020}, 1.8f},
+                                {{60.5f, -84.5f, 1011}, 1.8f},
+                                {{70, -92, 986}, 1.9f},
+                                {{79, -104, 957}, 2.1f},
+                                {{87, -117, 934}, 2.2f},
+                                {{90, -130, 917}, 2.3f},
+                                {{88, -141.5f, 901}, 2.4f},
+                                {{83.5f, -148, 885}, 2.2f},
+                                {{80, -150, 868}, 1.8f},
+                                {{77.5f, -149, 848}, 1.4f},
+                                {{75, -146.5f, 826}, 1},
+                                {{73, -144.5f, 806}, 0.7f}},
+                           Tube{{{87, -143.5f, 897}, 1.7f},
+                                {{86.5f, -149.5f, 880}, 1.4f},
+                                {{89, -152, 862}, 1.2f},
+                                {{93, -151, 843}, 0.9f},
+                                {{96, -149, 827}, 0.7f}},
+                           Tube{{{84, -147.5f, 887}, 1.6f},
+                                {{76.5f, -151, 871}, 1.3f},
+                                {{69, -152, 853}, 1},
+                                {{63, -151, 836}, 0.7f}}},
+                          2.0f),
+                {60, -84, 1012}, {-0.3f, 0.3f, 0.9f});
 }
 }  // namespace
 
 std::vector<DemoStructure> pelvisNerves() {
   std::vector<DemoStructure> list;
-  addPair(list, nervePalette, "sciatic nerve", sacralPlexus());
-  addPair(list, nervePalette, "obturator nerve",
+  Palette thin = nervePalette;
+  thin.edge = 1.1f;
+  Palette thick = nervePalette;
+  thick.edge = 1.6f;
+  addPair(list, thick, "sciatic nerve", sacralPlexus());
+  addPair(list, thin, "obturator nerve",
           shapeOf(Tube{{{37.5f, -78, 1012}, 1.3f},
                        {{40, -80, 990}, 1.4f},
                        {{46, -74, 968}, 1.4f},
@@ -52,16 +85,8 @@ std::vector<DemoStructure> pelvisNerves() {
                        {{49.5f, -106, 890}, 1.3f},
                        {{46, -116, 879}, 1.3f},
                        {{43, -123, 869}, 1.2f}}));
-  addPair(list, nervePalette, "femoral nerve",
-          shapeOf(Tube{{{60, -84, 1012}, 1.7f},
-                       {{70, -92, 986}, 1.9f},
-                       {{79, -104, 957}, 2.1f},
-                       {{87.5f, -117, 933}, 2.2f},
-                       {{91, -129, 917}, 2.2f},
-                       {{88, -141, 901}, 2.3f},
-                       {{82, -149, 886}, 2.3f},
-                       {{77, -151, 870}, 2.2f}}));
-  addPair(list, nervePalette, "pudendal nerve",
+  addPair(list, thin, "femoral nerve", femoralNerve());
+  addPair(list, thin, "pudendal nerve",
           shapeOf(Tube{{{25, -28, 915}, 1.2f},
                        {{35, -25, 905}, 1.3f},
                        {{44.5f, -24.5f, 897}, 1.3f},

@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/demo/pelvis_parts.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <memory>
 #include <utility>
 
 #include "model/demo/pelvis_bones.h"
+#include "model/demo/sampled_field.h"
 
 namespace sline::model {
 
-const Palette musclePalette{"Muscles", {158, 70, 58}, 1.7f, Fill::tint, 2.6f, 0.8f};
+// What is in focus is shaded, vessels and nerves are hatched in the ink of their kind, muscles
+// are contours over a wash of their colour.
+const Palette musclePalette{"Muscles", {158, 70, 58}, 1.4f, Fill::tint, 2.6f, 0.8f, muscleInk};
 const Palette organPalette{"Organs", {214, 160, 128}, 4.5f, Fill::paper, 2, 0.6f};
-const Palette arteryPalette{"Arteries", {207, 40, 28}, 4.2f, Fill::paper, 1.5f, 0.25f};
-const Palette veinPalette{"Veins", {52, 92, 176}, 4.2f, Fill::paper, 1.8f, 0.35f};
-const Palette nervePalette{"Nerves", {240, 208, 60}, 4.2f, Fill::paper, 1.3f, 0.25f};
+const Palette arteryPalette{"Arteries", {207, 40, 28},      3, Fill::paper, 1.4f,
+                            0.25f,      Colour{168, 28, 20}};
+const Palette veinPalette{"Veins", {52, 92, 176}, 3, Fill::paper, 1.3f, 0.3f, Colour{31, 70, 143}};
+const Palette nervePalette{"Nerves", {240, 208, 60},      3, Fill::paper, 1.3f,
+                           0.25f,    Colour{140, 108, 12}};
 
 namespace {
 template <class Part>
@@ -35,6 +43,18 @@ Shape shapeOf(Blob blob) {
   return shapeAround(blob);
 }
 
+Shape smoothed(Lamina lamina, float smoothing) {
+  const Box box = grown(lamina.bounds(), 2.0f * smoothing + 4.0f);
+  const auto sheet = std::make_shared<const Lamina>(std::move(lamina));
+  const auto everywhere = [sheet](const glm::vec3&, float) -> Field {
+    return [sheet](const glm::vec3& p) { return sheet->distance(p); };
+  };
+  const auto samples = std::make_shared<const SampledField>(
+      everywhere, box, SampledField::Fineness{0.7f * smoothing, smoothing});
+  return {[samples](const glm::vec3& p) { return samples->distance(p); },
+          grown(sheet->bounds(), 1)};
+}
+
 Shape branching(std::vector<Tube> tubes, float blend) {
   const Box box = boundsOf(std::span<const Tube>(tubes));
   return {[tubes = std::move(tubes), blend](const glm::vec3& p) {
@@ -52,13 +72,27 @@ Shape merged(Shape a, Shape b, float blend) {
           box};
 }
 
-Shape cutOff(Shape shape, const glm::vec3& point, const glm::vec3& normal) {
-  constexpr float rounding = 0.8f;
+Shape cutOff(Shape shape, const glm::vec3& point, const glm::vec3& normal, float rounding) {
   const glm::vec3 n = glm::normalize(normal);
-  return {[field = std::move(shape.field), point, n](const glm::vec3& p) {
+  return {[field = std::move(shape.field), point, n, rounding](const glm::vec3& p) {
             return blendedDifference(field(p), glm::dot(point - p, n), rounding);
           },
           shape.box};
+}
+
+Field beyondPlane(const glm::vec3& point, const glm::vec3& normal, float reach) {
+  return [point, n = glm::normalize(normal), reach](const glm::vec3& p) {
+    return std::max(glm::dot(point - p, n), glm::distance(point, p) - reach);
+  };
+}
+
+Field anyOf(std::vector<Field> fields) {
+  return [fields = std::move(fields)](const glm::vec3& p) {
+    float d = fields.front()(p);
+    for (std::size_t i = 1; i < fields.size(); ++i)
+      d = std::min(d, fields[i](p));
+    return d;
+  };
 }
 
 Shape rippled(Shape shape, float wavelength, float height, float phase) {
@@ -80,11 +114,17 @@ DemoStructure structure(const Palette& palette, std::string name, Shape shape) {
           .colour = palette.colour,
           .gamma = Gamma::clamped(palette.gamma),
           .fill = palette.fill,
+          .inkColour = palette.inkColour,
           .field = std::move(shape.field),
           .box = grown(shape.box, 2.5f * palette.edge),
           .edge = palette.edge,
           .gap = palette.gap,
           .rounding = palette.gap + 0.5f};
+}
+
+DemoStructure withCavity(DemoStructure body, Field cavity) {
+  body.opening = std::move(cavity);
+  return body;
 }
 
 void addPair(std::vector<DemoStructure>& list, const Palette& palette, const std::string& name,

@@ -18,19 +18,19 @@
 
 #include "model/base/parallel.h"
 #include "model/demo/field_grid.h"
+#include "model/demo/remesh.h"
 #include "model/geometry/topology.h"
 
 namespace sline::model {
 
 namespace {
-constexpr int relaxations = 8;
+constexpr int roundsOfRemeshing = 5;
+constexpr int relaxations = 4;
+/// Edges outside these are mended, as shares of the edge asked for.
+constexpr float shortest = 0.7f;
+constexpr float longest = 1.45f;
 
-struct Raw {
-  std::vector<glm::vec3> positions;
-  std::vector<Triangle> triangles;
-};
-
-Raw flyingEdges(const Field& field, const Box& box, float cell) {
+Facets flyingEdges(const Field& field, const Box& box, float cell) {
   const FieldGrid grid(field, box, cell);
   vtkNew<vtkFloatArray> values;
   // Flying edges only reads; the grid outlives it.
@@ -46,7 +46,7 @@ Raw flyingEdges(const Field& field, const Box& box, float cell) {
   contour->ComputeNormalsOff();
   contour->ComputeScalarsOff();
   contour->Update();
-  Raw raw;
+  Facets raw;
   vtkPolyData* out = contour->GetOutput();
   for (vtkIdType i = 0; i < out->GetNumberOfPoints(); ++i) {
     std::array<double, 3> p{};
@@ -90,7 +90,7 @@ struct Umbrella {
   glm::vec3 normal;  ///< unit, or zero
 };
 
-Umbrella umbrella(const Raw& raw, std::span<const std::uint32_t> faces, float edge) {
+Umbrella umbrella(const Facets& raw, std::span<const std::uint32_t> faces, float edge) {
   glm::vec3 sum(0.0f);
   glm::vec3 normal(0.0f);
   float weights = 0.0f;
@@ -112,7 +112,7 @@ Umbrella umbrella(const Raw& raw, std::span<const std::uint32_t> faces, float ed
 /// Each vertex towards the centroid of its triangles within the surface, then, where asked for,
 /// back onto the surface along the mesh's normal (outward), taking the field for a distance: near
 /// the surface it is one, and the last word is Newton's.
-void relax(const Field& field, Raw& raw, const VertexFaces& faces, float edge, bool back) {
+void relax(const Field& field, Facets& raw, const VertexFaces& faces, float edge, bool back) {
   std::vector<glm::vec3> moved(raw.positions.size());
   parallelFor(moved.size(), 256, [&](std::size_t v) {
     const glm::vec3 p = raw.positions[v];
@@ -130,31 +130,51 @@ void relax(const Field& field, Raw& raw, const VertexFaces& faces, float edge, b
   raw.positions = std::move(moved);
 }
 
-float signedVolume(const Raw& raw) {
+float signedVolume(const Facets& raw) {
   double volume = 0.0;
   for (const auto& [a, b, c] : raw.triangles)
     volume += double(glm::dot(raw.positions[a], glm::cross(raw.positions[b], raw.positions[c])));
   return float(volume / 6.0);
 }
 
+Facets outward(Facets raw) {
+  if (signedVolume(raw) < 0.0f)
+    for (Triangle& t : raw.triangles)
+      std::swap(t[1], t[2]);
+  return raw;
+}
+
 MeshPtr meshOf(std::vector<glm::vec3> positions, std::vector<Triangle> triangles) {
   auto mesh = Mesh::create(std::move(positions), std::move(triangles));
   return std::make_shared<const Mesh>(std::move(mesh).value());
+}
+
+void relax(const Field& field, Facets& raw, float edge, int times) {
+  const VertexFaces faces(*meshOf(raw.positions, raw.triangles));
+  for (int i = 0; i < times; ++i)
+    relax(field, raw, faces, edge, i % 2 == 1);
 }
 }  // namespace
 
 MeshPtr polygonise(const Field& field, const Box& box, float edge) {
   // A lattice cell holds about three triangles per square of surface: their edges are shorter.
-  Raw raw = flyingEdges(field, box, 1.15f * edge);
-  if (signedVolume(raw) < 0.0f)
-    for (Triangle& t : raw.triangles)
-      std::swap(t[1], t[2]);
-  const VertexFaces faces(*meshOf(raw.positions, raw.triangles));
-  for (int i = 0; i < relaxations; ++i)
-    relax(field, raw, faces, edge, i % 2 == 1);
-  parallelFor(raw.positions.size(), 256,
-              [&](std::size_t v) { raw.positions[v] = projected(field, raw.positions[v], edge); });
-  return meshOf(std::move(raw.positions), std::move(raw.triangles));
+  Facets raw = outward(flyingEdges(field, box, 1.15f * edge));
+  for (int round = 0; round < roundsOfRemeshing; ++round) {
+    relax(field, raw, edge, 2);
+    drawTogether(raw, shortest * edge, longest * edge);
+    for (int turn = 0; turn < 3; ++turn)
+      turnEdges(raw);
+  }
+  relax(field, raw, edge, relaxations);
+  return fitted(std::move(raw), field, edge);
+}
+
+MeshPtr fitted(Facets pattern, const Field& field, float edge) {
+  pattern = outward(std::move(pattern));
+  std::vector<glm::vec3>& positions = pattern.positions;
+  parallelFor(positions.size(), 256,
+              [&](std::size_t v) { positions[v] = projected(field, positions[v], edge); });
+  return meshOf(std::move(positions), std::move(pattern.triangles));
 }
 
 }  // namespace sline::model

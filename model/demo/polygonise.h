@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/demo/implicit.h"
+#include "model/demo/remesh.h"
 #include "model/geometry/mesh.h"
 
 namespace sline::model {
@@ -10,5 +11,8 @@ namespace sline::model {
 /// normals and edges of about `edge` mm: flying edges, then vertices are spread evenly within the
 /// surface and put back onto it, so that triangles are near equilateral and curvature is smooth.
 MeshPtr polygonise(const Field& field, const Box& box, float edge);
+
+/// The same from triangles that lie within an edge of the surface already: only put onto it.
+MeshPtr fitted(Facets pattern, const Field& field, float edge);
 
 }  // namespace sline::model

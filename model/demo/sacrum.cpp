@@ -168,33 +168,22 @@ void carveForamina(Sculpture& bone) {
 }
 
 void addCoccyx(Sculpture& bone) {
-  // Four pieces, each wider at its upper end, the first with transverse processes and horns.
-  bone.addPlate({{{{x - 7, -11, 895}, 3.6f},
-                  {{x, -10, 895}, 4.6f},
-                  {{x + 7, -11, 895}, 3.6f},
-                  {{x - 6, -11, 887}, 3.2f},
-                  {{x, -10.5f, 887}, 4.4f},
-                  {{x + 6, -11, 887}, 3.2f},
-                  {{x - 13, -13, 878}, 2.6f},
-                  {{x, -11.5f, 880}, 4.8f},
-                  {{x + 13, -13, 878}, 2.6f},
-                  {{x - 9, -13, 871}, 2.6f},
-                  {{x, -12, 871}, 3.8f},
-                  {{x + 9, -13, 871}, 2.6f}},
-                 3},
-                3.0f);
-  bone.addTubePair({{{x + 5, -9, 880}, 3.2f}, {{x + 6, -6, 888}, 2.2f}}, 4.0f);
-  bone.addPlate({{{{x - 6, -13.5f, 866}, 3.2f},
-                  {{x, -13, 866}, 4.6f},
-                  {{x + 6, -13.5f, 866}, 3.2f},
-                  {{x - 3, -15, 860}, 2.8f},
-                  {{x, -15, 860}, 3.6f},
-                  {{x + 3, -15, 860}, 2.8f}},
-                 3},
-                2.5f);
-  bone.addTube({{{x - 3, -18, 857}, 3.4f}, {{x, -17.5f, 857}, 4.2f}, {{x + 3, -18, 857}, 3.4f}},
-               2.5f);
-  bone.addTube({{{x, -20, 853.5f}, 3.6f}, {{x, -21.5f, 852.5f}, 3.0f}}, 2.5f);
+  // Four pieces, each smaller than the one above, the first with transverse processes and horns.
+  const auto piece = [&bone](const glm::vec3& centre, const glm::vec3& semiAxes) {
+    const Blob blob(centre, semiAxes, {-14, 0, 0});
+    bone.add([blob](const glm::vec3& p) { return blob.distance(p); }, blob.bounds(), 5.5f);
+  };
+  piece({x, -10.3f, 889}, {8.5f, 4.2f, 6});
+  piece({x, -11.2f, 880.5f}, {11, 4.6f, 6.8f});
+  bone.addTubePair({{{x + 3, -11.3f, 881}, 4},
+                    {{x + 8, -12, 880.5f}, 3.8f},
+                    {{x + 12.5f, -12.8f, 879.5f}, 3.2f}},
+                   5.0f);
+  bone.addTubePair({{{x + 4.5f, -9, 881}, 3}, {{x + 5.5f, -6.5f, 888}, 2}}, 4.0f);
+  piece({x, -12.6f, 870}, {8.6f, 4.2f, 5.8f});
+  piece({x, -15.2f, 861.7f}, {7, 3.9f, 5});
+  piece({x, -18.4f, 855.6f}, {5.2f, 3.6f, 4.2f});
+  piece({x, -20.6f, 852.4f}, {3.5f, 3.2f, 2.9f});
 }
 }  // namespace
 

@@ -36,7 +36,7 @@ std::array<float, 4> splineWeights(float t) {
 SampledField::SampledField(const LocalField& near, const Box& box, Fineness fineness)
     : m_box(box),
       m_spacing(fineness.spacing),
-      m_band(splineReach * fineness.spacing + 1.5f * fineness.smoothing) {
+      m_band(splineReach * fineness.spacing + 1.5f * fineness.smoothing + fineness.depth) {
   const float spacing = fineness.spacing;
   m_size = glm::max(glm::ivec3(glm::ceil(box.size() / spacing)) + 1, glm::ivec3(4));
   m_values.resize(std::size_t(m_size.x) * std::size_t(m_size.y) * std::size_t(m_size.z));

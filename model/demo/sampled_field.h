@@ -18,11 +18,12 @@ class SampledField {
   /// A field that need be right only within `reach` mm of a place.
   using LocalField = std::function<Field(const glm::vec3& place, float reach)>;
 
-  /// Both in mm; smoothing is the standard deviation of a Gaussian, at least 0.6 spacings, which
+  /// All in mm; smoothing is the standard deviation of a Gaussian, at least 0.6 spacings, which
   /// reading through the spline brings along.
   struct Fineness {
     float spacing;
     float smoothing;
+    float depth = 0.0f;  ///< so far from the surface distances are wanted too
   };
 
   /// Samples a field of signed distances in mm within the box; the surface should keep two spacings

@@ -2,6 +2,7 @@
 #include "model/demo/swept.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -110,6 +111,32 @@ float Swept::alongNearest(const glm::vec3& p) const {
   return glm::mix(m_samples[at.segment].along, m_samples[at.segment + 1].along, at.t);
 }
 
+SweptRing Swept::ring(float along) const {
+  const auto after = std::lower_bound(m_samples.begin() + 1, m_samples.end() - 1, along,
+                                      [](const Sample& s, float value) { return s.along < value; });
+  const Sample& a = *(after - 1);
+  const float t = std::clamp((along - a.along) / (after->along - a.along), 0.0f, 1.0f);
+  Slopes slopes;
+  const Sample at = onCurve(float(after - 1 - m_samples.begin()) + t, slopes);
+  const glm::vec3 tangent = glm::normalize(slopes.tangent);
+  const glm::vec3 front = glm::normalize(at.front - glm::dot(at.front, tangent) * tangent);
+  return {at.position, front, glm::cross(tangent, front), at.radius};
+}
+
+float Swept::distanceToOthers(const glm::vec3& p, const SweptPlace& at, float reach) const {
+  const float own = 3.5f * at.radius;
+  float least = reach;
+  for (const Run& run : m_runs) {
+    if (std::abs(m_samples[run.first].along - at.along) < own ||
+        std::abs(m_samples[run.last].along - at.along) < own || distanceToBox(run.box, p) > least)
+      continue;
+    Nearest best{.distance = least};
+    searchRun(run, p, best);
+    least = best.distance;
+  }
+  return least;
+}
+
 float Swept::beyond(float along, const glm::vec3& p, const SweptPlace& at) const {
   // Farther along, the tube may bend back through the plane of the cut.
   if (std::abs(at.along - along) > 2.0f * at.radius)
@@ -145,34 +172,36 @@ Swept::Nearest Swept::nearest(const glm::vec3& p, float reach) const {
   return best;
 }
 
-/// The quadratic B-spline over the samples, whose pieces join with one tangent: nearest to it,
-/// unlike nearest to the polyline, no crease runs around the wall where two segments meet.
-Swept::Sample Swept::onCurve(float s, glm::vec3& tangent, glm::vec3& bend) const {
-  const auto last = std::ptrdiff_t(m_samples.size()) - 1;
-  const auto k = std::clamp(std::ptrdiff_t(std::lround(s)), std::ptrdiff_t(0), last);
-  const float u = s - float(k) + 0.5f;
-  const Sample& middle = m_samples[std::size_t(k)];
-  const Sample& before = m_samples[std::size_t(std::max(k - 1, std::ptrdiff_t(0)))];
-  const Sample& after = m_samples[std::size_t(std::min(k + 1, last))];
-  // At the ends the curve goes straight on.
-  const glm::vec3 a = k > 0 ? before.position : 2.0f * middle.position - after.position;
-  const glm::vec3 c = k < last ? after.position : 2.0f * middle.position - before.position;
-  const float wa = 0.5f * (1.0f - u) * (1.0f - u);
-  const float wc = 0.5f * u * u;
-  const float wb = 1.0f - wa - wc;
-  tangent = (1.0f - u) * (middle.position - a) + u * (c - middle.position);
-  bend = a - 2.0f * middle.position + c;
-  const auto blend = [&](float Sample::*field) {
-    const float va = k > 0 ? before.*field : 2.0f * middle.*field - after.*field;
-    const float vc = k < last ? after.*field : 2.0f * middle.*field - before.*field;
-    return wa * va + wb * middle.*field + wc * vc;
+float Swept::distanceToRuns(const glm::vec3& p) const {
+  float least = std::numeric_limits<float>::infinity();
+  for (const Run& run : m_runs)
+    least = std::min(least, distanceToBox(run.box, p));
+  return least;
+}
+
+/// The cubic B-spline over the samples: nearest to it, unlike nearest to the polyline, no crease
+/// runs around the wall where two segments meet, and its curvature is continuous.
+Swept::Sample Swept::onCurve(float s, Slopes& slopes) const {
+  const std::size_t last = m_samples.size() - 1;
+  const std::size_t k = std::min(std::size_t(s), last - 1);
+  const float t = s - float(k);
+  const float r = 1.0f - t;
+  const Sample& a = m_samples[k];
+  const Sample& b = m_samples[k + 1];
+  // At the ends everything goes straight on.
+  const auto blend = [&](auto Sample::*field, const std::array<float, 4>& w) {
+    const auto before = k > 0 ? m_samples[k - 1].*field : 2.0f * (a.*field) - b.*field;
+    const auto after = k + 1 < last ? m_samples[k + 2].*field : 2.0f * (b.*field) - a.*field;
+    return w[0] * before + w[1] * (a.*field) + w[2] * (b.*field) + w[3] * after;
   };
-  return {wa * a + wb * middle.position + wc * c,
-          blend(&Sample::radius),
-          blend(&Sample::depth),
-          blend(&Sample::along),
-          blend(&Sample::widths),
-          wa * before.front + wb * middle.front + wc * after.front};
+  const std::array<float, 4> first{-0.5f * r * r, 0.5f * (3 * t * t - 4 * t),
+                                   0.5f * (4 * r - 3 * r * r), 0.5f * t * t};
+  slopes = {blend(&Sample::position, first), blend(&Sample::position, {r, 3 * t - 2, 1 - 3 * t, t}),
+            blend(&Sample::radius, first)};
+  const std::array<float, 4> w{r * r * r / 6, (3 * t * t * t - 6 * t * t + 4) / 6,
+                               (3 * r * r * r - 6 * r * r + 4) / 6, t * t * t / 6};
+  return {blend(&Sample::position, w), blend(&Sample::radius, w), blend(&Sample::depth, w),
+          blend(&Sample::along, w),    blend(&Sample::widths, w), blend(&Sample::front, w)};
 }
 
 SweptPlace Swept::place(const glm::vec3& p) const {
@@ -181,21 +210,26 @@ SweptPlace Swept::place(const glm::vec3& p) const {
     return {.distance = toBox};
   const Nearest at = nearest(p, farAway);
   if (std::isinf(at.distance))
-    return {.distance = farAway};
-  // Newton's method for the foot of the perpendicular, from the polyline's.
+    return {.distance = std::max(farAway, distanceToRuns(p))};
+  // Newton's method for the place whose sphere is nearest, from the polyline's: the wall is what
+  // spheres along the curve envelop, and so their caps join it smoothly where it widens.
   const float end = float(m_samples.size() - 1);
   float s = float(at.segment) + at.t;
-  glm::vec3 tangent(0.0f);
-  glm::vec3 bend(0.0f);
-  Sample foot = onCurve(s, tangent, bend);
+  Slopes slopes;
+  Sample foot = onCurve(s, slopes);
   for (int step = 0; step < 3; ++step) {
     const glm::vec3 d = foot.position - p;
-    const float squared = glm::dot(tangent, tangent);
-    const float slope = std::max(squared + glm::dot(d, bend), 0.3f * squared);
-    s = std::clamp(s - std::clamp(glm::dot(d, tangent) / slope, -1.0f, 1.0f), 0.0f, end);
-    foot = onCurve(s, tangent, bend);
+    const float squared = glm::dot(slopes.tangent, slopes.tangent);
+    const float off = glm::dot(d, slopes.tangent) - slopes.widening * glm::length(d);
+    const float slope = std::max(
+        squared + glm::dot(d, slopes.bend) - slopes.widening * slopes.widening, 0.3f * squared);
+    const float better = std::clamp(s - std::clamp(off / slope, -1.0f, 1.0f), 0.0f, end);
+    if (std::abs(better - s) < 1e-4f)
+      break;
+    s = better;
+    foot = onCurve(s, slopes);
   }
-  tangent = glm::normalize(tangent);
+  const glm::vec3 tangent = glm::normalize(slopes.tangent);
   const glm::vec3 front = glm::normalize(foot.front - glm::dot(foot.front, tangent) * tangent);
   const glm::vec3 side = glm::cross(tangent, front);
   const glm::vec3 offset = p - foot.position;

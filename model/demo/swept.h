@@ -28,6 +28,14 @@ struct SweptPlace {
   float radius = 1.0f;    ///< half the width here, mm
 };
 
+/// A cross-section.
+struct SweptRing {
+  glm::vec3 position;  ///< on the centre line
+  glm::vec3 front;     ///< unit, square to the line, where the angle is 0
+  glm::vec3 side;      ///< unit, where it is a right one
+  float radius;        ///< half the width, mm
+};
+
 /// A body along a centripetal Catmull-Rom curve through the given points. The cross-section's depth
 /// points to `front` at the start and is carried on without twist; the ends are rounded.
 class Swept {
@@ -37,6 +45,11 @@ class Swept {
   /// The signed distance to the wall; from far away a lower bound.
   float distance(const glm::vec3& p) const { return place(p).distance; }
   SweptPlace place(const glm::vec3& p) const;
+
+  SweptRing ring(float along) const;
+  /// About the distance from the point to the walls of other stretches of the tube than that at its
+  /// own place, at most `reach` mm.
+  float distanceToOthers(const glm::vec3& p, const SweptPlace& at, float reach) const;
 
   float length() const { return m_samples.back().along; }
   const Box& bounds() const { return m_bounds; }
@@ -67,8 +80,16 @@ class Swept {
     float t = 0.0f;
     float distance = 0.0f;  ///< to a round wall
   };
-  /// At `s` samples from the start, with first and second derivative of its place.
-  Sample onCurve(float s, glm::vec3& tangent, glm::vec3& bend) const;
+  /// How the curve goes on, per sample.
+  struct Slopes {
+    glm::vec3 tangent{0.0f};
+    glm::vec3 bend{0.0f};  ///< second derivative
+    float widening = 0.0f;
+  };
+  /// At `s` samples from the start.
+  Sample onCurve(float s, Slopes& slopes) const;
+  /// To the boxes around parts of the wall: a lower bound.
+  float distanceToRuns(const glm::vec3& p) const;
   void smooth();
   void carryFrames(const glm::vec3& front);
   void gatherRuns();

@@ -36,22 +36,19 @@ row() { # NAME SCENE STRUCTURE VIEW: gamma 0 to 5 side by side
 
 vessels=(--gamma Arteries=3 --gamma Veins=3 --ink-colour Arteries=#a81c14 --ink-colour Veins=#1f468f)
 
-# Abdomen: what is in focus shaded, vessels hatched, the rest contours.
-abdomen=(--size 900x900 --gamma 1.4 --fill paper "${vessels[@]}" --gamma "Portal system=3"
-  --ink-colour "Portal system=#56439c")
-plate abdomen_front abdomen --view Overview "${abdomen[@]}" --gamma liver=4.3 --gamma stomach=4.3 \
-  --gamma "Biliary system=4.5" --gamma pancreas=4.5 --gamma spleen=4.3
-plate abdomen_left abdomen --view left "${abdomen[@]}" --gamma stomach=4.3 --gamma spleen=4.5 \
-  --gamma "descending colon=4.3" --gamma "left kidney=4.5"
-plate abdomen_back abdomen --view "Posterior abdominal wall" "${abdomen[@]}" \
-  --gamma "Urinary system=4.5" --gamma "right adrenal gland=4.5" --gamma "left adrenal gland=4.5"
+# Abdomen as the program opens with it: what is in focus shaded, vessels hatched, the rest contours.
+plate abdomen_front abdomen --view Overview --size 900x900
+plate abdomen_left abdomen --view left --size 900x900 --gamma "descending colon=4.3"
+plate abdomen_back abdomen --view "From behind" --size 900x900
 
 # Pelvis: first as the program opens with it.
 plate pelvis pelvis --size 1000x800
-pelvis=(--size 1000x800 "${vessels[@]}")
+pelvis=(--size 1000x800)
 plate pelvis_front pelvis --view Overview "${pelvis[@]}"
 plate pelvis_back pelvis --view posterior "${pelvis[@]}" --gamma Nerves=4.5
-plate pelvis_left pelvis --view left "${pelvis[@]}" --fill veil --gamma Bones=1
+# The left wall of the pelvis is taken away beside the sacrum, organs and vessels stay whole.
+plate pelvis_left pelvis --view left --size 900x900 --section sagittal=32:right \
+  --section-group Bones --section-group Muscles --section-group Nerves
 
 # Half pelves
 plate half_pelvis_male pelvis --sex male --view Midsagittal --section sagittal --size 900x900
@@ -59,7 +56,7 @@ plate half_pelvis_female pelvis --view Midsagittal --section sagittal --size 900
 
 # Print, cut
 plate print pelvis --bw --view Midsagittal --section sagittal --size 1000x1000
-plate abdomen_axial abdomen --view inferior --section axial=-10:superior --size 1100x800
+plate abdomen_axial abdomen --view "Transpyloric plane" --size 1100x800
 
 row gamma_liver abdomen liver anterior
 row gamma_kidney kidney "left kidney" anterior

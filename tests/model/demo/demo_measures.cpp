@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/model/demo/demo_measures.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -10,6 +12,7 @@
 #include <string>
 
 #include "model/geometry/spatial_order.h"
+#include "model/geometry/topology.h"
 
 namespace sline::test {
 
@@ -19,6 +22,25 @@ double volumeOf(const model::Mesh& mesh) {
     sum +=
         double(glm::dot(mesh.positions()[a], glm::cross(mesh.positions()[b], mesh.positions()[c])));
   return sum / 6.0;
+}
+
+std::vector<double> volumesOfParts(const model::Mesh& mesh) {
+  const model::Components parts = model::connectedComponents(mesh);
+  std::vector<double> volumes(parts.count, 0.0);
+  for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+    const auto& [a, b, c] = mesh.triangles()[t];
+    volumes[parts.ofTriangle[t]] +=
+        double(
+            glm::dot(mesh.positions()[a], glm::cross(mesh.positions()[b], mesh.positions()[c]))) /
+        6.0;
+  }
+  std::sort(volumes.begin(), volumes.end(), std::greater<>());
+  return volumes;
+}
+
+int handlesOf(const model::Mesh& mesh) {
+  // Euler and Poincaré: V − E + F = 2 − 2 g, and E = 3 F / 2.
+  return 1 - (int(mesh.vertexCount()) - int(mesh.triangleCount()) / 2) / 2;
 }
 
 bool inside(const model::Bvh& bvh, const glm::vec3& p) {

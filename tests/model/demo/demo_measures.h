@@ -13,6 +13,13 @@ namespace sline::test {
 /// mm³; positive where the triangles face outwards.
 double volumeOf(const model::Mesh& mesh);
 
+/// The same of each connected part, the largest first; a cavity's is negative.
+std::vector<double> volumesOfParts(const model::Mesh& mesh);
+
+/// How many handles a closed mesh of one piece has: 0 for a ball or a cup, 1 for a ring or a pipe
+/// open at both ends, 2 where one more opening is added.
+int handlesOf(const model::Mesh& mesh);
+
 /// True where a ray from the point leaves the closed mesh an odd number of times.
 bool inside(const model::Bvh& bvh, const glm::vec3& p);
 

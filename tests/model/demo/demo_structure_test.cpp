@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/demo/field_grid.h"
+#include "model/demo/pipe.h"
 #include "model/demo/polygonise.h"
 #include "model/geometry/surface.h"
 #include "model/geometry/topology.h"
@@ -91,6 +92,51 @@ class DemoStructureTest : public QObject {
     }
   }
 
+  // Without an opening the cavity is a closed surface of its own that faces inward.
+  void closedCavityFacesInward() {
+    DemoStructure hollow = ball("hollow", {0, 0, 0}, 12);
+    hollow.wall = 2.0f;
+    hollow.folds = [](const glm::vec3& p) { return p.z > 0.0f ? 1.0f : 0.0f; };
+    const model::Scene scene = model::demoScene({hollow});
+    const model::Mesh& mesh = meshOf(scene, "hollow");
+    QVERIFY(model::countEdges(mesh, model::VertexFaces(mesh)).closed());
+    QCOMPARE(model::connectedComponents(mesh).count, std::size_t(2));
+    const double ballOf1mm = 4.0 / 3.0 * 3.14159265;
+    const double cavity = ballOf1mm * 0.5 * (1000.0 + 729.0);
+    QVERIFY(std::abs(volumeOf(mesh) / (ballOf1mm * 1728.0 - cavity) - 1.0) < 0.02);
+    for (const auto& [a, b, c] : mesh.triangles()) {
+      const glm::vec3 middle =
+          (mesh.positions()[a] + mesh.positions()[b] + mesh.positions()[c]) / 3.0f;
+      const glm::vec3 normal = glm::cross(mesh.positions()[b] - mesh.positions()[a],
+                                          mesh.positions()[c] - mesh.positions()[a]);
+      if (std::abs(middle.z) > 2.0f)
+        QCOMPARE(glm::dot(normal, middle) > 0.0f, glm::length(middle) > 11.0f);
+    }
+  }
+
+  // Smoothing takes off what is finer than it and leaves the rest.
+  void smoothingTakesOffFineRipples() {
+    DemoStructure rippled = ball("rippled", {0, 0, 0}, 12);
+    rippled.field = [](const glm::vec3& p) {
+      return glm::length(p) - 12.0f + 0.3f * std::sin(1.6f * p.x) * std::sin(1.6f * p.z);
+    };
+    const auto roughness = [&](float smoothing) {
+      rippled.smoothing = smoothing;
+      const model::Scene scene = model::demoScene({rippled});
+      double sum = 0.0;
+      double squares = 0.0;
+      const model::Mesh& mesh = meshOf(scene, "rippled");
+      for (const glm::vec3& p : mesh.positions()) {
+        sum += double(glm::length(p));
+        squares += double(glm::dot(p, p));
+      }
+      const double mean = sum / double(mesh.vertexCount());
+      return std::sqrt(squares / double(mesh.vertexCount()) - mean * mean);
+    };
+    QVERIFY(roughness(0.0f) > 0.1);
+    QVERIFY(roughness(1.5f) < 0.02);
+  }
+
   // A rod cut by a ball near one end keeps the longer piece only.
   void crumbsAreDropped() {
     const std::array<model::TubePoint, 2> ends{{{{0, 0, 0}, 2.0f}, {{40, 0, 0}, 2.0f}}};
@@ -159,7 +205,69 @@ class DemoStructureTest : public QObject {
       const double squares = double(glm::dot(u, u) + glm::dot(v, v) + glm::dot(w, w));
       quality += 4.0 * std::sqrt(3.0) * area / squares;  // 1 where equilateral
     }
-    QVERIFY(quality / double(mesh->triangleCount()) > 0.9);
+    QVERIFY(quality / double(mesh->triangleCount()) > 0.93);
+    // As evenly meshed as drawn lines need it: two in three vertices have six neighbours.
+    const model::VertexFaces faces(*mesh);
+    std::size_t regular = 0;
+    for (std::size_t v = 0; v < mesh->vertexCount(); ++v)
+      regular += faces[v].size() == 6;
+    QVERIFY(3 * regular > 2 * mesh->vertexCount());
+  }
+
+  // A bent pipe cut askew: closed, of one handle, six neighbours everywhere, its wall between the
+  // two radii and its ends in their planes.
+  void pipeIsEven() {
+    const std::array<model::TubePoint, 4> through{
+        {{{-10, 0, 0}, 5.0f}, {{15, 5, 0}, 5.0f}, {{25, 0, 8}, 4.0f}, {{40, 0, 20}, 5.0f}}};
+    const model::Tube tube(through);
+    const std::array<model::PipeEnd, 2> ends{
+        {{{0, 2.5f, 0}, glm::normalize(glm::vec3(-1, 0.2f, 0.1f))},
+         {{33, 0, 15}, glm::normalize(glm::vec3(1, 0.3f, 0.5f))}}};
+    model::Facets facets = model::pipe(tube.course(), 1.5f, ends, 1.2f);
+    const auto mesh = std::make_shared<const model::Mesh>(
+        model::Mesh::create(std::move(facets.positions), std::move(facets.triangles)).value());
+    const model::VertexFaces faces(*mesh);
+    QVERIFY(model::countEdges(*mesh, faces).closed());
+    QCOMPARE(model::connectedComponents(*mesh).count, std::size_t(1));
+    QCOMPARE(test::handlesOf(*mesh), 1);
+    std::size_t inPlane = 0;
+    for (std::size_t v = 0; v < mesh->vertexCount(); ++v) {
+      QCOMPARE(faces[v].size(), std::size_t(6));
+      const glm::vec3& p = mesh->positions()[v];
+      const float d = tube.distance(p);
+      QVERIFY(std::abs(d) < 0.02f || std::abs(d + 1.5f) < 0.02f);
+      for (const model::PipeEnd& end : ends) {
+        const float beyond = glm::dot(p - end.point, end.normal);
+        QVERIFY(beyond < 1e-3f);
+        inPlane += beyond > -1e-3f;
+      }
+    }
+    QVERIFY(inPlane >= 4 * 12);
+  }
+
+  // Drawing edges together coarsens a body and neither opens nor pinches it. A tetrahedron has none
+  // to give.
+  void remeshingKeepsTheSurfaceClosed() {
+    const Field drop = [](const glm::vec3& p) { return model::ellipsoid(p, {9, 5, 4}); };
+    const auto even = model::polygonise(drop, {{-11, -7, -6}, {11, 7, 6}}, 0.8f);
+    model::Facets facets{{even->positions().begin(), even->positions().end()},
+                         {even->triangles().begin(), even->triangles().end()}};
+    const std::size_t before = facets.triangles.size();
+    for (int pass = 0; pass < 6; ++pass) {
+      model::drawTogether(facets, 1.1f, 2.2f);
+      model::turnEdges(facets);
+    }
+    QVERIFY(facets.triangles.size() < before * 3 / 4);
+    const auto coarse = model::Mesh::create(facets.positions, facets.triangles).value();
+    QVERIFY(model::countEdges(coarse, model::VertexFaces(coarse)).closed());
+    QCOMPARE(test::handlesOf(coarse), 0);
+    QVERIFY(std::abs(volumeOf(coarse) / volumeOf(*even) - 1.0) < 0.03);
+
+    model::Facets tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                              {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+    model::drawTogether(tetrahedron, 10.0f, 20.0f);
+    model::turnEdges(tetrahedron);
+    QCOMPARE(tetrahedron.triangles.size(), std::size_t(4));
   }
 };
 

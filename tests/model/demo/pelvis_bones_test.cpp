@@ -174,6 +174,15 @@ class PelvisBonesTest : public QObject {
     const glm::vec3 males = meshOf(m_male, "sacrum")->bounds().size();
     QVERIFY(size.z < 0.97f * males.z && size.x > 1.03f * males.x);
   }
+
+  // To a woman's pelvis and back.
+  void femaleMapHasAnInverse() {
+    for (float x = -180; x <= 180; x += 40)
+      for (float z = 720; z <= 1090; z += 30) {
+        const glm::vec3 p(x, -0.5f * x, z);
+        QVERIFY(glm::distance(model::fromFemalePelvis(model::toFemalePelvis(p)), p) < 0.01f);
+      }
+  }
 };
 
 QTEST_APPLESS_MAIN(PelvisBonesTest)

@@ -100,6 +100,65 @@ class PelvisTest : public QObject {
     }
   }
 
+  // Hollow bodies have as many ways in as in life and no hole more: a handle for each opening after
+  // the first.
+  void waysIntoHollowBodies_data() {
+    QTest::addColumn<int>("sex");
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<int>("handles");
+    const auto row = [](Sex sex, const char* name, int handles) {
+      QTest::addRow("%s of a %s pelvis", name, sex == Sex::male ? "man's" : "woman's")
+          << int(sex) << QString(name) << handles;
+    };
+    for (const Sex sex : {Sex::male, Sex::female}) {
+      for (const char* side : {"left", "right"})
+        for (const char* vessel : {"common iliac artery", "external iliac artery",
+                                   "common iliac vein", "external iliac vein"})
+          row(sex, (std::string(side) + " " + vessel).c_str(), 1);
+      row(sex, "abdominal aorta", 2);
+      row(sex, "inferior vena cava", 2);
+      row(sex, "urinary bladder", 0);
+      row(sex, "sigmoid colon", 1);
+      row(sex, "rectum", 1);
+    }
+    row(Sex::female, "uterus", 0);
+    row(Sex::female, "vagina", 1);
+    row(Sex::female, "urethra", 1);
+  }
+  void waysIntoHollowBodies() {
+    QFETCH(const int, sex);
+    QFETCH(const QString, name);
+    QFETCH(const int, handles);
+    QCOMPARE(test::handlesOf(*meshNamed(pelvis(Sex(sex)), name.toStdString())), handles);
+  }
+
+  // The middle of a lumen is not wall.
+  void lumenIsEmpty_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<float>("x");
+    QTest::addColumn<float>("y");
+    QTest::addColumn<float>("z");
+    QTest::addColumn<float>("toWall");  // mm towards the back
+    QTest::newRow("uterus") << QString("uterus") << -1.2f << -99.0f << 905.0f << 8.0f;
+    QTest::newRow("vagina") << QString("vagina") << -1.2f << -82.5f << 838.0f << 3.2f;
+    QTest::newRow("urethra") << QString("urethra") << -1.2f << -103.5f << 836.0f << 2.4f;
+    QTest::newRow("left artery") << QString("left common iliac artery") << 17.5f << -125.0f
+                                 << 1013.0f << 5.0f;
+    QTest::newRow("right vein") << QString("right external iliac vein") << -51.5f << -89.5f
+                                << 917.0f << 5.4f;
+  }
+  void lumenIsEmpty() {
+    QFETCH(const QString, name);
+    QFETCH(const float, x);
+    QFETCH(const float, y);
+    QFETCH(const float, z);
+    QFETCH(const float, toWall);
+    const auto& scene = pelvis(Sex::female);
+    const test::Solid solid(scene.find(scene.named(name.toStdString()).front())->mesh);
+    QVERIFY(!solid.contains(model::toFemalePelvis({x, y, z})));
+    QVERIFY(solid.contains(model::toFemalePelvis({x, y + toWall, z})));
+  }
+
   void noTwoOverlap_data() { addSexes(); }
   void noTwoOverlap() {
     QFETCH(const int, sex);
