@@ -266,7 +266,7 @@ Status Picture::drawPlainPhong(const model::Scene& scene, const model::Camera& c
     data.plainPhong->draw(*data.device, target, {view.viewProjection(), view.eyeVector()},
                           *s.cached->geometry,
                           glm::vec3(float(c.red), float(c.green), float(c.blue)) / 255.0f);
-    queue.add(*data.device, s.cached->geometry->indexCount());
+    queue.addTriangles(*data.device, s.cached->geometry->indexCount());
   }
   stopwatch.pass(*data.device, "plain phong");
   data.timings = stopwatch.done();

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/session/scene_job.h"
 
+#include <chrono>
 #include <exception>
 #include <new>
+
+#include "widgets/session/background_thread.h"
 
 namespace sline::widgets {
 
@@ -25,6 +28,7 @@ Result<Loaded> made(const SceneMaker& maker, const model::ImportProgress& progre
 
 SceneJob::SceneJob(SceneMaker maker, QObject* parent) : QObject(parent) {
   m_thread = std::thread([this, maker = std::move(maker)] {
+    standBack();
     const auto progress = [this](float done, const std::string& what) {
       return report(done, what);
     };
@@ -44,8 +48,12 @@ void SceneJob::cancel() {
 }
 
 bool SceneJob::report(float done, const std::string& what) {
-  const int percent = int(100.0f * done);
-  if (m_percent.exchange(percent) != percent)
+  using namespace std::chrono;
+  constexpr std::int64_t pause = 100;  // as often as an eye can follow; whoever shows it repaints
+  const std::int64_t now =
+      duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
+  std::int64_t last = m_lastReport;
+  if (now - last >= pause && m_lastReport.compare_exchange_strong(last, now))
     emit progressed(double(done), QString::fromStdString(what));
   return !m_cancelled;
 }

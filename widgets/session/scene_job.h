@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -29,7 +30,7 @@ class SceneJob : public QObject {
   void cancel();
 
  signals:
-  /// `done` in [0, 1]; at most one per percent or change of text.
+  /// `done` in [0, 1]; at most ten in a second.
   void progressed(double done, const QString& what);
   void made(const sline::widgets::Loaded& loaded);
   void failed(const sline::Error& error);
@@ -40,7 +41,7 @@ class SceneJob : public QObject {
   void finish(const std::shared_ptr<Result<Loaded>>& result);
 
   std::atomic<bool> m_cancelled = false;
-  std::atomic<int> m_percent = -1;
+  std::atomic<std::int64_t> m_lastReport = 0;  ///< milliseconds of the steady clock
   std::thread m_thread;
 };
 

@@ -31,8 +31,6 @@ class Viewport : public QOpenGLWidget {
   const model::Camera& camera() const { return m_camera; }
   void setCamera(const model::Camera& camera);
   void showFrom(model::AnatomicalView view);
-  /// As a scene is first seen: its view of that name, else the body from the front.
-  void showOverview();
   /// Fits all that is visible without turning the camera; it becomes what the camera turns around.
   void fitAll();
   render::Background background() const { return m_background; }
@@ -74,7 +72,13 @@ class Viewport : public QOpenGLWidget {
   void documentChange(const Document& before, const Document& now);
   void pick(const QPointF& at, PickFor purpose);
   void picked(const std::optional<Pick>& pick, PickFor purpose);
+  void styleLetters();
   void placeLetters();
+  model::Camera cameraFrom(model::AnatomicalView view) const;
+  /// As a scene is first seen: its view of that name, else the body from the front.
+  model::Camera overview() const;
+  /// The camera turns around the middle of what is shown.
+  void pivotToMiddle();
   render::gpu::TextureSize pixels() const;
   glm::vec2 size2() const { return {float(width()), float(height())}; }
   std::vector<glm::vec3> visibleCorners() const;
@@ -96,7 +100,6 @@ class Viewport : public QOpenGLWidget {
   bool m_moving = false;
   std::uint64_t m_asked = 0;  ///< the newest request
   float m_askedScale = 1.0f;
-  bool m_askedMoving = false;
   std::uint64_t m_shown = 0;  ///< on screen
   double m_lastMilliseconds = 0.0;
 
