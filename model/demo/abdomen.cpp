@@ -125,8 +125,8 @@ std::vector<DemoStructure> abdomenStructures(Sex sex) {
   return all;
 }
 
-Scene abdomenDemo(Sex sex) {
-  Scene scene = demoScene(abdomenStructures(sex));
+Scene abdomenDemo(Sex sex, const std::stop_token& stop) {
+  Scene scene = demoScene(abdomenStructures(sex), stop);
   const float size = sex == Sex::female ? femaleSize : 1.0f;
   scene.setViews(
       {viewFrom("Overview", size * glm::vec3(0, -10, -58), {0.10f, -1.0f, 0.06f}, size * 400.0f),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "model/demo/demo_structure.h"
@@ -14,7 +15,7 @@ std::vector<DemoStructure> abdomenStructures(Sex sex);
 /// surfaces in groups by system, patient frame LPS, millimetres. No organ here differs between the
 /// sexes in kind; the female body is the male one at 0.93 of its size, the ratio of mean statures.
 /// Saved views: "Overview", "Behind the stomach", "Posterior abdominal wall", "Visceral surface of
-/// the liver".
-Scene abdomenDemo(Sex sex);
+/// the liver". Throws ModellingStopped where `stop` is asked for on the way.
+Scene abdomenDemo(Sex sex, const std::stop_token& stop = {});
 
 }  // namespace sline::model

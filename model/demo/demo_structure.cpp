@@ -10,6 +10,7 @@
 
 #include "model/base/parallel.h"
 #include "model/demo/polygonise.h"
+#include "model/demo/stopping.h"
 #include "model/geometry/topology.h"
 
 namespace sline::model {
@@ -129,7 +130,9 @@ NodeId groupAt(Scene& scene, std::map<std::vector<std::string>, NodeId>& known,
 }
 }  // namespace
 
-Scene demoScene(const std::vector<DemoStructure>& structures) {
+Scene demoScene(std::vector<DemoStructure> structures, const std::stop_token& stop) {
+  for (DemoStructure& s : structures)
+    s.field = stoppable(std::move(s.field), stop);
   assert(namesAreUnique(structures));
   std::vector<MeshPtr> meshes(structures.size());
   // The largest first, so that none of them is left to run alone at the end.
@@ -143,8 +146,15 @@ Scene demoScene(const std::vector<DemoStructure>& structures) {
             [&](std::size_t a, std::size_t b) { return work(a) > work(b); });
   parallelFor(order.size(), 1, [&](std::size_t k) {
     const DemoStructure& s = structures[order[k]];
-    meshes[order[k]] = largestComponent(polygonise(cutField(s, structures), s.box, s.edge));
+    // An exception out of this loop would also break off what VTK has under way for others, whose
+    // loops nest in it, and VTK takes no notice.
+    try {
+      meshes[order[k]] = largestComponent(polygonise(cutField(s, structures), s.box, s.edge));
+    } catch (const ModellingStopped&) {
+      return;
+    }
   });
+  goOnUnless(stop);
 
   Scene scene;
   std::map<std::vector<std::string>, NodeId> groups;

@@ -11,6 +11,7 @@
 
 #include "model/demo/implicit.h"
 #include "model/demo/polygonise.h"
+#include "model/demo/stopping.h"
 
 namespace sline::model {
 
@@ -107,14 +108,16 @@ void addStructure(Scene& scene, NodeId group, const char* name, MeshPtr mesh, Lo
 }
 }  // namespace
 
-Scene kidneyDemo() {
+Scene kidneyDemo(const std::stop_token& stop) {
   const Tubes artery = arteryTubes();
   const Tubes vein = veinTubes();
   const Tubes ureter = ureterTubes();
   constexpr float blend = 3.0f;
   // Vessels keep clear of each other and of the kidney by a hair, so no two structures overlap.
   constexpr float gap = 0.6f;
-  const Field arteryField = [&](const glm::vec3& p) { return branched(artery, p, blend); };
+  // All the others ask the artery.
+  const Field arteryField =
+      stoppable([&](const glm::vec3& p) { return branched(artery, p, blend); }, stop);
   const Field veinField = [&](const glm::vec3& p) {
     return blendedDifference(branched(vein, p, blend), arteryField(p) - gap, 1.0f);
   };

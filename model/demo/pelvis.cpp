@@ -95,7 +95,7 @@ std::vector<View> savedViews() {
 }
 }  // namespace
 
-std::vector<DemoStructure> pelvisStructures(Sex sex) {
+std::vector<DemoStructure> pelvisStructures(Sex sex, const std::stop_token& stop) {
   std::vector<DemoStructure> soft = pelvisMuscles();
   inkMuscles(soft);
   append(soft, pelvisOrgans(sex));
@@ -106,14 +106,14 @@ std::vector<DemoStructure> pelvisStructures(Sex sex) {
   if (sex == Sex::female)
     for (DemoStructure& s : soft)
       widen(s);
-  std::vector<DemoStructure> list = pelvisBones(sex);
+  std::vector<DemoStructure> list = pelvisBones(sex, stop);
   append(list, std::move(soft));
   settle(list);
   return list;
 }
 
-Scene pelvisDemo(Sex sex) {
-  Scene scene = demoScene(pelvisStructures(sex));
+Scene pelvisDemo(Sex sex, const std::stop_token& stop) {
+  Scene scene = demoScene(pelvisStructures(sex, stop), stop);
   scene.setViews(savedViews());
   return scene;
 }

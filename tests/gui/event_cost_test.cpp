@@ -21,7 +21,7 @@ WatchedApplication& watch() {
 }
 
 /// 40 groups of 25 small structures.
-Result<widgets::Loaded> crowd(const model::ImportProgress&) {
+Result<widgets::Loaded> crowd(const model::ImportProgress&, const std::stop_token&) {
   model::Scene scene;
   for (int g = 0; g < 40; ++g) {
     const model::NodeId group = scene.append({.name = "Group " + std::to_string(g)});

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The window never waits for a picture, and shows the newest there is.
+#include <QDirIterator>
+#include <QElapsedTimer>
 #include <QtTest>
 
 #include "model/edit/emphasis.h"
@@ -106,6 +108,38 @@ class WaitingTest : public QObject {
     gate->pass.release();
     f.reset();
     QCOMPARE(gate->begun.load(), gate->done.load());
+  }
+
+  /// Nor does one that closes while a demo is modelled wait for its end: it never gets as far as
+  /// the cache.
+  void closesWhileModelling_data() {
+    QTest::addColumn<QString>("demo");
+    QTest::addColumn<int>("after");
+    for (const int after : {0, 200, 700}) {
+      QTest::addRow("pelvis, %d ms", after) << "demo-pelvis-male" << after;
+      QTest::addRow("abdomen, %d ms", after) << "demo-abdomen-male" << after;
+    }
+  }
+  void closesWhileModelling() {
+    QFETCH(QString, demo);
+    QFETCH(int, after);
+    const QTemporaryDir cache;
+    qputenv("XDG_CACHE_HOME", cache.path().toLocal8Bit());
+    auto f = std::make_unique<WindowFixture>();
+    f->window.findChild<QAction*>(demo)->trigger();
+    QTest::qWait(after);
+    QVERIFY(f->session.busy());
+    QElapsedTimer clock;
+    clock.start();
+    f->window.close();
+    QVERIFY(!f->window.isVisible());
+    const qint64 closed = clock.restart();
+    f.reset();
+    qInfo("closed in %lld ms, gone in %lld ms", closed, clock.elapsed());
+    QDirIterator files(cache.path(), QDir::Files, QDirIterator::Subdirectories);
+    while (files.hasNext())
+      QVERIFY2(!files.next().endsWith(QStringLiteral(".scene")), "it was modelled to the end");
+    qunsetenv("XDG_CACHE_HOME");
   }
 };
 

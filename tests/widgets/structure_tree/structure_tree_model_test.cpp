@@ -27,9 +27,11 @@ class StructureTreeModelTest : public QObject {
     return scene;
   }
   static bool open(Session& session) {
-    session.openMade(QStringLiteral("body"), [](const model::ImportProgress&) -> Result<Loaded> {
-      return Loaded{.scene = body(), .title = QStringLiteral("body"), .remarks = {}};
-    });
+    session.openMade(QStringLiteral("body"),
+                     [](const model::ImportProgress&, const std::stop_token&) -> Result<Loaded> {
+                       return Loaded{
+                           .scene = body(), .title = QStringLiteral("body"), .remarks = {}};
+                     });
     return QTest::qWaitFor([&] { return !session.busy(); });
   }
   static model::NodeId id(const Session& session, const char* name) {
