@@ -132,7 +132,8 @@ void Viewport::refresh() {
                          .camera = m_camera,
                          .settings = {.width = scaled(size.width, m_askedScale),
                                       .height = scaled(size.height, m_askedScale),
-                                      .background = m_background},
+                                      .background = m_background,
+                                      .keyLight = m_keyLight},
                          .scale = m_askedScale,
                          .moving = m_moving};
   m_thread->ask(std::move(request));
@@ -235,12 +236,20 @@ void Viewport::setBackground(render::Background background) {
   emit backgroundChanged();
 }
 
+void Viewport::setKeyLight(bool on) {
+  if (on == m_keyLight)
+    return;
+  m_keyLight = on;
+  refresh();
+}
+
 void Viewport::documentChange(const Document& before, const Document& now) {
   const bool another = before.opening != now.opening;
   if (!another && before.scene == now.scene)
     return;
   if (another) {
     m_drag.reset();
+    m_quality = {};
     pivotToMiddle();
     m_camera = overview();
   }

@@ -35,6 +35,9 @@ class Viewport : public QOpenGLWidget {
   void fitAll();
   render::Background background() const { return m_background; }
   void setBackground(render::Background background);
+  /// A light from the upper left besides the headlight, on what is shaded.
+  bool keyLight() const { return m_keyLight; }
+  void setKeyLight(bool on);
 
   /// True where the picture on screen is of the document and the camera as they are, in full size.
   bool upToDate() const;
@@ -91,6 +94,7 @@ class Viewport : public QOpenGLWidget {
   model::Camera m_camera;
   glm::vec3 m_pivot{0.0f};
   render::Background m_background = render::Background::paper;
+  bool m_keyLight = false;
   std::optional<CameraDrag> m_drag;
   QPointF m_pressed;
   bool m_dragged = false;  ///< the mouse went far enough that the release is no click
