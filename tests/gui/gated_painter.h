@@ -30,7 +30,7 @@ class GatedPainter : public widgets::PicturePainter {
     ++m_gate->begun;
     if (!m_gate->open)
       m_gate->pass.acquire();
-    const Result<bool> painted = m_painter->paint(request, job);
+    Result<bool> painted = m_painter->paint(request, job);
     ++m_gate->done;
     return painted;
   }

@@ -206,7 +206,7 @@ void MainWindow::makeViewMenu() {
     else
       section->addAction(&m_actions[QLatin1String(id)]);
   }
-  new SectionActions(m_session, *m_viewport, m_actions, this);
+  m_sections = new SectionActions(m_session, *m_viewport, m_actions, this);
   QAction& keyLight = m_actions[QStringLiteral("keyLight")];
   keyLight.setCheckable(true);
   connect(&keyLight, &QAction::toggled, m_viewport, &Viewport::setKeyLight);
