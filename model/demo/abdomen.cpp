@@ -166,8 +166,8 @@ std::vector<DemoStructure> abdomenStructures(Sex sex) {
   return all;
 }
 
-Scene abdomenDemo(Sex sex) {
-  Scene scene = demoScene(abdomenStructures(sex));
+Scene abdomenDemo(Sex sex, const std::stop_token& stop) {
+  Scene scene = demoScene(abdomenStructures(sex), stop);
   const float size = sex == Sex::female ? femaleSize : 1.0f;
   scene.setViews(savedViews(size));
   return scene;

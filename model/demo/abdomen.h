@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "model/demo/demo_structure.h"
@@ -15,7 +16,8 @@ std::vector<DemoStructure> abdomenStructures(Sex sex);
 /// sexes in kind; the female body is the male one at 0.93 of its size, the ratio of mean statures.
 /// What is in focus is shaded, vessels are hatched, bowel, bones and muscles are drawn in few
 /// lines. Saved views: "Overview", "From the left", "From behind", and cut open "Transpyloric
-/// plane" and "Sagittal through the aorta".
-Scene abdomenDemo(Sex sex);
+/// plane" and "Sagittal through the aorta". Throws ModellingStopped where `stop` is
+/// asked for on the way.
+Scene abdomenDemo(Sex sex, const std::stop_token& stop = {});
 
 }  // namespace sline::model

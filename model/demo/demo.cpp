@@ -6,6 +6,7 @@
 #include "model/demo/abdomen.h"
 #include "model/demo/kidney.h"
 #include "model/demo/pelvis.h"
+#include "model/demo/stopping.h"
 #include "model/files/scene_store.h"
 
 namespace sline::model {
@@ -14,16 +15,16 @@ namespace {
 /// Raise it with every change to a demo's shapes, styles or views, and to how they are meshed.
 constexpr int modellingVersion = 4;
 
-Scene modelled(DemoName name, Sex sex) {
+Scene modelled(DemoName name, Sex sex, const std::stop_token& stop) {
   switch (name) {
     case DemoName::pelvis:
-      return pelvisDemo(sex);
+      return pelvisDemo(sex, stop);
     case DemoName::abdomen:
-      return abdomenDemo(sex);
+      return abdomenDemo(sex, stop);
     case DemoName::kidney:
       break;
   }
-  return kidneyDemo();
+  return kidneyDemo(stop);
 }
 
 std::string keyOf(DemoName name, Sex sex) {
@@ -50,16 +51,23 @@ std::string demoCacheFile(DemoName name, Sex sex) {
 }
 
 Scene demo(DemoName name, Sex sex, const std::filesystem::path& cacheFolder) {
+  return *demo(name, sex, cacheFolder, {});
+}
+
+std::optional<Scene> demo(DemoName name, Sex sex, const std::filesystem::path& cacheFolder,
+                          const std::stop_token& stop) try {
   if (cacheFolder.empty())
-    return modelled(name, sex);
+    return modelled(name, sex, stop);
   const std::filesystem::path file = cacheFolder / demoCacheFile(name, sex);
   const std::string key = keyOf(name, sex);
   if (Result<Scene> kept = readSceneStore(file, key); kept.ok())
     return std::move(kept).value();
-  Scene scene = modelled(name, sex);
+  Scene scene = modelled(name, sex, stop);
   // Without a place to keep it, it is modelled again next time.
   static_cast<void>(writeSceneStore(file, scene, key).ok());
   return scene;
+} catch (const ModellingStopped&) {
+  return std::nullopt;
 }
 
 }  // namespace sline::model

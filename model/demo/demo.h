@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,9 @@ std::string_view sexName(Sex sex);
 /// else modelled anew, which takes seconds, and left there. A cache that cannot be read or written
 /// changes nothing but the time; an empty path means no cache.
 Scene demo(DemoName name, Sex sex, const std::filesystem::path& cacheFolder);
+/// The same; nothing, and nothing left in the cache, where `stop` is asked for on the way.
+std::optional<Scene> demo(DemoName name, Sex sex, const std::filesystem::path& cacheFolder,
+                          const std::stop_token& stop);
 
 /// Its file in that folder.
 std::string demoCacheFile(DemoName name, Sex sex);

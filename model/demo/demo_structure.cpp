@@ -12,6 +12,7 @@
 #include "model/base/parallel.h"
 #include "model/demo/polygonise.h"
 #include "model/demo/sampled_field.h"
+#include "model/demo/stopping.h"
 #include "model/geometry/topology.h"
 
 namespace sline::model {
@@ -192,7 +193,9 @@ NodeId groupAt(Scene& scene, std::map<std::vector<std::string>, NodeId>& known,
 }
 }  // namespace
 
-Scene demoScene(const std::vector<DemoStructure>& structures) {
+Scene demoScene(std::vector<DemoStructure> structures, const std::stop_token& stop) {
+  for (DemoStructure& s : structures)
+    s.field = stoppable(std::move(s.field), stop);
   assert(namesAreUnique(structures));
   std::vector<MeshPtr> meshes(structures.size());
   // The largest first, so that none of them is left to run alone at the end.
@@ -204,8 +207,16 @@ Scene demoScene(const std::vector<DemoStructure>& structures) {
   };
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return work(a) > work(b); });
-  parallelFor(order.size(), 1,
-              [&](std::size_t k) { meshes[order[k]] = meshed(structures[order[k]], structures); });
+  parallelFor(order.size(), 1, [&](std::size_t k) {
+    // An exception out of this loop would also break off what VTK has under way for others, whose
+    // loops nest in it, and VTK takes no notice.
+    try {
+      meshes[order[k]] = meshed(structures[order[k]], structures);
+    } catch (const ModellingStopped&) {
+      return;
+    }
+  });
+  goOnUnless(stop);
 
   Scene scene;
   std::map<std::vector<std::string>, NodeId> groups;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -54,7 +55,8 @@ struct DemoStructure {
 };
 
 /// Meshes all structures in parallel, each closed and smooth, and builds the tree in list order;
-/// asserts that names are unique and that each name given way to exists.
-Scene demoScene(const std::vector<DemoStructure>& structures);
+/// asserts that names are unique and that each name given way to exists. Throws ModellingStopped
+/// where `stop` is asked for on the way.
+Scene demoScene(std::vector<DemoStructure> structures, const std::stop_token& stop = {});
 
 }  // namespace sline::model

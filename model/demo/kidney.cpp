@@ -141,8 +141,8 @@ std::vector<DemoStructure> kidneyStructures() {
 }
 }  // namespace
 
-Scene kidneyDemo() {
-  return demoScene(kidneyStructures());
+Scene kidneyDemo(const std::stop_token& stop) {
+  return demoScene(kidneyStructures(), stop);
 }
 
 }  // namespace sline::model

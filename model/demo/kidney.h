@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <stop_token>
 
 #include "model/scene/scene.h"
 
@@ -9,7 +10,8 @@ namespace sline::model {
 
 /// A left kidney with its artery, vein and ureter, modelled by the program: four closed surfaces in
 /// two groups, patient frame LPS, millimetres, coloured by the anatomist's convention.
-Scene kidneyDemo();
+/// Throws ModellingStopped where `stop` is asked for on the way.
+Scene kidneyDemo(const std::stop_token& stop = {});
 
 /// The left kidney alone, its sinus open: its middle at the origin, 11 cm tall along z, its hilum
 /// facing −x. Millimetres, negative inside.

@@ -108,7 +108,7 @@ std::vector<View> savedViews(Sex sex) {
 }
 }  // namespace
 
-std::vector<DemoStructure> pelvisStructures(Sex sex) {
+std::vector<DemoStructure> pelvisStructures(Sex sex, const std::stop_token& stop) {
   std::vector<DemoStructure> soft = pelvisMuscles();
   backPlates(soft);
   append(soft, pelvisOrgans(sex));
@@ -119,14 +119,14 @@ std::vector<DemoStructure> pelvisStructures(Sex sex) {
   if (sex == Sex::female)
     for (DemoStructure& s : soft)
       widen(s);
-  std::vector<DemoStructure> list = pelvisBones(sex);
+  std::vector<DemoStructure> list = pelvisBones(sex, stop);
   append(list, std::move(soft));
   settle(list);
   return list;
 }
 
-Scene pelvisDemo(Sex sex) {
-  Scene scene = demoScene(pelvisStructures(sex));
+Scene pelvisDemo(Sex sex, const std::stop_token& stop) {
+  Scene scene = demoScene(pelvisStructures(sex, stop), stop);
   scene.setViews(savedViews(sex));
   return scene;
 }

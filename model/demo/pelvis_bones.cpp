@@ -22,10 +22,6 @@ struct Shape {
   Box box;
 };
 
-Shape shapeOf(const Sculpture& sculpture, SampledField::Fineness fineness) {
-  return {sculpture.sampled(fineness), grown(sculpture.bounds(), 4.0f)};
-}
-
 Shape reflected(const Shape& shape) {
   return {mirrored(shape.field, pelvisMiddle), mirrored(shape.box, pelvisMiddle)};
 }
@@ -83,7 +79,10 @@ glm::vec3 toFemalePelvis(const glm::vec3& p) {
   return q;
 }
 
-std::vector<DemoStructure> pelvisBones(Sex sex) {
+std::vector<DemoStructure> pelvisBones(Sex sex, const std::stop_token& stop) {
+  const auto shapeOf = [&stop](const Sculpture& sculpture, SampledField::Fineness fineness) {
+    return Shape{sculpture.sampled(fineness, stop), grown(sculpture.bounds(), 4.0f)};
+  };
   const Shape hipBone = shapeOf(leftHipBone(), {1.6f, 2.3f});
   const Shape femur = shapeOf(leftFemur(), {1.8f, 2.2f});
   std::vector<DemoStructure> bones;

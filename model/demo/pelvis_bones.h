@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "model/demo/demo_structure.h"
@@ -18,7 +19,8 @@ glm::vec3 fromFemalePelvis(const glm::vec3& p);
 glm::vec3 toFemalePelvis(const glm::vec3& p);
 
 /// Hip bones, sacrum with coccyx, fifth lumbar vertebra, the disc below it, upper ends of the
-/// femora and the disc of the pubic symphysis. No two overlap.
-std::vector<DemoStructure> pelvisBones(Sex sex);
+/// femora and the disc of the pubic symphysis. No two overlap. Throws ModellingStopped where `stop`
+/// is asked for on the way.
+std::vector<DemoStructure> pelvisBones(Sex sex, const std::stop_token& stop = {});
 
 }  // namespace sline::model

@@ -5,6 +5,8 @@
 #include <memory>
 #include <utility>
 
+#include "model/demo/stopping.h"
+
 namespace sline::model {
 
 namespace {
@@ -87,10 +89,11 @@ std::vector<const Sculpture::Step*> Sculpture::near(const glm::vec3& place, floa
   return steps;
 }
 
-Field Sculpture::sampled(SampledField::Fineness fineness) const {
+Field Sculpture::sampled(SampledField::Fineness fineness, const std::stop_token& stop) const {
   constexpr float margin = 8.0f;
   const Box box{m_bounds.low - margin, m_bounds.high + margin};
-  const auto local = [this](const glm::vec3& place, float reach) -> Field {
+  const auto local = [this, &stop](const glm::vec3& place, float reach) -> Field {
+    goOnUnless(stop);
     return [steps = near(place, reach)](const glm::vec3& p) {
       float d = nothing;
       for (const Step* step : steps)

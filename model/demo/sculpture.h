@@ -5,6 +5,7 @@
 
 #include <glm/vec3.hpp>
 #include <initializer_list>
+#include <stop_token>
 #include <vector>
 
 #include "model/demo/implicit.h"
@@ -33,8 +34,9 @@ class Sculpture {
   void carveTubePair(const Tube& tube, float blend);
 
   float distance(const glm::vec3& p) const;
-  /// The same shape smoothed, read in constant time.
-  Field sampled(SampledField::Fineness fineness) const;
+  /// The same shape smoothed, read in constant time. Throws ModellingStopped where `stop` is asked
+  /// for on the way.
+  Field sampled(SampledField::Fineness fineness, const std::stop_token& stop = {}) const;
   /// Holds everything added.
   const Box& bounds() const { return m_bounds; }
 

@@ -2,27 +2,38 @@
 #include "model/edit/emphasis.h"
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace sline::model {
 
 namespace {
 
-bool within(const Scene& scene, NodeId id, std::span<const NodeId> ids) {
-  return std::any_of(ids.begin(), ids.end(),
-                     [&](NodeId ancestor) { return scene.isBelow(id, ancestor); });
+using IdSet = std::unordered_set<std::uint64_t>;
+
+IdSet setOf(std::span<const NodeId> ids) {
+  IdSet set;
+  for (const NodeId id : ids)
+    set.insert(id.value);
+  return set;
 }
 
-bool isOneOf(NodeId id, std::span<const NodeId> ids) {
-  return std::find(ids.begin(), ids.end(), id) != ids.end();
+/// The nodes and all below them; one pass, because a parent stands before its children.
+IdSet withAllBelow(const Scene& scene, IdSet ids) {
+  for (const Node& node : scene.nodes())
+    if (ids.contains(node.parent.value))
+      ids.insert(node.id.value);
+  return ids;
 }
 
 /// Calls change(style, named) for the named nodes and for all below them.
 template <class Change>
 Edited withStyles(const Scene& scene, std::span<const NodeId> ids, const Change& change) {
+  const IdSet named = setOf(ids);
+  const IdSet meant = withAllBelow(scene, named);
   std::vector<Node> nodes = scene.nodes();
   for (Node& node : nodes)
-    if (within(scene, node.id, ids))
-      change(node.style, isOneOf(node.id, ids));
+    if (meant.contains(node.id.value))
+      change(node.style, named.contains(node.id.value));
   Edited edited{scene, nodes != scene.nodes()};
   if (edited.changed)
     edited.scene.setNodes(std::move(nodes));
@@ -81,10 +92,12 @@ GammaRange gammaRangeOf(const Scene& scene, NodeId id) {
 Edited withFocus(const Scene& scene, std::span<const NodeId> ids) {
   if (ids.empty())
     return {scene, false};
+  const IdSet named = setOf(ids);
+  const IdSet meant = withAllBelow(scene, named);
   std::vector<Node> nodes = scene.nodes();
   for (Node& node : nodes) {
-    const bool focus = within(scene, node.id, ids);
-    const bool speaks = node.parent == rootId || isOneOf(node.id, ids);
+    const bool focus = meant.contains(node.id.value);
+    const bool speaks = node.parent == rootId || named.contains(node.id.value);
     node.style.gamma.reset();
     node.style.fill.reset();
     if (speaks) {

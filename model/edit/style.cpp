@@ -17,9 +17,12 @@ void patchField(std::optional<T>& field, const std::optional<T>& patch) {
 /// A copy of the scene with change(node) called for the named nodes.
 template <class Change>
 Edited withNodes(const Scene& scene, std::span<const NodeId> ids, const Change& change) {
+  std::unordered_set<std::uint64_t> meant;
+  for (const NodeId id : ids)
+    meant.insert(id.value);
   std::vector<Node> nodes = scene.nodes();
   for (Node& node : nodes)
-    if (std::find(ids.begin(), ids.end(), node.id) != ids.end())
+    if (meant.contains(node.id.value))
       change(node);
   Edited edited{scene, nodes != scene.nodes()};
   if (edited.changed)

@@ -2,6 +2,8 @@
 #include "model/edit/visibility.h"
 
 #include <algorithm>
+#include <iterator>
+#include <unordered_set>
 
 namespace sline::model {
 
@@ -62,11 +64,29 @@ Scene shown(Scene scene, NodeId id) {
     if (shownOf(scene, id) != Shown::none)
       return scene;
   }
+  if (!scene.find(id)->isGroup())
+    return scene;
+  // Itself and all below; one pass, because a parent stands before its children.
+  std::unordered_set<std::uint64_t> meant{id.value};
   std::vector<NodeId> hidden;
-  for (const Node& node : scene.nodes())
-    if (saysHidden(scene, node.id) && scene.isBelow(node.id, id))
+  for (const Node& node : scene.nodes()) {
+    if (node.id != id && !meant.contains(node.parent.value))
+      continue;
+    meant.insert(node.id.value);
+    if (!node.style.visible.value_or(true))
       hidden.push_back(node.id);
-  return withVisible(scene, hidden, true);
+  }
+  return hidden.empty() ? scene : withVisible(scene, hidden, true);
+}
+
+/// Hidden by nobody but itself.
+bool aloneHides(const Scene& scene, NodeId id) {
+  const Node* node = scene.find(id);
+  if (!node || node->isGroup() || node->style.visible.value_or(true))
+    return false;
+  const std::vector<NodeId> groups = groupsAbove(scene, id);
+  return std::none_of(groups.begin(), groups.end(),
+                      [&scene](NodeId group) { return saysHidden(scene, group); });
 }
 
 }  // namespace
@@ -85,7 +105,11 @@ Edited withHidden(const Scene& scene, std::span<const NodeId> ids) {
 }
 
 Edited withShown(const Scene& scene, std::span<const NodeId> ids) {
-  Scene after = scene;
+  // Most at once; the others ask for the groups above them, one by one.
+  std::vector<NodeId> alone;
+  std::copy_if(ids.begin(), ids.end(), std::back_inserter(alone),
+               [&scene](NodeId id) { return aloneHides(scene, id); });
+  Scene after = withVisible(scene, alone, true);
   for (const NodeId id : ids)
     after = shown(std::move(after), id);
   return edited(scene, std::move(after));

@@ -45,7 +45,8 @@ void mend(Part& part, const std::string& file, std::vector<ImportWarning>& warni
         {file, "a piece" + of + " has no consistent orientation; it stays as it is"});
 }
 
-Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& options) {
+Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& options,
+                ProgressMeter& meter) {
   Loaded loaded;
   const SourceFile& source = sources.files[index];
   const std::string shown = source.file.filename().string();
@@ -59,6 +60,8 @@ Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& 
   loaded.warnings = std::move(read->warnings);
   std::vector<RawMesh>& meshes = read->meshes;
   for (RawMesh& raw : meshes) {
+    if (!meter.goesOn(shown))
+      break;
     Part part;
     part.file = index;
     part.name = nameInFile(raw.name);
@@ -72,6 +75,8 @@ Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& 
     part.provenance.file = shown;
     if (options.repair)
       mend(part, shown, loaded.warnings);
+    if (!meter.goesOn(shown))
+      break;
     if (part.raw.triangles.empty()) {
       loaded.warnings.push_back({shown, "\"" + part.name + "\" has no face with area; left out"});
       continue;
@@ -126,7 +131,7 @@ std::vector<Part> loadParts(const Sources& sources, const ImportOptions& options
   });
   std::vector<Loaded> loaded(sources.files.size());
   forFewAtATime(order, meter, [&](std::size_t i) {
-    loaded[i] = loadFile(sources, i, options);
+    loaded[i] = loadFile(sources, i, options, meter);
     meter.add(double(sources.files[i].bytes) + 1.0, sources.files[i].file.filename().string());
   });
   std::vector<Part> parts;

@@ -33,6 +33,11 @@ class ProgressMeter {
   ProgressMeter(const ImportProgress& progress, double total)
       : m_progress(progress), m_total(total) {}
   void add(double amount, const std::string& what);
+  /// Asks in the middle of a long piece of work; false to give up.
+  bool goesOn(const std::string& what) {
+    add(0.0, what);
+    return !m_cancelled;
+  }
   bool cancelled() const { return m_cancelled; }
 
  private:

@@ -67,6 +67,27 @@ void Handoff::releaseDrawing() {
   m_drawing = m_newest = m_showing = none;
 }
 
+void Handoff::blit(const Texture& picture, TextureSize viewport) {
+  GLint drawn = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn);
+  if (m_reader == 0)
+    glGenFramebuffers(1, &m_reader);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, m_reader);
+  // Attached anew each time: that is what makes the other context's changes visible in this one.
+  glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, picture.handle(),
+                         0);
+  glDisable(GL_SCISSOR_TEST);
+  const TextureSize size = picture.size();
+  glBlitFramebuffer(0, 0, size.width, size.height, 0, 0, viewport.width, viewport.height,
+                    GL_COLOR_BUFFER_BIT, size == viewport ? GL_NEAREST : GL_LINEAR);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(drawn));
+}
+
+void Handoff::warmUp() {
+  const Texture some(TextureFormat::rgba8, {3, 5}, "warm-up");  // no powers of two, as pictures
+  blit(some, {7, 11});
+}
+
 std::uint64_t Handoff::show(TextureSize viewport) {
   const std::lock_guard lock(m_mutex);
   if (m_newest != none) {
@@ -76,19 +97,7 @@ std::uint64_t Handoff::show(TextureSize viewport) {
   if (m_showing == none)
     return 0;
   Turn& turn = m_turns[std::size_t(m_showing)];
-  GLint drawn = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn);
-  if (m_reader == 0)
-    glGenFramebuffers(1, &m_reader);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, m_reader);
-  // Attached anew each time: that is what makes the other context's changes visible in this one.
-  glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
-                         turn.texture->handle(), 0);
-  glDisable(GL_SCISSOR_TEST);
-  const TextureSize size = turn.texture->size();
-  glBlitFramebuffer(0, 0, size.width, size.height, 0, 0, viewport.width, viewport.height,
-                    GL_COLOR_BUFFER_BIT, size == viewport ? GL_NEAREST : GL_LINEAR);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(drawn));
+  blit(*turn.texture, viewport);
   forget(turn.shown);
   turn.shown = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
   glFlush();

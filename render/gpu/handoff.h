@@ -29,6 +29,10 @@ class Handoff {
   /// Drawing side, its context current: gives back everything. The showing side must be done.
   void releaseDrawing();
 
+  /// Showing side: scales a picture of a few pixels into a corner of the framebuffer that is bound
+  /// for drawing. Drivers make their programs at first use, which is too long in the middle of a
+  /// drag; to be called once, before anything is shown.
+  void warmUp();
   /// Showing side: fills the viewport of the framebuffer that is bound for drawing with the newest
   /// picture, scaled where sizes differ. Returns that picture's number; 0 where there is none yet.
   std::uint64_t show(TextureSize viewport);
@@ -36,6 +40,8 @@ class Handoff {
   void releaseShowing();
 
  private:
+  void blit(const Texture& picture, TextureSize viewport);
+
   /// A picture, and the last use of it by the showing side.
   struct Turn {
     std::unique_ptr<Texture> texture;

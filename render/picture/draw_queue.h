@@ -5,21 +5,34 @@
 
 namespace sline::render {
 
-/// Bounds what the driver has to remember: a software driver sets triangles up faster than it fills
-/// them, and keeps all that wait in memory (300 MiB for 3 million triangles).
+/// Bounds what the driver has under way. A software driver sets triangles up faster than it fills
+/// them, and keeps all that wait in memory (300 MiB for 3 million triangles); and whatever another
+/// context draws meanwhile, such as the window itself, has to wait its turn behind it.
 class DrawQueue {
  public:
-  void add(gpu::Device& device, std::uint32_t indices) {
-    m_waiting += indices;
+  /// No single draw should be larger: it cannot be interrupted.
+  static constexpr std::size_t mostIndices = 99'999;
+  static constexpr std::size_t mostStrokes = 4'000;
+
+  void addTriangles(gpu::Device& device, std::size_t indices) { add(device, indices); }
+  void addStrokes(gpu::Device& device, std::size_t count) { add(device, 24 * count); }
+  void addCopies(gpu::Device& device, const gpu::Rect& area) {
+    add(device, std::size_t(area.width) * std::size_t(area.height) / 10);
+  }
+
+ private:
+  /// The weights are what keeps llvmpipe equally long: `longest` is about 10 ms on two cores.
+  static constexpr std::size_t longest = 100'000;
+
+  void add(gpu::Device& device, std::size_t work) {
+    m_waiting += work;
     if (m_waiting < longest)
       return;
     device.finish();
     m_waiting = 0;
   }
 
- private:
-  static constexpr std::uint32_t longest = 100'000;
-  std::uint32_t m_waiting = 0;
+  std::size_t m_waiting = 0;
 };
 
 }  // namespace sline::render

@@ -185,17 +185,26 @@ void LayerPainter::drawSurface(gpu::Device& device, const PictureInput& input, c
     const Shown& shown = layer.members[i];
     const std::vector<glm::vec4> sections =
         shown.cut ? sectionVectors(shown.cut->planes) : std::vector<glm::vec4>();
-    const passes::SurfaceDraw draw{.surface = *shown.cached->geometry,
-                                   .ranges = layer.coverage[i].ranges,
-                                   .visible = layer.coverage[i].visible,
-                                   .layer = layer.area,
-                                   .slot = layer.slot,
-                                   .fill = shownFill(input, shown),
-                                   .sections = sections};
-    m_surfacePass->draw(device, m_atlas.surfaceTarget(), view, draw);
-    for (const gpu::DrawRange& range : draw.ranges)
-      queue.add(device, range.count);
-    queue.add(device, std::uint32_t(draw.visible.size()));
+    passes::SurfaceDraw draw{.surface = *shown.cached->geometry,
+                             .ranges = layer.coverage[i].ranges,
+                             .visible = layer.coverage[i].visible,
+                             .layer = layer.area,
+                             .slot = layer.slot,
+                             .fill = shownFill(input, shown),
+                             .sections = sections};
+    if (draw.visible.empty()) {
+      m_surfacePass->draw(device, m_atlas.surfaceTarget(), view, draw);
+      for (const gpu::DrawRange& range : draw.ranges)
+        queue.addTriangles(device, range.count);
+      continue;
+    }
+    std::span<const std::uint32_t> left = draw.visible;
+    while (!left.empty()) {
+      draw.visible = left.first(std::min(left.size(), DrawQueue::mostIndices));
+      m_surfacePass->draw(device, m_atlas.surfaceTarget(), view, draw);
+      queue.addTriangles(device, draw.visible.size());
+      left = left.subspan(draw.visible.size());
+    }
   }
 }
 
@@ -222,8 +231,10 @@ void LayerPainter::drawSurfaces(gpu::Device& device, const PictureInput& input,
   // Where a layer has a fill, it lies as deep as its surface; else only its ink counts. All copies
   // after all surfaces: a software driver starts anew at each change of target.
   for (const std::size_t i : changed)
-    if (layers[i].shows() && layers[i].filled)
+    if (layers[i].shows() && layers[i].filled) {
       device.copyDepth(m_atlas.surfaceTarget(), m_atlas.inkTarget(), layers[i].slot);
+      queue.addCopies(device, layers[i].slot);
+    }
 }
 
 passes::InkDraw LayerPainter::inkDraw(const PictureInput& input, const Layer& layer,
@@ -270,8 +281,12 @@ void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
   DrawQueue queue;
   const auto drawAll = [&](std::span<const passes::InkDraw> draws, const gpu::Target& target) {
     for (const passes::InkDraw& draw : draws) {
-      m_inkPass->draw(device, target, m_atlas.surfaceDepths(), draw);
-      queue.add(device, std::uint32_t(6 * draw.count));
+      const std::size_t end = draw.first + draw.count;
+      for (passes::InkDraw piece = draw; piece.first < end; piece.first += piece.count) {
+        piece.count = std::min(end - piece.first, DrawQueue::mostStrokes);
+        m_inkPass->draw(device, target, m_atlas.surfaceDepths(), piece);
+        queue.addStrokes(device, piece.count);
+      }
     }
   };
   drawAll(edges, m_atlas.edgeTarget());
@@ -307,7 +322,7 @@ void LayerPainter::resolve(gpu::Device& device, const PictureInput& input, const
 /// software driver for each of the batches it has under way, and an outgrown atlas would be in
 /// memory beside the new one.
 void LayerPainter::letGo(gpu::Device& device) {
-  constexpr int side = 256;
+  constexpr int side = 64;
   constexpr int rounds = 16;
   const gpu::Texture colours(gpu::TextureFormat::rgba8, {side, side}, "scratch");
   const gpu::Texture inks(gpu::TextureFormat::r8, {side, side}, "scratch");

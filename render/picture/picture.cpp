@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 
 #include "render/passes/plain_phong/pass.h"
 #include "render/picture/layer_painter.h"
@@ -83,7 +84,9 @@ struct Picture::Data {
   int layersDrawn = 0;
   bool givenUp = false;
 
-  std::vector<Shown> shown(const model::Scene& scene);
+  /// Nothing where `unwanted` says so before all is prepared; what is ready by then is kept.
+  std::optional<std::vector<Shown>> shown(const model::Scene& scene,
+                                          const std::atomic<bool>* unwanted = nullptr);
   int regionSide() const;
   Status paint(const PictureInput& input, const gpu::Rect& region, Stopwatch& stopwatch,
                const Output& output);
@@ -91,12 +94,15 @@ struct Picture::Data {
                  const PictureSettings& settings, const Output& output);
 };
 
-std::vector<Shown> Picture::Data::shown(const model::Scene& scene) {
+std::optional<std::vector<Shown>> Picture::Data::shown(const model::Scene& scene,
+                                                       const std::atomic<bool>* unwanted) {
   std::vector<model::MeshPtr> meshes;
   std::vector<Shown> visible;
   for (const model::Node& node : scene.nodes()) {
     if (node.isGroup())
       continue;
+    if (unwanted && *unwanted)
+      return std::nullopt;
     meshes.push_back(node.mesh);
     const model::ResolvedStyle style = scene.resolve(node.id);
     if (!style.visible || node.mesh->triangleCount() == 0)
@@ -169,7 +175,13 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
                               const PictureSettings& settings, const Output& output) {
   if (Status s = checkRequest(camera, settings); !s)
     return s;
-  std::vector<Shown> visible = shown(scene);
+  givenUp = false;
+  std::optional<std::vector<Shown>> prepared = shown(scene, output.unwanted);
+  if (!prepared) {
+    givenUp = true;
+    return Unit{};
+  }
+  std::vector<Shown>& visible = *prepared;
   model::Box bounds;
   for (Shown& s : visible) {
     s.printedHatching = showsPrintedHatching(s.style, settings);
@@ -180,7 +192,6 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
   std::map<model::NodeId, StructureLines> lines;
   const bool whole = std::max(settings.width, settings.height) <= regionSide();
   layersDrawn = 0;
-  givenUp = false;
   Status done = paint({.view = view,
                        .shown = visible,
                        .background = settings.background,
@@ -253,7 +264,7 @@ Status Picture::drawPlainPhong(const model::Scene& scene, const model::Camera& c
   if (Status s = checkRequest(camera, settings); !s)
     return s;
   Data& data = *m_data;
-  const std::vector<Shown> visible = data.shown(scene);
+  const std::vector<Shown> visible = *data.shown(scene);
   if (Status s = data.plainCanvas.resize({settings.width, settings.height}, true); !s)
     return s;
   Stopwatch stopwatch;
@@ -267,7 +278,7 @@ Status Picture::drawPlainPhong(const model::Scene& scene, const model::Camera& c
     data.plainPhong->draw(*data.device, target, {view.viewProjection(), view.eyeVector()},
                           *s.cached->geometry,
                           glm::vec3(float(c.red), float(c.green), float(c.blue)) / 255.0f);
-    queue.add(*data.device, s.cached->geometry->indexCount());
+    queue.addTriangles(*data.device, s.cached->geometry->indexCount());
   }
   stopwatch.pass(*data.device, "plain phong");
   data.timings = stopwatch.done();

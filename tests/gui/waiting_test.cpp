@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The window never waits for a picture: with a renderer that is held up, and with a slow one.
+// The window never waits for a picture, and shows the newest there is.
+#include <QDirIterator>
 #include <QElapsedTimer>
-#include <QSemaphore>
 #include <QtTest>
-#include <atomic>
 
 #include "model/edit/emphasis.h"
+#include "tests/gui/gated_painter.h"
 #include "tests/gui/window_fixture.h"
 #include "widgets/structure_tree/structure_tree_model.h"
 
@@ -13,69 +13,17 @@ namespace sline::test {
 
 namespace {
 
-/// What happens on the render thread, seen and steered from outside.
-struct Gate {
-  QSemaphore pass;  ///< one for each picture that may begin
-  std::atomic<bool> open = true;
-  std::atomic<int> begun = 0;
-  std::atomic<int> done = 0;
-  std::atomic<std::uint64_t> last = 0;  ///< number of the last request that was begun
-};
-
-/// The renderer behind a gate.
-class GatedPainter : public widgets::PicturePainter {
- public:
-  GatedPainter(std::unique_ptr<widgets::PicturePainter> painter, std::shared_ptr<Gate> gate)
-      : m_painter(std::move(painter)), m_gate(std::move(gate)) {}
-  Result<bool> paint(const widgets::PictureRequest& request,
-                     const render::Picture::TargetJob& job) override {
-    m_gate->last = request.number;
-    ++m_gate->begun;
-    if (!m_gate->open)
-      m_gate->pass.acquire();
-    const Result<bool> painted = m_painter->paint(request, job);
-    ++m_gate->done;
-    return painted;
-  }
-
- private:
-  std::unique_ptr<widgets::PicturePainter> m_painter;
-  std::shared_ptr<Gate> m_gate;
-};
-
-widgets::PainterFactory gated(const std::shared_ptr<Gate>& gate) {
-  return [gate]() -> Result<std::unique_ptr<widgets::PicturePainter>> {
-    auto painter = widgets::makePicturePainter();
-    if (!painter)
-      return painter.error();
-    return std::unique_ptr<widgets::PicturePainter>(
-        std::make_unique<GatedPainter>(std::move(*painter), gate));
-  };
-}
-
-/// Beats as often as the event loop comes round and remembers the longest pause.
+/// Beats as often as the event loop comes round.
 class Heart : public QObject {
  public:
-  Heart() {
-    m_clock.start();
-    startTimer(1);
-  }
+  Heart() { startTimer(1); }
   int beats() const { return m_beats; }
-  double longestPause() const { return m_longest; }  ///< milliseconds
-  void forget() { m_longest = 0.0; }
 
  protected:
-  void timerEvent(QTimerEvent*) override {
-    const double pause = double(m_clock.nsecsElapsed()) * 1e-6;
-    m_clock.restart();
-    m_longest = std::max(m_longest, pause);
-    ++m_beats;
-  }
+  void timerEvent(QTimerEvent*) override { ++m_beats; }
 
  private:
-  QElapsedTimer m_clock;
   int m_beats = 0;
-  double m_longest = 0.0;
 };
 
 }  // namespace
@@ -162,41 +110,36 @@ class WaitingTest : public QObject {
     QCOMPARE(gate->begun.load(), gate->done.load());
   }
 
-  /// What a person feels with real anatomy and the real renderer. Pauses have many causes on a
-  /// shared machine, so the figure is reported and only held against the pictures themselves: if
-  /// the window waited for them, its pauses would be as long.
-  void turningRealAnatomy() {
-    const QString abdomen = QStringLiteral(SLINE_TEST_DATA "/abdomen");
-    if (!QFileInfo::exists(abdomen))
-      QSKIP("no real anatomy here");
-    WindowFixture f;
-    QVERIFY(f.drop(
-        QDir(abdomen).filePath(QDir(abdomen).entryList({QStringLiteral("*.mrml")}).value(0))));
-    QVERIFY(f.settled());
-    Heart heart;
-    double longestPicture = 0.0;
-    int pictures = 0;
-    QObject::connect(&f.viewport(), &widgets::Viewport::pictureShown, &heart, [&] {
-      longestPicture = std::max(longestPicture, f.viewport().lastMilliseconds());
-      ++pictures;
-    });
-    const QPoint middle = f.viewport().rect().center();
-    sendMouse(f.viewport(), QEvent::MouseButtonPress, middle);
+  /// Nor does one that closes while a demo is modelled wait for its end: it never gets as far as
+  /// the cache.
+  void closesWhileModelling_data() {
+    QTest::addColumn<QString>("demo");
+    QTest::addColumn<int>("after");
+    for (const int after : {0, 200, 700}) {
+      QTest::addRow("pelvis, %d ms", after) << "demo-pelvis-male" << after;
+      QTest::addRow("abdomen, %d ms", after) << "demo-abdomen-male" << after;
+    }
+  }
+  void closesWhileModelling() {
+    QFETCH(QString, demo);
+    QFETCH(int, after);
+    const QTemporaryDir cache;
+    qputenv("XDG_CACHE_HOME", cache.path().toLocal8Bit());
+    auto f = std::make_unique<WindowFixture>();
+    f->window.findChild<QAction*>(demo)->trigger();
+    QTest::qWait(after);
+    QVERIFY(f->session.busy());
     QElapsedTimer clock;
     clock.start();
-    for (int x = 0; clock.elapsed() < 4000; x += 3) {
-      sendMouse(f.viewport(), QEvent::MouseMove, middle + QPoint(x, x / 7));
-      const int beat = heart.beats();
-      QVERIFY(QTest::qWaitFor([&] { return heart.beats() > beat + 4; }));
-    }
-    sendMouse(f.viewport(), QEvent::MouseButtonRelease, middle);
-    QVERIFY(f.settled());
-    qInfo(
-        "%d pictures while turning, the longest took %.0f ms; longest pause of the event loop "
-        "%.0f ms",
-        pictures, longestPicture, heart.longestPause());
-    QVERIFY(pictures > 2);
-    QVERIFY(heart.longestPause() < std::max(100.0, 0.5 * longestPicture));
+    f->window.close();
+    QVERIFY(!f->window.isVisible());
+    const qint64 closed = clock.restart();
+    f.reset();
+    qInfo("closed in %lld ms, gone in %lld ms", closed, clock.elapsed());
+    QDirIterator files(cache.path(), QDir::Files, QDirIterator::Subdirectories);
+    while (files.hasNext())
+      QVERIFY2(!files.next().endsWith(QStringLiteral(".scene")), "it was modelled to the end");
+    qunsetenv("XDG_CACHE_HOME");
   }
 };
 

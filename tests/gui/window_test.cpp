@@ -198,10 +198,16 @@ class WindowTest : public QObject {
   void filterFinds() {
     WindowFixture f;
     QVERIFY(openBody(f));
+    const widgets::NodeIds selected{structure(f, QStringLiteral("aorta"))};
+    f.session.select(selected);
     f.window.findChild<QAction*>(QStringLiteral("find"))->trigger();
     QTest::keyClicks(&f.control<QLineEdit>("structureFilter"), QStringLiteral("kid"));
     QVERIFY(!f.tree().cellOf(structure(f, QStringLiteral("left kidney")), 0).isEmpty());
     QVERIFY(f.tree().cellOf(structure(f, QStringLiteral("aorta")), 0).isEmpty());
+    QCOMPARE(f.session.selection(), selected);
+    QTest::keyClick(&f.control<QLineEdit>("structureFilter"), Qt::Key_Escape);
+    QCOMPARE(f.session.selection(), selected);
+    QCOMPARE(f.tree().selectionModel()->selectedRows().size(), 1);
   }
 
   void focusIsOneStep() {

@@ -188,7 +188,7 @@ void GammaPanel::refresh() {
     control->setEnabled(any);
   m_inherit->setEnabled(false);
   m_title->setText(any ? titleOf(m_session.scene(), ids) : titleOf({}, {}));
-  if (!any)
+  if (!any && !ids.empty())
     return;
   showGamma();
   showFill();
@@ -211,8 +211,12 @@ void GammaPanel::showGamma() {
 
 void GammaPanel::showFill() {
   const NodeIds& ids = m_session.selection();
-  if (ids.empty())
+  if (ids.empty()) {
+    m_fill->setExclusive(false);
+    for (QAbstractButton* button : m_fill->buttons())
+      button->setChecked(false);
     return;
+  }
   const model::Fill fill = m_session.scene().resolve(ids.front()).fill;
   const bool same = std::all_of(ids.begin(), ids.end(), [&](model::NodeId id) {
     return m_session.scene().resolve(id).fill == fill;

@@ -4,9 +4,11 @@
 
 #include <QObject>
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <thread>
 
 #include "model/base/result.h"
@@ -15,33 +17,37 @@
 
 namespace sline::widgets {
 
-/// Makes a scene; calls the progress now and then and gives up where that says false.
-using SceneMaker = std::function<Result<Loaded>(const model::ImportProgress&)>;
+/// Makes a scene; calls the progress now and then and gives up where that says false, or as soon as
+/// stop is asked for. What it gives then is thrown away.
+using SceneMaker =
+    std::function<Result<Loaded>(const model::ImportProgress&, const std::stop_token&)>;
 
 class SceneJob : public QObject {
   Q_OBJECT
  public:
   explicit SceneJob(SceneMaker maker, QObject* parent = nullptr);
+  /// Once, when all that listen are connected.
+  void start();
   /// Cancels, and waits until the maker has noticed.
   ~SceneJob() override;
 
-  /// The maker gives up at its next word of progress; nothing but `cancelled` follows.
+  /// The maker is asked to give up; nothing but `cancelled` follows.
   void cancel();
 
  signals:
-  /// `done` in [0, 1]; at most one per percent or change of text.
+  /// `done` in [0, 1]; at most ten in a second.
   void progressed(double done, const QString& what);
   void made(const sline::widgets::Loaded& loaded);
   void failed(const sline::Error& error);
   void cancelled();
 
  private:
-  bool report(float done, const std::string& what);
+  void report(float done, const std::string& what);
   void finish(const std::shared_ptr<Result<Loaded>>& result);
 
-  std::atomic<bool> m_cancelled = false;
-  std::atomic<int> m_percent = -1;
-  std::thread m_thread;
+  std::atomic<std::int64_t> m_lastReport = 0;  ///< milliseconds of the steady clock
+  SceneMaker m_maker;
+  std::jthread m_thread;
 };
 
 }  // namespace sline::widgets

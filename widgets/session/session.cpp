@@ -169,7 +169,8 @@ void Session::open(const Loaded& loaded) {
 
 void Session::openPaths(std::vector<std::filesystem::path> paths) {
   const QString title = titleOf(paths);
-  startJob(title, [paths = std::move(paths), title](const model::ImportProgress& progress) {
+  startJob(title, [paths = std::move(paths), title](const model::ImportProgress& progress,
+                                                    const std::stop_token&) {
     auto imported = model::importInputs(paths, {}, progress);
     if (!imported)
       return Result<Loaded>(imported.error());
@@ -204,6 +205,7 @@ void Session::startJob(const QString& title, SceneMaker maker) {
     emit failed(error);
   });
   emit jobStarted(title);
+  m_job->start();
 }
 
 void Session::cancelJob() {

@@ -3,44 +3,14 @@
 
 #include <QColor>
 #include <algorithm>
+#include <utility>
 
-#include "model/edit/emphasis.h"
 #include "model/edit/tree.h"
-#include "model/edit/visibility.h"
 #include "widgets/gamma/stages.h"
 
 namespace sline::widgets {
 
 namespace {
-
-/// The first few colours of the structures at or below a node, each once.
-std::vector<Colour> coloursOf(const model::Scene& scene, model::NodeId id) {
-  constexpr std::size_t most = 3;
-  std::vector<Colour> colours;
-  for (const model::NodeId structure : scene.structuresBelow(id)) {
-    const Colour colour = scene.resolve(structure).colour;
-    if (std::find(colours.begin(), colours.end(), colour) == colours.end())
-      colours.push_back(colour);
-    if (colours.size() == most)
-      break;
-  }
-  return colours;
-}
-
-/// All that a row shows.
-struct RowState {
-  std::string name;
-  model::Shown shown;
-  std::vector<Colour> colours;
-  model::GammaRange gamma;
-  bool ownGamma;
-  bool operator==(const RowState&) const = default;
-};
-
-RowState stateOf(const model::Scene& scene, const model::Node& node) {
-  return {node.name, model::shownOf(scene, node.id), coloursOf(scene, node.id),
-          model::gammaRangeOf(scene, node.id), node.style.gamma.has_value()};
-}
 
 QString textOf(const model::GammaRange& range) {
   return range.low == range.high
@@ -58,7 +28,10 @@ bool sameShape(const model::Scene& a, const model::Scene& b) {
 }  // namespace
 
 StructureTreeModel::StructureTreeModel(Session& session, QObject* parent)
-    : QAbstractItemModel(parent), m_session(session), m_shape(shapeOf(session.scene())) {
+    : QAbstractItemModel(parent),
+      m_session(session),
+      m_shape(shapeOf(session.scene())),
+      m_states(rowStatesOf(session.scene())) {
   connect(&session, &Session::documentChanged, this,
           [this](const Document& before, const Document& now) { change(before.scene, now.scene); });
 }
@@ -79,16 +52,24 @@ const StructureTreeModel::Place* StructureTreeModel::place(model::NodeId id) con
   return found == m_shape.end() ? nullptr : &found->second;
 }
 
+const RowState& StructureTreeModel::state(model::NodeId id) const {
+  static const RowState unknown;
+  const auto found = m_states.find(id.value);
+  return found == m_states.end() ? unknown : found->second;
+}
+
 void StructureTreeModel::change(const model::Scene& before, const model::Scene& now) {
   if (!sameShape(before, now)) {
     beginResetModel();
     m_shape = shapeOf(now);
+    m_states = rowStatesOf(now);
     endResetModel();
     return;
   }
+  const RowStates old = std::exchange(m_states, rowStatesOf(now));
   for (std::size_t i = 0; i < now.nodes().size(); ++i) {
     const model::Node& node = now.nodes()[i];
-    if (stateOf(before, before.nodes()[i]) == stateOf(now, node))
+    if (node.name == before.nodes()[i].name && old.at(node.id.value) == state(node.id))
       continue;
     const QModelIndex at = indexOf(node.id);
     emit dataChanged(at.siblingAtColumn(eye), at.siblingAtColumn(gamma));
@@ -145,19 +126,19 @@ QVariant StructureTreeModel::data(const QModelIndex& index, int role) const {
     case Qt::AccessibleTextRole:
       return describe(index);
     case shownRole:
-      return int(model::shownOf(scene, id));
+      return int(state(id).shown);
     case coloursRole: {
       QVariantList colours;
-      for (const Colour& c : coloursOf(scene, id))
+      for (const Colour& c : state(id).colours)
         colours << QColor(c.red, c.green, c.blue);
       return colours;
     }
     case lowGammaRole:
-      return model::gammaRangeOf(scene, id).low.value();
+      return state(id).gamma.low.value();
     case highGammaRole:
-      return model::gammaRangeOf(scene, id).high.value();
+      return state(id).gamma.high.value();
     case ownGammaRole:
-      return node->style.gamma.has_value();
+      return state(id).ownGamma;
     default:
       return {};
   }
@@ -168,7 +149,7 @@ QVariant StructureTreeModel::describe(const QModelIndex& index) const {
   const model::Node& node = *scene.find(idOf(index));
   switch (index.column()) {
     case eye:
-      switch (model::shownOf(scene, node.id)) {
+      switch (state(node.id).shown) {
         case model::Shown::none:
           return tr("Hidden");
         case model::Shown::some:
@@ -180,7 +161,7 @@ QVariant StructureTreeModel::describe(const QModelIndex& index) const {
     case swatch:
       return tr("Colour");
     case gamma: {
-      const QString text = tr("Γ %1").arg(textOf(model::gammaRangeOf(scene, node.id)));
+      const QString text = tr("Γ %1").arg(textOf(state(node.id).gamma));
       if (node.style.gamma)
         return text;
       return node.isGroup() ? text : tr("%1, from the group above").arg(text);
@@ -188,7 +169,7 @@ QVariant StructureTreeModel::describe(const QModelIndex& index) const {
     default:
       return node.isGroup() ? tr("%1, structures: %2")
                                   .arg(QString::fromStdString(node.name))
-                                  .arg(scene.structuresBelow(node.id).size())
+                                  .arg(state(node.id).structures)
                             : QString::fromStdString(node.name);
   }
 }

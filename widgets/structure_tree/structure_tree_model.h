@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene's tree as Qt's views want it. It keeps the shape of the tree (ids, parents, order) and
-// asks the session for all else.
+// The scene's tree as Qt's views want it. Of each scene it works out the shape of the tree (ids,
+// parents, order) and what the rows show, and asks the session for all else.
 #pragma once
 
 #include <QAbstractItemModel>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "widgets/session/session.h"
+#include "widgets/structure_tree/row_states.h"
 
 namespace sline::widgets {
 
@@ -47,11 +48,13 @@ class StructureTreeModel : public QAbstractItemModel {
   using Shape = std::unordered_map<std::uint64_t, Place>;
   static Shape shapeOf(const model::Scene& scene);
   const Place* place(model::NodeId id) const;
+  const RowState& state(model::NodeId id) const;
   void change(const model::Scene& before, const model::Scene& now);
   QVariant describe(const QModelIndex& index) const;
 
   Session& m_session;
   Shape m_shape;
+  RowStates m_states;  ///< worked out anew from each scene
 };
 
 }  // namespace sline::widgets

@@ -65,8 +65,13 @@ StructureTreeView::StructureTreeView(Session& session, QWidget* parent)
 }
 
 void StructureTreeView::setFilter(const QString& text) {
-  m_filtered->setFilterFixedString(text.trimmed());
+  {
+    // What the filter hides stays selected: looking for one structure forgets no other.
+    const QScopedValueRollback following(m_following, true);
+    m_filtered->setFilterFixedString(text.trimmed());
+  }
   expandAll();
+  fromSession();
 }
 
 model::NodeId StructureTreeView::idAt(const QModelIndex& shown) const {

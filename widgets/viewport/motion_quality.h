@@ -4,7 +4,8 @@
 namespace sline::widgets {
 
 /// How fine pictures are while the camera moves: coarser where a full one takes long, full again
-/// when it rests.
+/// when it rests. The first of a scene is coarse: a full one that takes long would hold up the
+/// move.
 class MotionQuality {
  public:
   /// A picture drawn anew at that scale took this long.
@@ -13,7 +14,7 @@ class MotionQuality {
   float scale() const { return m_scale; }
 
  private:
-  float m_scale = 1.0f;
+  float m_scale = 0.5f;
 };
 
 }  // namespace sline::widgets

@@ -5,6 +5,8 @@
 #include <QOpenGLContext>
 #include <exception>
 
+#include "widgets/session/background_thread.h"
+
 namespace sline::widgets {
 
 namespace {
@@ -73,7 +75,8 @@ std::optional<PictureRequest> RenderThread::next() {
     return std::nullopt;
   m_unwanted = false;
   m_resting.reset();
-  if (m_request->dispensable)
+  // Pictures of a moving camera are always finished, or a long move would show none.
+  if (!m_request->moving)
     m_resting = m_request->camera;
   return std::exchange(m_request, std::nullopt);
 }
@@ -97,6 +100,7 @@ Result<bool> RenderThread::draw(PicturePainter& painter, const PictureRequest& r
 }
 
 void RenderThread::run() {
+  standBack();
   if (!m_context->isValid() || !m_context->makeCurrent(&m_surface)) {
     emit failed({.reason = "the graphics driver gives no second OpenGL context",
                  .remedy = "Update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1"});
@@ -114,7 +118,10 @@ void RenderThread::run() {
     if (const Result<bool> done = draw(**painter, *request); !done)
       emit failed(done.error());
     else if (*done)
-      emit drawn({request->number, double(clock.nsecsElapsed()) * 1e-6});
+      emit drawn({.number = request->number,
+                  .milliseconds = double(clock.nsecsElapsed()) * 1e-6,
+                  .scale = request->scale,
+                  .moving = request->moving});
   }
   if (painter)
     painter->reset();

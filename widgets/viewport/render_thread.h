@@ -25,9 +25,9 @@ struct PictureRequest {
   model::Scene scene;
   model::Camera camera;
   render::PictureSettings settings;
-  /// Of a resting camera: given up when the camera moves on. Those of a moving one are always
-  /// finished, or a long move would show none.
-  bool dispensable = false;
+  float scale = 1.0f;   ///< of the picture's size to the window's; what is shown is as large
+  bool moving = false;  ///< the camera is on its way; else it rests, and its picture is given up
+                        ///< when it moves on
 };
 
 /// Draws requests; lives on the render thread, whose context is current.
@@ -46,6 +46,8 @@ Result<std::unique_ptr<PicturePainter>> makePicturePainter();
 struct PictureReport {
   std::uint64_t number = 0;
   double milliseconds = 0.0;
+  float scale = 1.0f;   ///< as requested
+  bool moving = false;  ///< as requested
 };
 
 class RenderThread : public QThread {
@@ -77,7 +79,7 @@ class RenderThread : public QThread {
   std::condition_variable m_wake;
   std::optional<PictureRequest> m_request;
   bool m_quit = false;
-  /// Of the picture under way, where it is dispensable: its camera.
+  /// Of the picture under way: its camera, where it rests.
   std::optional<model::Camera> m_resting;
   std::atomic<bool> m_unwanted = false;
 };

@@ -57,6 +57,7 @@ Viewport::Viewport(Session& session, QWidget* parent) : QOpenGLWidget(parent), m
   m_letters[1]->setObjectName(QStringLiteral("letterRight"));
   m_letters[2]->setObjectName(QStringLiteral("letterTop"));
   m_letters[3]->setObjectName(QStringLiteral("letterBottom"));
+  styleLetters();
 }
 
 Viewport::~Viewport() {
@@ -96,6 +97,8 @@ void Viewport::closeGraphics() {
 void Viewport::paintGL() {
   if (!m_handoff)
     return;
+  if (m_shown == 0)
+    m_handoff->warmUp();
   const std::uint64_t shown = m_handoff->show(pixels());
   if (shown == m_shown)
     return;
@@ -122,7 +125,6 @@ void Viewport::changeEvent(QEvent* event) {
 void Viewport::refresh() {
   if (!m_thread)
     return;
-  m_askedMoving = m_moving;
   m_askedScale = m_moving ? m_quality.scale() : 1.0f;
   const render::gpu::TextureSize size = pixels();
   PictureRequest request{.number = ++m_asked,
@@ -130,16 +132,18 @@ void Viewport::refresh() {
                          .camera = m_camera,
                          .settings = {.width = scaled(size.width, m_askedScale),
                                       .height = scaled(size.height, m_askedScale),
-                                      .background = m_background},
-                         .dispensable = !m_moving};
+                                      .background = m_background,
+                                      .keyLight = m_keyLight},
+                         .scale = m_askedScale,
+                         .moving = m_moving};
   m_thread->ask(std::move(request));
 }
 
 void Viewport::took(const PictureReport& report) {
   m_lastMilliseconds = report.milliseconds;
   // Only pictures of a moving camera are drawn anew as a whole; others keep most layers.
-  if (m_askedMoving && report.number == m_asked)
-    m_quality.took(report.milliseconds, m_askedScale);
+  if (report.moving)
+    m_quality.took(report.milliseconds, report.scale);
   update();
 }
 
@@ -189,22 +193,30 @@ std::vector<glm::vec3> Viewport::visibleCorners() const {
   return corners;
 }
 
-void Viewport::showFrom(model::AnatomicalView view) {
+model::Camera Viewport::cameraFrom(model::AnatomicalView view) const {
   const model::Box bounds = m_session.scene().visibleBounds();
   const float aspect = size2().x / size2().y;
-  if (!bounds.empty())
-    m_pivot = bounds.centre();
-  setCamera(model::fitted(model::anatomicalCamera(view, bounds, aspect), visibleCorners(), aspect));
+  return model::fitted(model::anatomicalCamera(view, bounds, aspect), visibleCorners(), aspect);
 }
 
-void Viewport::showOverview() {
-  m_camera = {};
-  showFrom(model::AnatomicalView::anterior);
+void Viewport::pivotToMiddle() {
+  const model::Box bounds = m_session.scene().visibleBounds();
+  if (!bounds.empty())
+    m_pivot = bounds.centre();
+}
+
+void Viewport::showFrom(model::AnatomicalView view) {
+  pivotToMiddle();
+  setCamera(cameraFrom(view));
+}
+
+model::Camera Viewport::overview() const {
   // Views are saved for pictures of 4:3; a narrower window steps back so that the sides stay in.
   const float narrow = std::min(1.0f, size2().x / size2().y * 3.0f / 4.0f);
   for (const model::View& view : m_session.scene().views())
-    if (view.name == "Overview")
-      setCamera(zoomed(view.camera, view.camera.target, narrow));
+    if (view.name == "Overview" && !model::cameraFault(view.camera))
+      return zoomed(view.camera, view.camera.target, narrow);
+  return cameraFrom(model::AnatomicalView::anterior);
 }
 
 void Viewport::fitAll() {
@@ -219,16 +231,33 @@ void Viewport::setBackground(render::Background background) {
   if (background == m_background)
     return;
   m_background = background;
-  placeLetters();
+  styleLetters();
   refresh();
   emit backgroundChanged();
 }
 
+void Viewport::setKeyLight(bool on) {
+  if (on == m_keyLight)
+    return;
+  m_keyLight = on;
+  refresh();
+}
+
 void Viewport::documentChange(const Document& before, const Document& now) {
-  if (before.opening != now.opening)
-    showOverview();
-  if (!(before.scene == now.scene))
-    refresh();
+  const bool another = before.opening != now.opening;
+  if (!another && before.scene == now.scene)
+    return;
+  if (another) {
+    m_drag.reset();
+    m_quality = {};
+    pivotToMiddle();
+    m_camera = overview();
+  }
+  if (another || before.scene.nodes().empty() != now.scene.nodes().empty())
+    placeLetters();
+  refresh();
+  if (another)
+    emit cameraChanged();
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
@@ -313,18 +342,22 @@ void Viewport::picked(const std::optional<Pick>& pick, PickFor purpose) {
   m_session.select(std::move(ids));
 }
 
+void Viewport::styleLetters() {
+  const bool dark = m_background == render::Background::dark;
+  for (QLabel* label : m_letters)
+    label->setStyleSheet(dark ? QStringLiteral("color: #9a9a9a; font-weight: 600;")
+                              : QStringLiteral("color: #8a857c; font-weight: 600;"));
+}
+
 void Viewport::placeLetters() {
   const EdgeLetters letters = edgeLetters(m_camera);
   const std::array<const std::string*, 4> texts{&letters.left, &letters.right, &letters.top,
                                                 &letters.bottom};
   constexpr int margin = 10;
   const QPoint middle = rect().center();
-  const bool dark = m_background == render::Background::dark;
   for (std::size_t i = 0; i < m_letters.size(); ++i) {
     QLabel& label = *m_letters[i];
     label.setText(QString::fromStdString(*texts[i]));
-    label.setStyleSheet(dark ? QStringLiteral("color: #9a9a9a; font-weight: 600;")
-                             : QStringLiteral("color: #8a857c; font-weight: 600;"));
     label.adjustSize();
     QRect box = label.rect();
     box.moveCenter(middle);

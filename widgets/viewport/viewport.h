@@ -31,12 +31,13 @@ class Viewport : public QOpenGLWidget {
   const model::Camera& camera() const { return m_camera; }
   void setCamera(const model::Camera& camera);
   void showFrom(model::AnatomicalView view);
-  /// As a scene is first seen: its view of that name, else the body from the front.
-  void showOverview();
   /// Fits all that is visible without turning the camera; it becomes what the camera turns around.
   void fitAll();
   render::Background background() const { return m_background; }
   void setBackground(render::Background background);
+  /// A light from the upper left besides the headlight, on what is shaded.
+  bool keyLight() const { return m_keyLight; }
+  void setKeyLight(bool on);
 
   /// True where the picture on screen is of the document and the camera as they are, in full size.
   bool upToDate() const;
@@ -74,7 +75,13 @@ class Viewport : public QOpenGLWidget {
   void documentChange(const Document& before, const Document& now);
   void pick(const QPointF& at, PickFor purpose);
   void picked(const std::optional<Pick>& pick, PickFor purpose);
+  void styleLetters();
   void placeLetters();
+  model::Camera cameraFrom(model::AnatomicalView view) const;
+  /// As a scene is first seen: its view of that name, else the body from the front.
+  model::Camera overview() const;
+  /// The camera turns around the middle of what is shown.
+  void pivotToMiddle();
   render::gpu::TextureSize pixels() const;
   glm::vec2 size2() const { return {float(width()), float(height())}; }
   std::vector<glm::vec3> visibleCorners() const;
@@ -87,6 +94,7 @@ class Viewport : public QOpenGLWidget {
   model::Camera m_camera;
   glm::vec3 m_pivot{0.0f};
   render::Background m_background = render::Background::paper;
+  bool m_keyLight = false;
   std::optional<CameraDrag> m_drag;
   QPointF m_pressed;
   bool m_dragged = false;  ///< the mouse went far enough that the release is no click
@@ -96,7 +104,6 @@ class Viewport : public QOpenGLWidget {
   bool m_moving = false;
   std::uint64_t m_asked = 0;  ///< the newest request
   float m_askedScale = 1.0f;
-  bool m_askedMoving = false;
   std::uint64_t m_shown = 0;  ///< on screen
   double m_lastMilliseconds = 0.0;
 

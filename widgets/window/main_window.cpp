@@ -30,6 +30,7 @@
 #include "widgets/structure_tree/structure_tree_view.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/window/message_bar.h"
+#include "widgets/window/section_actions.h"
 
 namespace sline::widgets {
 
@@ -38,6 +39,7 @@ namespace {
 constexpr const char* geometryKey = "window/geometry";
 constexpr const char* stateKey = "window/state";
 constexpr const char* backgroundKey = "picture/background";
+constexpr const char* keyLightKey = "picture/keyLight";
 constexpr const char* folderKey = "files/folder";
 
 struct BackgroundRow {
@@ -196,6 +198,19 @@ void MainWindow::makeViewMenu() {
   m_savedViews = view->addMenu(tr("Saved &Views"));
   m_savedViews->setObjectName(QStringLiteral("savedViews"));
   view->addSeparator();
+  QMenu* section = view->addMenu(tr("S&ection"));
+  for (const char* id :
+       {"sectionSagittal", "sectionCoronal", "sectionAxial", "", "sectionFlip", "sectionOff"}) {
+    if (*id == '\0')
+      section->addSeparator();
+    else
+      section->addAction(&m_actions[QLatin1String(id)]);
+  }
+  m_sections = new SectionActions(m_session, *m_viewport, m_actions, this);
+  QAction& keyLight = m_actions[QStringLiteral("keyLight")];
+  keyLight.setCheckable(true);
+  connect(&keyLight, &QAction::toggled, m_viewport, &Viewport::setKeyLight);
+  view->addAction(&keyLight);
   QMenu* background = view->addMenu(tr("&Background"));
   auto* group = new QActionGroup(this);
   for (const BackgroundRow& row : backgroundRows()) {
@@ -237,9 +252,30 @@ void MainWindow::makeTools() {
   tools->setObjectName(QStringLiteral("tools"));
   tools->setMovable(false);
   tools->setToolButtonStyle(Qt::ToolButtonTextOnly);
-  for (const char* id :
-       {"openFolder", "", "undo", "redo", "", "focus", "context", "isolate", "showAll", "",
-        "anterior", "posterior", "left", "right", "superior", "inferior", "fit"}) {
+  for (const char* id : {"openFolder",
+                         "",
+                         "undo",
+                         "redo",
+                         "",
+                         "focus",
+                         "context",
+                         "isolate",
+                         "showAll",
+                         "",
+                         "anterior",
+                         "posterior",
+                         "left",
+                         "right",
+                         "superior",
+                         "inferior",
+                         "fit",
+                         "",
+                         "sectionSagittal",
+                         "sectionCoronal",
+                         "sectionAxial",
+                         "sectionFlip",
+                         "",
+                         "keyLight"}) {
     if (*id == '\0')
       tools->addSeparator();
     else
@@ -347,6 +383,8 @@ void MainWindow::restore() {
   for (const BackgroundRow& row : backgroundRows())
     if (background == QLatin1String(row.id))
       m_viewport->setBackground(row.background);
+  m_actions[QStringLiteral("keyLight")].setChecked(
+      m_settings.value(QLatin1String(keyLightKey)).toBool());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -355,6 +393,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   for (const BackgroundRow& row : backgroundRows())
     if (row.background == m_viewport->background())
       m_settings.setValue(QLatin1String(backgroundKey), QLatin1String(row.id));
+  m_settings.setValue(QLatin1String(keyLightKey), m_viewport->keyLight());
   m_session.cancelJob();
   QMainWindow::closeEvent(event);
 }

@@ -19,6 +19,7 @@ namespace sline::widgets {
 
 class GammaPanel;
 class MessageBar;
+class SectionActions;
 class StructureTree;
 class Viewport;
 
@@ -69,6 +70,7 @@ class MainWindow : public QMainWindow {
   Viewport* m_viewport = nullptr;
   StructureTree* m_tree = nullptr;
   GammaPanel* m_gamma = nullptr;
+  SectionActions* m_sections = nullptr;
   QMenu* m_savedViews = nullptr;
   QLabel* m_summary = nullptr;
   QLabel* m_job = nullptr;

@@ -12,6 +12,8 @@ namespace {
 
 constexpr int filledFlag = 1 << 24;
 constexpr int inkedFlag = 1 << 25;
+/// How many layers of tiles are drawn at one go; llvmpipe needs about 10 ms for them.
+constexpr int batchEntries = 400;
 
 std::int32_t pair(int low, int high) {
   assert(low >= 0 && low <= 0xffff && high >= 0 && high <= 0xffff);
@@ -63,7 +65,15 @@ Result<std::unique_ptr<ResolvePass>> ResolvePass::create(gpu::Dialect dialect) {
 void ResolvePass::upload(std::span<const ResolveTile> tiles,
                          std::span<const ResolveEntry> entries) {
   m_tiles.stream(std::as_bytes(tiles));
-  m_tileCount = tiles.size();
+  m_batches.clear();
+  int waiting = 0;
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    waiting += tiles[i].count;
+    if (waiting >= batchEntries || i + 1 == tiles.size()) {
+      m_batches.push_back(i + 1);
+      waiting = 0;
+    }
+  }
   const int rows = std::max(1, (int(entries.size()) + entriesPerRow - 1) / entriesPerRow);
   if (!m_entries || m_entries->size().height < rows)
     m_entries = std::make_unique<gpu::Texture>(gpu::TextureFormat::rgba32i,
@@ -75,10 +85,10 @@ void ResolvePass::upload(std::span<const ResolveTile> tiles,
 }
 
 void ResolvePass::draw(gpu::Device& device, const gpu::Target& target,
-                       const ResolveInputs& inputs) const {
+                       const ResolveInputs& inputs) {
   const gpu::TextureSize size = target.size();
   device.clear(target, {.colour = inputs.background});
-  if (m_tileCount == 0)
+  if (m_batches.empty())
     return;
   m_program->set("targetSize", glm::vec2(float(size.width), float(size.height)));
   m_program->set("tileSide", float(tileSide));
@@ -89,7 +99,14 @@ void ResolvePass::draw(gpu::Device& device, const gpu::Target& target,
   m_program->set("entriesPerRow", entriesPerRow);
   m_program->set("background", inputs.background);
   const gpu::DrawState state{.viewport = {0, 0, size.width, size.height}};
-  device.quads({target, *m_program, m_geometry, state}, m_tileCount);
+  std::size_t first = 0;
+  for (const std::size_t end : m_batches) {
+    if (first > 0)
+      device.finish();
+    m_geometry.startInstancesAt(first);
+    device.quads({target, *m_program, m_geometry, state}, end - first);
+    first = end;
+  }
 }
 
 }  // namespace sline::render::passes

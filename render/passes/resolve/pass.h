@@ -5,6 +5,7 @@
 
 #include <glm/vec4.hpp>
 #include <memory>
+#include <vector>
 
 #include "model/base/units.h"
 #include "render/gpu/device.h"
@@ -48,8 +49,9 @@ class ResolvePass {
   static Result<std::unique_ptr<ResolvePass>> create(gpu::Dialect dialect);
 
   void upload(std::span<const ResolveTile> tiles, std::span<const ResolveEntry> entries);
-  /// Pixels outside of all tiles become background.
-  void draw(gpu::Device& device, const gpu::Target& target, const ResolveInputs& inputs) const;
+  /// Pixels outside of all tiles become background. Waits for the GPU between batches of tiles, so
+  /// that another context's drawing gets its turn.
+  void draw(gpu::Device& device, const gpu::Target& target, const ResolveInputs& inputs);
 
  private:
   ResolvePass();
@@ -58,8 +60,8 @@ class ResolvePass {
   gpu::Buffer m_tiles;
   gpu::Geometry m_geometry;
   std::unique_ptr<gpu::Texture> m_entries;
-  std::vector<ResolveEntry> m_rows;  ///< the entries padded to whole rows
-  std::size_t m_tileCount = 0;
+  std::vector<ResolveEntry> m_rows;    ///< the entries padded to whole rows
+  std::vector<std::size_t> m_batches;  ///< after the last tile of each
 };
 
 }  // namespace sline::render::passes

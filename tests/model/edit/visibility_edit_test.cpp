@@ -97,6 +97,28 @@ class VisibilityEditTest : public QObject {
     QCOMPARE(s.visible(), visible);
   }
 
+  /// Shown together is shown one after the other, whatever was hidden before.
+  void manyAtOnceAreOneByOne() {
+    const QStringList names{"A", "B", "a", "b", "c", "d"};
+    for (unsigned hidden = 0; hidden < 64; ++hidden)
+      for (unsigned wanted = 0; wanted < 64; ++wanted) {
+        Sample together;
+        for (int i = 0; i < 6; ++i)
+          if ((hidden >> i & 1u) != 0)
+            together.edit("-" + names[i]);
+        Sample apart = together;
+        std::vector<NodeId> ids;
+        for (int i = 0; i < 6; ++i)
+          if ((wanted >> i & 1u) != 0) {
+            ids.push_back(together.id(names[i]));
+            apart.edit("+" + names[i]);
+          }
+        together.scene = withShown(together.scene, ids).scene;
+        QCOMPARE(together.visible(), apart.visible());
+        QVERIFY(together.scene == apart.scene);
+      }
+  }
+
   void saysWhetherAnythingChanged() {
     Sample s;
     QVERIFY(!withShown(s.scene, s.ids("A d")).changed);

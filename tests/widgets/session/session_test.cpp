@@ -22,7 +22,7 @@ class SessionTest : public QObject {
     return scene;
   }
   static SceneMaker maker(const QString& title) {
-    return [title](const model::ImportProgress&) -> Result<Loaded> {
+    return [title](const model::ImportProgress&, const std::stop_token&) -> Result<Loaded> {
       return Loaded{.scene = twoBalls(), .title = title, .remarks = {}};
     };
   }
@@ -140,13 +140,14 @@ class SessionTest : public QObject {
     QVERIFY(open(session));
     const Document before = session.document();
     const auto seen = std::make_shared<QSemaphore>();
-    session.openMade(QStringLiteral("endless"),
-                     [seen](const model::ImportProgress& progress) -> Result<Loaded> {
-                       while (progress(0.5f, "on and on"))
-                         QThread::msleep(1);
-                       seen->release();
-                       return Error{.reason = "cancelled"};
-                     });
+    session.openMade(
+        QStringLiteral("endless"),
+        [seen](const model::ImportProgress& progress, const std::stop_token&) -> Result<Loaded> {
+          while (progress(0.5f, "on and on"))
+            QThread::msleep(1);
+          seen->release();
+          return Error{.reason = "cancelled"};
+        });
     QVERIFY(session.busy());
     QSignalSpy failures(&session, &Session::failed);
     session.cancelJob();
@@ -157,11 +158,29 @@ class SessionTest : public QObject {
     QCOMPARE(failures.count(), 0);
   }
 
+  /// A maker that reports nothing hears of it too, and a session that goes waits for it.
+  void silentJobsStopToo() {
+    const auto ended = std::make_shared<std::atomic<bool>>(false);
+    {
+      Session session;
+      session.openMade(
+          QStringLiteral("silent"),
+          [ended](const model::ImportProgress&, const std::stop_token& stop) -> Result<Loaded> {
+            while (!stop.stop_requested())
+              QThread::msleep(1);
+            *ended = true;
+            return Error{.reason = "cancelled"};
+          });
+    }
+    QVERIFY(*ended);
+  }
+
   void aNewJobReplacesTheOld() {
     Session session;
     const auto release = std::make_shared<QSemaphore>();
     session.openMade(
-        QStringLiteral("slow"), [release](const model::ImportProgress&) -> Result<Loaded> {
+        QStringLiteral("slow"),
+        [release](const model::ImportProgress&, const std::stop_token&) -> Result<Loaded> {
           release->acquire();
           return Loaded{.scene = twoBalls(), .title = QStringLiteral("slow"), .remarks = {}};
         });
@@ -183,12 +202,13 @@ class SessionTest : public QObject {
     QVERIFY(open(session));
     const Document before = session.document();
     QSignalSpy failures(&session, &Session::failed);
-    session.openMade(QStringLiteral("broken"),
-                     [throws](const model::ImportProgress&) -> Result<Loaded> {
-                       if (throws)
-                         throw std::runtime_error("no luck");
-                       return Error{.file = "a.obj", .reason = "no luck"};
-                     });
+    session.openMade(
+        QStringLiteral("broken"),
+        [throws](const model::ImportProgress&, const std::stop_token&) -> Result<Loaded> {
+          if (throws)
+            throw std::runtime_error("no luck");
+          return Error{.file = "a.obj", .reason = "no luck"};
+        });
     QTRY_COMPARE(failures.count(), 1);
     const auto error = failures.front().front().value<Error>();
     QVERIFY(QString::fromStdString(error.reason).contains(QStringLiteral("no luck")));

@@ -27,9 +27,11 @@ class StructureTreeModelTest : public QObject {
     return scene;
   }
   static bool open(Session& session) {
-    session.openMade(QStringLiteral("body"), [](const model::ImportProgress&) -> Result<Loaded> {
-      return Loaded{.scene = body(), .title = QStringLiteral("body"), .remarks = {}};
-    });
+    session.openMade(QStringLiteral("body"),
+                     [](const model::ImportProgress&, const std::stop_token&) -> Result<Loaded> {
+                       return Loaded{
+                           .scene = body(), .title = QStringLiteral("body"), .remarks = {}};
+                     });
     return QTest::qWaitFor([&] { return !session.busy(); });
   }
   static model::NodeId id(const Session& session, const char* name) {
@@ -99,6 +101,39 @@ class StructureTreeModelTest : public QObject {
                 .contains(QStringLiteral("from the group above")));
     QCOMPARE(group.siblingAtColumn(Model::eye).data(Qt::AccessibleTextRole).toString(),
              QStringLiteral("Shown"));
+  }
+
+  /// One pass over the scene finds what asking node by node does.
+  void rowStatesAgreeWithTheScene() {
+    const model::MeshPtr ball = test::sphere(1.0f, 1);
+    model::Scene scene;
+    std::vector<model::NodeId> groups{model::rootId};
+    for (int i = 0; i < 60; ++i) {
+      model::Style style;
+      if (i % 3 == 0)
+        style.gamma = Gamma::clamped(0.1f * float(i % 40));
+      if (i % 4 == 1)
+        style.colour = Colour{std::uint8_t(i), 0, 0};
+      if (i % 5 == 2)
+        style.visible = false;
+      const model::NodeId parent = groups[std::size_t(i * 7) % groups.size()];
+      const bool group = i % 6 == 0;
+      const model::NodeId id = scene.append(
+          {.parent = parent, .name = "n", .style = style, .mesh = group ? nullptr : ball});
+      if (group)
+        groups.push_back(id);
+    }
+    const RowStates states = rowStatesOf(scene);
+    QCOMPARE(states.size(), std::size_t(60));
+    for (const model::Node& node : scene.nodes()) {
+      const RowState& state = states.at(node.id.value);
+      QCOMPARE(int(state.shown), int(model::shownOf(scene, node.id)));
+      QVERIFY(state.gamma == model::gammaRangeOf(scene, node.id));
+      QCOMPARE(state.ownGamma, node.style.gamma.has_value());
+      QCOMPARE(state.structures, scene.structuresBelow(node.id).size());
+      if (!node.isGroup())
+        QVERIFY(state.colours == std::vector<Colour>{scene.resolve(node.id).colour});
+    }
   }
 
   void renames() {

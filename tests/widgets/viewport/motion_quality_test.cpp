@@ -26,7 +26,7 @@ class MotionQualityTest : public QObject {
     QFETCH(float, at);
     QFETCH(float, scale);
     MotionQuality quality;
-    QCOMPARE(quality.scale(), 1.0f);
+    QCOMPARE(quality.scale(), 0.5f);
     quality.took(milliseconds, at);
     QCOMPARE(quality.scale(), scale);
   }

@@ -10,6 +10,31 @@ using namespace sline::widgets;
 class PickIndexTest : public QObject {
   Q_OBJECT
  private slots:
+  /// What a section takes away cannot be picked; its cut face can.
+  void sectionsLetThrough_data() {
+    QTest::addColumn<float>("at");
+    QTest::addColumn<float>("picked");
+    QTest::newRow("before all") << -200.0f << -30.0f;
+    QTest::newRow("through the first") << 10.0f << 10.0f;
+    QTest::newRow("between the two") << 50.0f << 70.0f;
+    QTest::newRow("through the second") << 95.0f << 95.0f;
+  }
+  void sectionsLetThrough() {
+    QFETCH(float, at);
+    QFETCH(float, picked);
+    model::Scene scene;
+    for (const float y : {0.0f, 100.0f})
+      scene.append(
+          {.name = "ball", .mesh = test::moved(*test::sphere(30.0f, 4), 1.0f, {0.0f, y, 0.0f})});
+    model::Section section;
+    section.plane = {.normal = {0.0f, -1.0f, 0.0f}, .offset = -at};
+    scene.appendSection(section);
+    PickIndex index;
+    const auto pick = index.pick(scene, {.origin = {1, -500, 2}, .direction = {0, 1, 0}});
+    QVERIFY(pick);
+    QVERIFY(std::abs(pick->position.y - picked) < 1.0f);
+  }
+
   /// Three spheres in a row along the ray, the first at y = −100.
   void nearestThatIsSeen_data() {
     QTest::addColumn<QList<float>>("gammas");

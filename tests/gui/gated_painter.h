@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// The renderer behind a gate, to hold it up from outside.
+#pragma once
+
+#include <QSemaphore>
+#include <atomic>
+#include <memory>
+
+#include "widgets/viewport/render_thread.h"
+
+namespace sline::test {
+
+/// What happens on the render thread, seen and steered from outside.
+struct Gate {
+  QSemaphore pass;  ///< one for each picture that may begin
+  std::atomic<bool> open = true;
+  std::atomic<int> begun = 0;
+  std::atomic<int> done = 0;
+  std::atomic<std::uint64_t> last = 0;  ///< number of the last request that was begun
+};
+
+/// The renderer behind a gate.
+class GatedPainter : public widgets::PicturePainter {
+ public:
+  GatedPainter(std::unique_ptr<widgets::PicturePainter> painter, std::shared_ptr<Gate> gate)
+      : m_painter(std::move(painter)), m_gate(std::move(gate)) {}
+  Result<bool> paint(const widgets::PictureRequest& request,
+                     const render::Picture::TargetJob& job) override {
+    m_gate->last = request.number;
+    ++m_gate->begun;
+    if (!m_gate->open)
+      m_gate->pass.acquire();
+    Result<bool> painted = m_painter->paint(request, job);
+    ++m_gate->done;
+    return painted;
+  }
+
+ private:
+  std::unique_ptr<widgets::PicturePainter> m_painter;
+  std::shared_ptr<Gate> m_gate;
+};
+
+inline widgets::PainterFactory gated(const std::shared_ptr<Gate>& gate) {
+  return [gate]() -> Result<std::unique_ptr<widgets::PicturePainter>> {
+    auto painter = widgets::makePicturePainter();
+    if (!painter)
+      return painter.error();
+    return std::unique_ptr<widgets::PicturePainter>(
+        std::make_unique<GatedPainter>(std::move(*painter), gate));
+  };
+}
+
+}  // namespace sline::test
