@@ -6,7 +6,7 @@
 #include "model/demo/abdomen.h"
 #include "model/demo/kidney.h"
 #include "model/demo/pelvis.h"
-#include "model/files/scene_store.h"
+#include "model/files/scene_file.h"
 
 namespace sline::model {
 
@@ -46,19 +46,20 @@ std::string_view sexName(Sex sex) {
 }
 
 std::string demoCacheFile(DemoName name, Sex sex) {
-  return keyOf(name, sex) + ".scene";
+  return keyOf(name, sex) + std::string(sceneExtension);
 }
 
 Scene demo(DemoName name, Sex sex, const std::filesystem::path& cacheFolder) {
   if (cacheFolder.empty())
     return modelled(name, sex);
   const std::filesystem::path file = cacheFolder / demoCacheFile(name, sex);
-  const std::string key = keyOf(name, sex);
-  if (Result<Scene> kept = readSceneStore(file, key); kept.ok())
-    return std::move(kept).value();
+  if (Result<SceneDocument> kept = readSceneFile(file); kept.ok())
+    return std::move(kept->scene);
   Scene scene = modelled(name, sex);
   // Without a place to keep it, it is modelled again next time.
-  static_cast<void>(writeSceneStore(file, scene, key).ok());
+  std::error_code ignored;
+  std::filesystem::create_directories(cacheFolder, ignored);
+  static_cast<void>(writeSceneFile(file, {.scene = scene}).ok());
   return scene;
 }
 
