@@ -16,6 +16,15 @@ void warnOfOptions(const ImportOptions& options, std::vector<ImportWarning>& war
                         "the unit that were chosen do not apply to it"});
 }
 
+/// What decided the frame when its first structure was imported.
+std::string frameReasonOf(const Scene& scene) {
+  const auto& nodes = scene.nodes();
+  const auto found = std::find_if(nodes.begin(), nodes.end(), [](const Node& node) {
+    return !node.provenance.frameReason.empty();
+  });
+  return found == nodes.end() ? "scene file" : found->provenance.frameReason;
+}
+
 using NewIds = std::map<NodeId, NodeId>;
 
 /// Sections get fresh ids in the scene; those of a view keep theirs, which are its own.
@@ -71,7 +80,7 @@ Result<Imported> openScenes(std::span<const std::filesystem::path> files,
     else
       append(all, std::move(one));
   }
-  all.report.frameReason = "scene file";
+  all.report.frameReason = frameReasonOf(all.scene);
   warnOfOptions(options, all.report.warnings);
   return all;
 }
