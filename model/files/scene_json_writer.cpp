@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <array>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "model/files/scene_json.h"
@@ -11,14 +11,34 @@ namespace {
 /// Keys stay in the order they are written in.
 using Ordered = nlohmann::ordered_json;
 
+/// The same value; its keys, sorted and unlike each other, are not looked for again one by one.
+Ordered orderedOf(const Json& json) {
+  if (json.is_array()) {
+    Ordered list = Ordered::array();
+    for (const Json& value : json)
+      list.push_back(orderedOf(value));
+    return list;
+  }
+  if (!json.is_object())
+    return Ordered::parse(json.dump());
+  Ordered object = Ordered::object();
+  for (const auto& [key, value] : json.items())
+    object.get_ref<Ordered::object_t&>().push_back({key, orderedOf(value)});
+  return object;
+}
+
 /// Adds what `unread` has and `target` has not, object by object.
 void addUnread(Ordered& target, const Json& unread) {
+  auto& keys = target.get_ref<Ordered::object_t&>();
+  const std::size_t known = keys.size();
   for (const auto& [key, value] : unread.items()) {
-    const auto own = target.find(key);
-    if (own == target.end())
-      target[key] = Ordered::parse(value.dump());
-    else if (own->is_object() && value.is_object())
-      addUnread(*own, value);
+    const auto end = keys.begin() + std::ptrdiff_t(known);
+    const auto own =
+        std::find_if(keys.begin(), end, [&](const auto& entry) { return entry.first == key; });
+    if (own == end)
+      keys.push_back({key, orderedOf(value)});
+    else if (own->second.is_object() && value.is_object())
+      addUnread(own->second, value);
   }
 }
 
