@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/plan_report.h"
 
+#include <cmath>
 #include <map>
 #include <sstream>
 
@@ -54,7 +55,8 @@ std::string decisions(const model::Scene& scene, const std::string& title, const
       ++counts[decide(node.provenance)];
   std::string text;
   for (const auto& [told, count] : counts)
-    text += title + " " + told + ": " + counted(count, "structure") + "\n";
+    text.append(title).append(" ").append(told).append(": ").append(counted(count, "structure")) +=
+        '\n';
   return text;
 }
 }  // namespace
@@ -95,8 +97,8 @@ std::string planText(const model::ImportPlan& plan) {
   out << counted(structures, "structure") << ", " << counted(triangles, "triangle");
   if (const model::Box box = plan.scene.visibleBounds(); !box.empty()) {
     const glm::vec3 size = box.size();
-    out << ", " << int(size.x + 0.5f) << " × " << int(size.y + 0.5f) << " × " << int(size.z + 0.5f)
-        << " mm";
+    out << ", " << std::lround(size.x) << " × " << std::lround(size.y) << " × "
+        << std::lround(size.z) << " mm";
   }
   out << '\n'
       << decisions(plan.scene, "frame", frameDecision)

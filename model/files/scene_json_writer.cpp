@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "model/files/scene_json.h"
@@ -32,9 +31,10 @@ void addUnread(Ordered& target, const Json& unread) {
   auto& keys = target.get_ref<Ordered::object_t&>();
   const std::size_t known = keys.size();
   for (const auto& [key, value] : unread.items()) {
-    const auto end = keys.begin() + std::ptrdiff_t(known);
-    const auto own =
-        std::find_if(keys.begin(), end, [&](const auto& entry) { return entry.first == key; });
+    auto own = keys.begin();
+    const auto end = own + std::ptrdiff_t(known);
+    while (own != end && own->first != key)
+      ++own;
     if (own == end)
       keys.push_back({key, orderedOf(value)});
     else if (own->second.is_object() && value.is_object())

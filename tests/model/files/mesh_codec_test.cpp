@@ -78,7 +78,7 @@ void MeshCodecTest::refuses_data() {
   QTest::addColumn<QByteArray>("bytes");
   QTest::addColumn<QString>("reason");
   const std::string sphere = encodedMesh(*test::sphere(5.0f, 1));
-  const auto row = [](const char* name, std::string bytes, const char* reason) {
+  const auto row = [](const char* name, const std::string& bytes, const char* reason) {
     QTest::newRow(name) << QByteArray::fromStdString(bytes) << QString(reason);
   };
   const auto with = [&](std::size_t at, char value) {

@@ -82,6 +82,7 @@ std::string withMember(const std::string& file, const std::string& name, const s
         members.push_back({entry.name, std::move(*unpacked)});
   members.push_back({name, bytes});
   std::vector<const ZipMember*> all;
+  all.reserve(members.size());
   for (const ZipMember& member : members)
     all.push_back(&member);
   auto packed = zipped(all);
