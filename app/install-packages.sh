@@ -14,7 +14,7 @@ packages=(
   # OpenGL without a display
   libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri
   # small libraries
-  libtbb-dev libglm-dev nlohmann-json3-dev libcli11-dev libpugixml-dev
+  libtbb-dev libglm-dev nlohmann-json3-dev libcli11-dev libpugixml-dev libzip-dev
 )
 
 missing=()

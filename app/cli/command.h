@@ -24,6 +24,7 @@ void addRender(CLI::App& program, Exit& exit);
 void addLines(CLI::App& program, Exit& exit);
 void addCurvature(CLI::App& program, Exit& exit);
 void addInfo(CLI::App& program, Exit& exit);
+void addImport(CLI::App& program, Exit& exit);
 void addDemo(CLI::App& program, Exit& exit);
 void addRamp(CLI::App& program, Exit& exit);
 void addSteadiness(CLI::App& program, Exit& exit);
@@ -48,7 +49,7 @@ void addCommand(CLI::App& program, Exit& exit,
 
 inline constexpr const char* inputHelp =
     "Mesh files (obj, stl, ply, off, vtk, vtp, gltf, glb), folders of them, 3D Slicer scenes "
-    "(mrml)";
+    "(mrml), scene files (sline)";
 inline constexpr const char* frameHelp =
     "How the files' coordinates map to the patient: LPS or RAS overrides what the files say or "
     "their names suggest, `file` leaves coordinates as they are";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// `sline demo`: the scenes that the program models itself, as a list, a picture or a folder of
-// meshes.
+// `sline demo`: the scenes that the program models itself, as a list, a picture, a scene file or a
+// folder of meshes.
 #include <algorithm>
 #include <filesystem>
 
@@ -9,8 +9,10 @@
 #include "app/cli/mesh_folder.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/scene_summary.h"
+#include "app/cli/thumbnail.h"
 #include "model/demo/demo.h"
 #include "model/files/cache_folder.h"
+#include "model/files/scene_file.h"
 
 namespace sline::cli {
 
@@ -48,13 +50,19 @@ Exit list(const DemoFlags& flags) {
   return std::cout.flush() ? Exit::done : Exit::failed;
 }
 
-Exit writeFolder(const DemoFlags& flags) {
+Exit writeMeshes(const DemoFlags& flags) {
+  const bool folder = isFolderName(flags.picture.output);
   if (saysHowToDraw(flags.picture))
     return complain({.file = flags.picture.output,
-                     .reason = "a folder of meshes has no style and no view",
+                     .reason = folder ? "a folder of meshes has no style and no view"
+                                      : "a scene file gets the demo's own styles and views",
                      .remedy = "Name a picture (png, tiff, exr or jpg), or leave those flags out"},
                     Exit::wrongUse);
-  const Status written = writeMeshFolder(sceneFor(flags), flags.picture.output);
+  const model::Scene scene = sceneFor(flags);
+  const Status written =
+      folder ? writeMeshFolder(scene, flags.picture.output)
+             : model::writeSceneFile(flags.picture.output,
+                                     {.scene = scene, .thumbnail = thumbnailOf(scene)});
   return written.ok() ? Exit::done : complain(written.error(), Exit::failed);
 }
 
@@ -76,7 +84,8 @@ Exit draw(const DemoFlags& flags) {
 Exit runDemo(const DemoFlags& flags) {
   if (flags.picture.output.empty())
     return list(flags);
-  return isFolderName(flags.picture.output) ? writeFolder(flags) : draw(flags);
+  const std::string& output = flags.picture.output;
+  return isFolderName(output) || model::isSceneFile(output) ? writeMeshes(flags) : draw(flags);
 }
 
 void declareDemo(CLI::App& command, DemoFlags& flags) {
@@ -92,8 +101,9 @@ void declareDemo(CLI::App& command, DemoFlags& flags) {
       ->capture_default_str();
   CLI::Option* output = command.add_option(
       "-o,--output", flags.picture.output,
-      "A picture (png, tiff, exr or jpg by its extension); without extension a folder, new or "
-      "empty, for one mesh per structure. Without -o the structures are listed");
+      "A picture (png, tiff, exr or jpg by its extension) or a scene file (sline); without "
+      "extension a folder, new or empty, for one mesh per structure. Without -o the structures are "
+      "listed");
   output->type_name("FILE|FOLDER");
   command.add_flag("--json", flags.json, "The list for programs: one JSON object")
       ->excludes(output);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/image_file.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -161,6 +162,19 @@ Status writeImage(const render::Image& image, const fs::path& file) {
       return failed(output->geterror());
     return Unit{};
   });
+}
+
+Result<std::string> pngBytes(const render::Image& image) {
+  const Format& format = *formatOf("thumbnail.png");
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(format.writer);
+  std::vector<unsigned char> bytes;
+  OIIO::Filesystem::IOVecOutput target(bytes);
+  if (!output || !output->set_ioproxy(&target) ||
+      !output->open("thumbnail.png", specFor(image, format)) ||
+      !writeRows(*output, image, format) || !output->close())
+    return Error{.reason =
+                     "the PNG cannot be made: " + (output ? output->geterror() : OIIO::geterror())};
+  return std::string(bytes.begin(), bytes.end());
 }
 
 }  // namespace sline::cli

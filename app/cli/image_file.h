@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "model/base/result.h"
 #include "render/picture/image.h"
@@ -17,5 +18,8 @@ Status checkImageName(const std::filesystem::path& file);
 /// wants), jpg (no alpha: on white). Where every pixel is opaque no alpha is written. The file
 /// appears whole or not at all, and carries no path, user or date.
 Status writeImage(const render::Image& image, const std::filesystem::path& file);
+
+/// The same as the bytes of a PNG file.
+Result<std::string> pngBytes(const render::Image& image);
 
 }  // namespace sline::cli

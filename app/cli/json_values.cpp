@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/json_values.h"
 
-#include <array>
-#include <cassert>
-#include <charconv>
-#include <cmath>
+#include "model/files/json_value.h"
 
 namespace sline::cli {
 
 Json jsonNumber(float value) {
-  assert(std::isfinite(value));
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  double nearest = double(value);
-  std::from_chars(digits.data(), end, nearest);
-  return nearest;
+  return model::jsonNumber(value);
 }
 
 Json jsonPoint(const glm::vec3& p) {

@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
   sline::cli::addLines(program, exit);
   sline::cli::addCurvature(program, exit);
   sline::cli::addInfo(program, exit);
+  sline::cli::addImport(program, exit);
   sline::cli::addDemo(program, exit);
   sline::cli::addRamp(program, exit);
   sline::cli::addSteadiness(program, exit);

@@ -13,6 +13,15 @@ Result<model::ImportOptions> importOptions(const InputFlags& flags) {
       return frame.error();
     options.frame = *frame;
   }
+  if (!flags.unit.empty()) {
+    const auto unit = parseUnit(flags.unit);
+    if (!unit.ok())
+      return unit.error();
+    if (options.frame == model::Frame::file)
+      return Error{.reason = "--frame file leaves coordinates as they are, whatever their unit",
+                   .remedy = "Leave out one of --frame and --unit"};
+    options.unit = *unit;
+  }
   if (!flags.smooth.empty()) {
     const auto smoothing = parseSmoothing(flags.smooth);
     if (!smoothing.ok())

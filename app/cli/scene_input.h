@@ -16,6 +16,7 @@ struct InputFlags {
   std::vector<std::string> inputs;
   std::string frame;
   std::string smooth;
+  std::string unit;
 };
 
 /// The importer's options; an error is a wrong use.

@@ -17,6 +17,8 @@ struct Choice {
 
 constexpr std::array<Choice<model::Frame>, 3> frames{
     {{"LPS", model::Frame::lps}, {"RAS", model::Frame::ras}, {"file", model::Frame::file}}};
+constexpr std::array<Choice<float>, 4> units{
+    {{"mm", 1.0f}, {"cm", 10.0f}, {"m", 1000.0f}, {"inch", 25.4f}}};
 constexpr std::array<Choice<model::Fill>, 4> fills{{{"none", model::Fill::none},
                                                     {"paper", model::Fill::paper},
                                                     {"tint", model::Fill::tint},
@@ -137,6 +139,10 @@ Result<Colour> parseColour(std::string_view text) {
 
 Result<model::Frame> parseFrame(std::string_view text) {
   return parseChoice(frames, "frame", text);
+}
+
+Result<float> parseUnit(std::string_view text) {
+  return parseChoice(units, "unit", text);
 }
 
 Result<model::Smoothing> parseSmoothing(std::string_view text) {

@@ -35,6 +35,8 @@ Result<Gamma> parseGamma(std::string_view text);
 Result<Colour> parseColour(std::string_view text);
 /// "LPS", "RAS" or "file"; case is ignored.
 Result<model::Frame> parseFrame(std::string_view text);
+/// "mm", "cm", "m" or "inch": how many millimetres it is long.
+Result<float> parseUnit(std::string_view text);
 /// "auto", "off" or a number of steps from 1 to 1000.
 Result<model::Smoothing> parseSmoothing(std::string_view text);
 Result<model::Fill> parseFill(std::string_view text);

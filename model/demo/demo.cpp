@@ -7,7 +7,7 @@
 #include "model/demo/kidney.h"
 #include "model/demo/pelvis.h"
 #include "model/demo/stopping.h"
-#include "model/files/scene_store.h"
+#include "model/files/scene_file.h"
 
 namespace sline::model {
 
@@ -47,7 +47,7 @@ std::string_view sexName(Sex sex) {
 }
 
 std::string demoCacheFile(DemoName name, Sex sex) {
-  return keyOf(name, sex) + ".scene";
+  return keyOf(name, sex) + std::string(sceneExtension);
 }
 
 Scene demo(DemoName name, Sex sex, const std::filesystem::path& cacheFolder) {
@@ -59,12 +59,13 @@ std::optional<Scene> demo(DemoName name, Sex sex, const std::filesystem::path& c
   if (cacheFolder.empty())
     return modelled(name, sex, stop);
   const std::filesystem::path file = cacheFolder / demoCacheFile(name, sex);
-  const std::string key = keyOf(name, sex);
-  if (Result<Scene> kept = readSceneStore(file, key); kept.ok())
-    return std::move(kept).value();
+  if (Result<SceneDocument> kept = readSceneFile(file); kept.ok())
+    return std::move(kept->scene);
   Scene scene = modelled(name, sex, stop);
   // Without a place to keep it, it is modelled again next time.
-  static_cast<void>(writeSceneStore(file, scene, key).ok());
+  std::error_code ignored;
+  std::filesystem::create_directories(cacheFolder, ignored);
+  static_cast<void>(writeSceneFile(file, {.scene = scene}).ok());
   return scene;
 } catch (const ModellingStopped&) {
   return std::nullopt;

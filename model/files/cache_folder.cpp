@@ -12,14 +12,22 @@ std::filesystem::path folderNamedBy(const char* variable) {
   const std::filesystem::path folder = value ? value : "";
   return folder.is_absolute() ? folder : std::filesystem::path();
 }
+
+std::filesystem::path userFolder(const char* variable, const std::filesystem::path& inHome) {
+  if (const auto folder = folderNamedBy(variable); !folder.empty())
+    return folder / "sline";
+  if (const auto home = folderNamedBy("HOME"); !home.empty())
+    return home / inHome / "sline";
+  return {};
+}
 }  // namespace
 
 std::filesystem::path userCacheFolder() {
-  if (const auto cache = folderNamedBy("XDG_CACHE_HOME"); !cache.empty())
-    return cache / "sline";
-  if (const auto home = folderNamedBy("HOME"); !home.empty())
-    return home / ".cache" / "sline";
-  return {};
+  return userFolder("XDG_CACHE_HOME", ".cache");
+}
+
+std::filesystem::path userStateFolder() {
+  return userFolder("XDG_STATE_HOME", std::filesystem::path(".local") / "state");
 }
 
 }  // namespace sline::model

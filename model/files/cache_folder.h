@@ -10,4 +10,8 @@ namespace sline::model {
 /// Empty where neither is known. The folder need not exist.
 std::filesystem::path userCacheFolder();
 
+/// Where it keeps what a program must find again after a restart: $XDG_STATE_HOME/sline, else
+/// ~/.local/state/sline.
+std::filesystem::path userStateFolder();
+
 }  // namespace sline::model

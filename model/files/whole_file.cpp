@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/files/whole_file.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
+#include <utility>
 
 namespace sline::model {
 
@@ -20,41 +23,95 @@ Error systemError(const fs::path& file, int code, std::string_view what, std::st
 }
 
 constexpr std::string_view writeRemedy = "Choose a folder that exists and that you may write to";
+constexpr std::string_view spaceRemedy = "Free some space on the disk, or choose another one";
+
+Error notWritten(const fs::path& file, int code) {
+  const bool full = code == ENOSPC || code == EDQUOT || code == EFBIG;
+  return systemError(file, code, "it cannot be written", full ? spaceRemedy : writeRemedy);
+}
+
+/// A file or folder that is closed in whatever way its scope is left.
+class Descriptor {
+ public:
+  Descriptor(const fs::path& path, int flags)
+      : m_value(open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (m_value >= 0)
+      ::close(m_value);
+  }
+  bool valid() const { return m_value >= 0; }
+  int value() const { return m_value; }
+  /// False with errno where the system reports a late failure.
+  bool close() { return ::close(std::exchange(m_value, -1)) == 0; }
+
+ private:
+  int m_value;
+};
+
+/// Waits until the disk has it, so that a power cut after the renaming finds the new file whole.
+/// File systems that cannot promise it say EINVAL; that is no reason to lose the file.
+Status synced(const fs::path& path, int flags) {
+  const Descriptor descriptor(path, flags);
+  if (!descriptor.valid() || (fsync(descriptor.value()) != 0 && errno != EINVAL))
+    return notWritten(path, errno);
+  return Unit{};
+}
+
+Status renamed(const fs::path& temporary, const fs::path& file) {
+  std::error_code failure;
+  // Who could read and write the old file can do so with the new one.
+  if (const fs::file_status old = fs::status(file, failure); fs::exists(old))
+    fs::permissions(temporary, old.permissions(), failure);
+  fs::rename(temporary, file, failure);
+  if (failure)
+    return systemError(file, failure.value(), "it cannot be put in its place", writeRemedy);
+  const fs::path folder = file.parent_path();
+  return synced(folder.empty() ? fs::path(".") : folder, O_RDONLY | O_DIRECTORY);
+}
 
 }  // namespace
 
-Status writeBeside(const fs::path& file, const std::function<Status(const fs::path&)>& write) {
+Status writeBeside(const fs::path& named, const std::function<Status(const fs::path&)>& write) {
   std::error_code failure;
+  const fs::path file =
+      fs::is_symlink(named, failure) ? fs::weakly_canonical(named, failure) : named;
   const fs::file_status status = fs::status(file, failure);
   if (fs::is_directory(status))
-    return Error{.file = file.string(), .reason = "it is a folder", .remedy = "Name a file"};
+    return Error{.file = named.string(), .reason = "it is a folder", .remedy = "Name a file"};
   if (fs::exists(status) && !fs::is_regular_file(status))
     return write(file);
   const fs::path temporary =
       file.parent_path() / ("." + file.filename().string() + "." + std::to_string(getpid()));
-  if (Status written = write(temporary); !written.ok()) {
-    fs::remove(temporary, failure);
-    Error error = written.error();
-    error.file = file.string();
-    return error;
-  }
-  fs::rename(temporary, file, failure);
-  if (!failure)
-    return Unit{};
-  const int code = failure.value();
+  Status written = write(temporary);
+  if (written.ok())
+    written = synced(temporary, O_RDONLY);
+  if (written.ok())
+    written = renamed(temporary, file);
+  if (written.ok())
+    return written;
   fs::remove(temporary, failure);
-  return systemError(file, code, "it cannot be put in its place", writeRemedy);
+  Error error = written.error();
+  error.file = named.string();
+  return error;
 }
 
 Status writeText(const fs::path& file, std::string_view text) {
   return writeBeside(file, [&](const fs::path& target) -> Status {
-    errno = 0;
-    std::ofstream stream(target, std::ios::binary);
-    stream.write(text.data(), std::streamsize(text.size()));
-    stream.close();
-    if (!stream)
-      return systemError(target, errno, "it cannot be written", writeRemedy);
-    return Unit{};
+    constexpr std::size_t atOnce = std::size_t(1) << 30;
+    Descriptor descriptor(target, O_WRONLY | O_CREAT | O_TRUNC);
+    if (!descriptor.valid())
+      return notWritten(target, errno);
+    while (!text.empty()) {
+      const ssize_t step = ::write(descriptor.value(), text.data(), std::min(text.size(), atOnce));
+      if (step < 0 && errno == EINTR)
+        continue;
+      if (step <= 0)
+        return notWritten(target, step == 0 ? EIO : errno);
+      text.remove_prefix(std::size_t(step));
+    }
+    return descriptor.close() ? Status(Unit{}) : Status(notWritten(target, errno));
   });
 }
 
@@ -65,9 +122,16 @@ Result<std::string> readText(const fs::path& file, std::size_t limit) {
   if (!stream || fs::is_directory(file, failure))
     return systemError(file, stream ? EISDIR : errno, "it cannot be read",
                        "Check the name and the rights");
-  std::string text(limit + 1, '\0');
-  stream.read(text.data(), std::streamsize(text.size()));
-  text.resize(std::size_t(stream.gcount()));
+  // What stands there may be no plain file, so its size is a first guess.
+  const std::uintmax_t size = fs::file_size(file, failure);
+  std::string text(failure ? 0 : std::size_t(std::min<std::uintmax_t>(size, limit)) + 1, '\0');
+  std::size_t got = 0;
+  for (; got <= limit && stream; got += std::size_t(stream.gcount())) {
+    if (got == text.size())
+      text.resize(std::min(limit + 1, 2 * got + 4096));
+    stream.read(text.data() + got, std::streamsize(text.size() - got));
+  }
+  text.resize(got);
   if (text.size() > limit)
     return Error{.file = file.string(),
                  .reason = "it is larger than " + std::to_string(limit) + " bytes",

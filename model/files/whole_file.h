@@ -11,9 +11,10 @@
 
 namespace sline::model {
 
-/// Lets write(temporary) write a file beside `file` and puts it in its place when that succeeded,
-/// so that a full disk or a crash leaves an old file whole. What exists and is no plain file (a
-/// pipe, /dev/stdout) is written directly.
+/// Lets write(temporary) write a file beside `file` and puts it in its place when that succeeded
+/// and the disk has it, so that a full disk, a crash or a power cut leaves the old file or the new
+/// one whole. A link keeps pointing to its file, and the file keeps its rights. What exists and is
+/// no plain file (a pipe, /dev/stdout) is written directly.
 Status writeBeside(const std::filesystem::path& file,
                    const std::function<Status(const std::filesystem::path&)>& write);
 

@@ -7,11 +7,14 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <utility>
 
+#include "model/files/scene_file.h"
 #include "model/import/anatomy_names.h"
 #include "model/import/folder_tree.h"
 #include "model/import/laterality.h"
 #include "model/import/parts.h"
+#include "model/import/scene_inputs.h"
 #include "model/import/sources.h"
 
 namespace sline::model {
@@ -111,19 +114,39 @@ class FrameDecision {
   const ImportOptions& m_options;
 };
 
+/// How long a part's unit is, from what its file says, and where it says so.
+void ownUnit(Part& part, const ImportOptions& options, bool ofSlicer) {
+  std::string& reason = part.provenance.unitReason;
+  part.unit = part.frame == Frame::file ? 1.0f : part.raw.millimetresPerUnit;
+  if (part.frame == Frame::file) {
+    reason = "coordinates left as they are";
+  } else if (options.unit) {
+    part.unit = *options.unit;
+    reason = "chosen by the user";
+  } else if (part.raw.yUp) {
+    reason = "glTF: metres";
+  } else {
+    reason = ofSlicer ? "scene of Slicer: millimetres" : "no unit in the file: millimetres assumed";
+  }
+}
+
 /// Fixes each part's unit. Files without a unit of their own are taken as millimetres, but a body
 /// part smaller than 3 mm is one in metres.
-void decideUnits(std::vector<Part>& parts, const Sources& sources, const AnatomyTable& table,
+void decideUnits(std::vector<Part>& parts, const Sources& sources, const ImportOptions& options,
                  ImportReport& report) {
   constexpr float smallestScene = 3.0f;
+  const AnatomyTable table;
   Box box;
   bool anatomical = false;
+  const auto ofSlicer = [&](const Part& part) {
+    return sources.files[part.file].model.has_value();
+  };
   const auto unitless = [&](const Part& part) {
-    return !part.raw.yUp && part.raw.millimetresPerUnit == 1.0f && part.frame != Frame::file &&
-           !sources.files[part.file].model;
+    return !options.unit && !part.raw.yUp && part.raw.millimetresPerUnit == 1.0f &&
+           part.frame != Frame::file && !ofSlicer(part);
   };
   for (Part& part : parts) {
-    part.unit = part.frame == Frame::file ? 1.0f : part.raw.millimetresPerUnit;
+    ownUnit(part, options, ofSlicer(part));
     if (!unitless(part))
       continue;
     box.add(boxOf(part.raw.positions));
@@ -135,11 +158,14 @@ void decideUnits(std::vector<Part>& parts, const Sources& sources, const Anatomy
   const float extent = std::max({size.x, size.y, size.z});
   if (!(extent < smallestScene))
     return;
+  const std::string found =
+      "everything together is only " + std::to_string(extent) + " units large";
   for (Part& part : parts)
-    if (unitless(part))
+    if (unitless(part)) {
       part.unit = 1000.0f;
-  report.warnings.push_back({"", "everything together is only " + std::to_string(extent) +
-                                     " units large; the unit was taken as the metre (times 1000)"});
+      part.provenance.unitReason = found + ": metres";
+    }
+  report.warnings.push_back({"", found + "; the unit was taken as the metre (times 1000)"});
 }
 
 Error nothingRead(const Sources& sources, const ImportReport& report) {
@@ -160,9 +186,7 @@ double expectedWork(const Sources& sources, const ImportOptions& options) {
   return options.smoothing.mode == Smoothing::Mode::off ? bytes : 1.4 * bytes;
 }
 
-}  // namespace
-
-Result<Imported> importInputs(std::span<const std::filesystem::path> inputs,
+Result<Imported> importMeshes(std::span<const std::filesystem::path> inputs,
                               const ImportOptions& options, const ImportProgress& progress) {
   const Error cancelled{.reason = "the import was cancelled"};
   const AnatomyTable table;
@@ -178,7 +202,7 @@ Result<Imported> importInputs(std::span<const std::filesystem::path> inputs,
   if (parts.empty())
     return nothingRead(sources, report);
   FrameDecision(parts, sources, options).run(report);
-  decideUnits(parts, sources, table, report);
+  decideUnits(parts, sources, options, report);
   smoothParts(parts, sources, options.smoothing, meter);
   if (meter.cancelled())
     return cancelled;
@@ -194,6 +218,30 @@ Result<Imported> importInputs(std::span<const std::filesystem::path> inputs,
 #if defined(__GLIBC__)
   malloc_trim(0);
 #endif
+  return imported;
+}
+
+}  // namespace
+
+Result<Imported> importInputs(std::span<const std::filesystem::path> inputs,
+                              const ImportOptions& options, const ImportProgress& progress) {
+  std::vector<std::filesystem::path> meshes;
+  std::vector<std::filesystem::path> scenes;
+  for (const std::filesystem::path& input : inputs)
+    (isSceneFile(input) ? scenes : meshes).push_back(input);
+  if (scenes.empty())
+    return importMeshes(inputs, options, progress);
+  Result<Imported> imported = openScenes(scenes, options);
+  if (meshes.empty() || !imported.ok())
+    return imported;
+  Result<Imported> added = importMeshes(meshes, options, progress);
+  if (added.ok()) {
+    append(*imported, std::move(*added));
+  } else {
+    Error error = added.error();
+    const std::string file = std::exchange(error.file, "");
+    imported->report.warnings.push_back({file, error.text()});
+  }
   return imported;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "model/base/result.h"
+#include "model/files/zip_archive.h"
 #include "model/import/raw_mesh.h"
 #include "model/scene/scene.h"
 
@@ -25,6 +26,7 @@ struct Smoothing {
 
 struct ImportOptions {
   std::optional<Frame> frame;  ///< overrides header and vote
+  std::optional<float> unit;   ///< millimetres per unit: overrides what files say and their size
   Smoothing smoothing;
   bool repair = true;
   ReadLimits limits;
@@ -42,10 +44,13 @@ struct ImportReport {
 struct Imported {
   Scene scene;
   ImportReport report;
+  std::vector<ZipMember> others;  ///< of scene files, as SceneDocument::others
 };
 
-/// Reads mesh files, folders of them and 3D Slicer scenes into one scene. Parts that cannot be read
-/// are left out with a warning; an error only where nothing at all could be read.
+/// Reads mesh files, folders of them, 3D Slicer scenes and scene files of this program into one
+/// scene. Parts that cannot be read are left out with a warning; an error only where nothing at all
+/// could be read, or a scene file could not. Scene files keep their styles, views and sections and
+/// are neither turned nor smoothed; what is imported with them is added below them.
 Result<Imported> importInputs(std::span<const std::filesystem::path> inputs,
                               const ImportOptions& options, const ImportProgress& progress = {});
 

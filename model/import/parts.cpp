@@ -189,6 +189,7 @@ void placeParts(std::vector<Part>& parts, const Sources& sources,
     if (source.model)
       toWorld = sources.sources[source.source].scene->models[*source.model].toWorld;
     part.provenance.frame = frameName(part.frame);
+    part.provenance.mmPerUnit = part.unit;
     if (part.frame != Frame::file) {
       for (glm::vec3& p : part.raw.positions)
         p = placed(p, part, toWorld);

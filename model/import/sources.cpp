@@ -13,8 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* supportedKinds =
-    "Give a mesh (.obj, .stl, .ply, .off, .vtk, .vtp, .gltf, .glb), a folder of meshes or a 3D "
-    "Slicer scene (.mrml)";
+    "Give a mesh (.obj, .stl, .ply, .off, .vtk, .vtp, .gltf, .glb), a folder of meshes, a 3D "
+    "Slicer scene (.mrml) or a scene file (.sline)";
 
 std::string lowerExtension(const fs::path& file) {
   std::string extension = file.extension().string();

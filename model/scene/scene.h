@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/geometry/mesh.h"
@@ -26,6 +27,8 @@ struct Provenance {
   int refinementSteps = 0;   ///< Loop subdivisions
   int repairedFaces = 0;     ///< turned, removed as duplicates or without area
   float displacementMm = 0;  ///< the farthest any vertex moved
+  float mmPerUnit = 1;       ///< how long the file's unit was taken to be
+  std::string unitReason;    ///< what decided it
   bool operator==(const Provenance&) const = default;
 };
 
@@ -37,6 +40,7 @@ struct Node {
   Style style;
   MeshPtr mesh;  ///< null for a group
   Provenance provenance;
+  std::string unread;  ///< what its scene file says beyond this, as a JSON object; kept for saving
 
   bool isGroup() const { return !mesh; }
   bool operator==(const Node&) const = default;
@@ -47,6 +51,7 @@ struct View {
   std::string name;
   Camera camera;
   std::optional<std::vector<Section>> sections;  ///< absent: the view leaves the scene's own
+  std::string unread;                            ///< as Node::unread
   bool operator==(const View&) const = default;
 };
 
@@ -86,6 +91,9 @@ class Scene {
   SectionId appendSection(Section section);
   /// Replaces the sections; asserts that ids are unique and planes without fault.
   void setSections(std::vector<Section> sections);
+  /// As Node::unread, of the file as a whole.
+  const std::string& unread() const { return m_unread; }
+  void setUnread(std::string unread) { m_unread = std::move(unread); }
 
   bool operator==(const Scene&) const = default;
 
@@ -93,6 +101,7 @@ class Scene {
   std::vector<Node> m_nodes;
   std::vector<View> m_views;
   std::vector<Section> m_sections;
+  std::string m_unread;
   std::uint64_t m_lastId = 0;
   std::uint64_t m_lastSectionId = 0;
 };

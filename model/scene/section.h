@@ -31,6 +31,7 @@ struct Section {
   NodeId scope = rootId;
   bool enabled = true;
   bool hatched = false;  ///< strokes at 45° on the cut faces
+  std::string unread;    ///< as Node::unread
   bool operator==(const Section&) const = default;
 };
 

@@ -42,7 +42,7 @@ const std::vector<Room>& rooms() {
       {"model/scene", {"model/base", "model/geometry"}},
       {"model/edit", {"model/base", "model/geometry", "model/scene"}},
       {"model/demo", {"model/base", "model/files", "model/geometry", "model/scene"}},
-      {"model/import", {"model/base", "model/geometry", "model/scene"}},
+      {"model/import", {"model/base", "model/files", "model/geometry", "model/scene"}},
       {"model/files", {"model/base", "model/geometry", "model/scene"}},
       {"render/lines", {"model/base", "model/geometry", "model/scene"}},
       {"render/gpu", {"model/base"}},
@@ -91,6 +91,8 @@ const std::vector<Library>& libraries() {
       {"oneTBB", std::regex("(oneapi/)?tbb/.*|tbb\\.h"), {"model/base"}},
       {"OpenImageIO", std::regex("OpenImageIO/.*"), {"app/cli", "render/export", "tests"}},
       {"CLI11", std::regex("CLI/.*"), {"app", "tests"}},
+      {"libzip", std::regex("zip(conf)?\\.h"), {"model/files"}},
+      {"nlohmann-json", std::regex("nlohmann/.*"), {"app", "model/files", "model/import", "tests"}},
   };
   return table;
 }

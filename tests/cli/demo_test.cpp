@@ -52,7 +52,7 @@ class DemoTest : public QObject {
   QString at(const char* name) const { return m_folder.filePath(name); }
   QString cacheFile() const {
     const QDir cache(at("cache/sline"));
-    const QStringList files = cache.entryList({"kidney*.scene"}, QDir::Files);
+    const QStringList files = cache.entryList({"kidney*.sline"}, QDir::Files);
     return files.size() == 1 ? cache.filePath(files.front()) : QString();
   }
   QTemporaryDir m_folder;

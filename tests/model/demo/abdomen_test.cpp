@@ -335,7 +335,7 @@ void AbdomenTest::badCachesAreRemade_data() {
   QTest::addColumn<QByteArray>("content");
   QTest::newRow("empty") << QByteArray();
   QTest::newRow("foreign") << QByteArray("ply\nformat ascii 1.0\n");
-  QTest::newRow("cut") << QByteArray("SlineSc1\1\2\3\4\5\6\7\10\377\377\377\377");
+  QTest::newRow("cut") << QByteArray("PK\3\4\24\0\0\0\10\0", 10);
 }
 
 /// Tried with the kidney, which is the quickest to model.

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// `sline import`: whatever can be read in, a scene file out.
+#include "app/cli/command.h"
+#include "app/cli/plan_report.h"
+#include "app/cli/thumbnail.h"
+#include "model/files/scene_file.h"
+#include "model/import/plan.h"
+
+namespace sline::cli {
+
+namespace {
+
+struct ImportFlags {
+  InputFlags input;
+  std::string output;
+  bool plan = false;
+  bool json = false;
+};
+
+Result<model::ImportOptions> understoodImport(const ImportFlags& flags) {
+  if (!flags.plan && flags.output.empty())
+    return Error{.reason = "there is no output", .remedy = "Give -o FILE.sline, or --plan"};
+  if (!flags.output.empty() && !model::isSceneFile(flags.output))
+    return Error{.file = flags.output,
+                 .reason = "a scene file's name ends with " + std::string(model::sceneExtension),
+                 .remedy = "Name it so"};
+  return importOptions(flags.input);
+}
+
+Exit showPlan(const ImportFlags& flags, const model::ImportOptions& options) {
+  const std::vector<std::filesystem::path> inputs(flags.input.inputs.begin(),
+                                                  flags.input.inputs.end());
+  Progress progress;
+  const auto plan =
+      model::planImport(inputs, options, [&progress](double done, const std::string& what) {
+        progress.show(done, what);
+        return true;
+      });
+  progress.wipe();
+  if (!plan.ok())
+    return complain(plan.error(), Exit::failed);
+  std::cout << (flags.json ? jsonText(planJson(*plan), 2) + "\n" : planText(*plan));
+  return std::cout.flush() ? Exit::done : Exit::failed;
+}
+
+Exit runImport(const ImportFlags& flags) {
+  const Result<model::ImportOptions> options = understoodImport(flags);
+  if (!options.ok())
+    return complain(options.error(), Exit::wrongUse);
+  if (flags.plan)
+    return showPlan(flags, *options);
+  Progress progress;
+  Result<model::Imported> imported = readInputs(flags.input.inputs, *options, progress);
+  if (!imported.ok())
+    return complain(imported.error(), Exit::failed);
+  progress.show(0.9, "drawing the thumbnail");
+  model::SceneDocument document{.scene = std::move(imported->scene),
+                                .others = std::move(imported->others)};
+  document.thumbnail = thumbnailOf(document.scene);
+  progress.show(0.95, "writing " + flags.output);
+  const Status written = model::writeSceneFile(flags.output, document);
+  progress.wipe();
+  return written.ok() ? Exit::done : complain(written.error(), Exit::failed);
+}
+
+void declareImport(CLI::App& command, ImportFlags& flags) {
+  command.add_option("INPUT", flags.input.inputs, inputHelp)->required();
+  command.add_option("-o,--output", flags.output, "The scene file to write")
+      ->type_name("FILE.sline");
+  CLI::Option* plan = command.add_flag("--plan", flags.plan,
+                                       "Writes nothing: lists the tree, the frame and unit of each "
+                                       "structure with what decided them, "
+                                       "and what would be left out and why");
+  command.add_flag("--json", flags.json, "The plan for programs: one JSON object")->needs(plan);
+  command.add_option("--smooth", flags.input.smooth, smoothHelp)
+      ->type_name("auto|off|N")
+      ->default_str("auto");
+  command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
+  command
+      .add_option("--unit", flags.input.unit,
+                  "How long the files' unit is; overrides what they say or their size suggests")
+      ->type_name("mm|cm|m|inch");
+  command.footer(
+      "The scene file holds all of the scene, exactly: nothing is read from the inputs again. "
+      "Every\n"
+      "command takes it as an input; other inputs beside it are added below its own structures.\n\n"
+      "  sline import pelvis/ --plan\n"
+      "  sline import pelvis/ -o pelvis.sline --frame LPS\n"
+      "  sline import pelvis.sline tumour.stl -o together.sline");
+}
+
+}  // namespace
+
+void addImport(CLI::App& program, Exit& exit) {
+  addCommand<ImportFlags>(program, exit, {"import", "Turn what can be read into a scene file"},
+                          declareImport, runImport);
+}
+
+}  // namespace sline::cli

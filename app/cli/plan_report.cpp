@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/plan_report.h"
+
+#include <cmath>
+#include <map>
+#include <sstream>
+
+#include "app/cli/values.h"
+
+namespace sline::cli {
+
+namespace {
+Json nodeJson(const model::Node& node) {
+  Json json = {{"id", node.id.value}};
+  if (node.parent != model::rootId)
+    json["parent"] = node.parent.value;
+  json["name"] = node.name;
+  if (node.isGroup())
+    return json;
+  const model::Provenance& origin = node.provenance;
+  json["file"] = origin.file;
+  json["frame"] = origin.frame;
+  json["frame_reason"] = origin.frameReason;
+  json["mm_per_unit"] = jsonNumber(origin.mmPerUnit);
+  json["unit_reason"] = origin.unitReason;
+  json["triangles"] = node.mesh->triangleCount();
+  json["vertices"] = node.mesh->vertexCount();
+  json["repaired_faces"] = origin.repairedFaces;
+  json["bounds_mm"] = jsonBox(node.mesh->bounds());
+  return json;
+}
+
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string decision(const std::string& answer, const std::string& reason) {
+  return reason.empty() ? answer : answer + " (" + reason + ")";
+}
+
+std::string frameDecision(const model::Provenance& origin) {
+  return decision(origin.frame, origin.frameReason);
+}
+
+std::string unitDecision(const model::Provenance& origin) {
+  return decision(jsonText(jsonNumber(origin.mmPerUnit)) + " mm", origin.unitReason);
+}
+
+/// How many structures each decision holds for.
+template <class Decide>
+std::string decisions(const model::Scene& scene, const std::string& title, const Decide& decide) {
+  std::map<std::string, std::size_t> counts;
+  for (const model::Node& node : scene.nodes())
+    if (!node.isGroup() && !node.provenance.frame.empty())
+      ++counts[decide(node.provenance)];
+  std::string text;
+  for (const auto& [told, count] : counts)
+    text.append(title).append(" ").append(told).append(": ").append(counted(count, "structure")) +=
+        '\n';
+  return text;
+}
+}  // namespace
+
+Json planJson(const model::ImportPlan& plan) {
+  Json root;
+  root["inputs"] = Json::array();
+  for (const std::filesystem::path& input : plan.inputs)
+    root["inputs"].push_back(input.string());
+  root["nodes"] = Json::array();
+  for (const model::Node& node : plan.scene.nodes())
+    root["nodes"].push_back(nodeJson(node));
+  root["bounds_mm"] = jsonBox(plan.scene.visibleBounds());
+  root["left_out"] = Json::array();
+  for (const model::ImportWarning& warning : plan.report.warnings)
+    root["left_out"].push_back({{"file", warning.file}, {"reason", warning.reason}});
+  return root;
+}
+
+std::string planText(const model::ImportPlan& plan) {
+  std::ostringstream out;
+  std::map<model::NodeId, std::size_t> depth{{model::rootId, 0}};
+  std::size_t triangles = 0;
+  std::size_t structures = 0;
+  for (const model::Node& node : plan.scene.nodes()) {
+    const std::size_t level = depth.at(node.parent);
+    depth[node.id] = level + 1;
+    out << std::string(2 * level, ' ') << node.name;
+    if (!node.isGroup()) {
+      const std::string& file = node.provenance.file;
+      out << ": " << counted(node.mesh->triangleCount(), "triangle")
+          << (file.empty() ? "" : " from " + file);
+      triangles += node.mesh->triangleCount();
+      ++structures;
+    }
+    out << '\n';
+  }
+  out << counted(structures, "structure") << ", " << counted(triangles, "triangle");
+  if (const model::Box box = plan.scene.visibleBounds(); !box.empty()) {
+    const glm::vec3 size = box.size();
+    out << ", " << std::lround(size.x) << " × " << std::lround(size.y) << " × "
+        << std::lround(size.z) << " mm";
+  }
+  out << '\n'
+      << decisions(plan.scene, "frame", frameDecision)
+      << decisions(plan.scene, "one unit is", unitDecision);
+  for (const model::ImportWarning& warning : plan.report.warnings)
+    out << "left out or mended: " << (warning.file.empty() ? "" : warning.file + ": ")
+        << warning.reason << '\n';
+  return out.str();
+}
+
+}  // namespace sline::cli

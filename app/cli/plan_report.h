@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an import would do, for people and for programs.
+#pragma once
+
+#include <string>
+
+#include "app/cli/json_values.h"
+#include "model/import/plan.h"
+
+namespace sline::cli {
+
+/// "inputs", "nodes" (groups and structures in tree order, each structure with its file, its frame
+/// and unit and what decided them), "bounds_mm", "left_out".
+Json planJson(const model::ImportPlan& plan);
+
+/// The tree, then frames and units with their reasons, then what would be left out or mended.
+std::string planText(const model::ImportPlan& plan);
+
+}  // namespace sline::cli

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "model/files/scene_json.h"
+#include "model/files/scene_json_names.h"
+
+namespace sline::model {
+
+namespace {
+constexpr std::size_t mostNodes = 100'000;
+constexpr std::size_t mostSections = 10'000;
+constexpr std::size_t mostViews = 10'000;
+constexpr std::size_t deepestNode = 256;
+/// Ids stay exact in programs that have no other numbers than doubles.
+constexpr std::int64_t largestId = std::int64_t(1) << 53;
+
+class SceneReader {
+ public:
+  SceneReader(const MeshesByName& meshes, bool newer) : m_meshes(meshes), m_newer(newer) {}
+
+  Scene scene(const JsonValue& root);
+
+ private:
+  template <class Enum>
+  std::optional<Enum> choice(JsonObject& object, std::string_view key,
+                             std::span<const std::string_view> names) const;
+  Style style(JsonObject& object) const;
+  MeshPtr mesh(JsonObject& object) const;
+  Node node(const JsonValue& value) const;
+  Section section(const JsonValue& value) const;
+  std::vector<Section> sections(const JsonValue& list) const;
+  Camera camera(JsonObject& object) const;
+  View view(const JsonValue& value) const;
+
+  const MeshesByName& m_meshes;
+  bool m_newer;
+};
+
+std::uint64_t idOf(const JsonValue& value) {
+  return std::uint64_t(value.whole(1, largestId));
+}
+
+template <class T>
+T bounded(const JsonValue& value, std::string_view range) {
+  const std::optional<T> inRange = T::from(value.number());
+  if (!inRange)
+    value.fail("a number from " + std::string(range) + " is expected here");
+  return inRange.value_or(T());
+}
+
+/// Absent where it is a word of a newer schema: that stays unread.
+template <class Enum>
+std::optional<Enum> SceneReader::choice(JsonObject& object, std::string_view key,
+                                        std::span<const std::string_view> names) const {
+  const std::optional<JsonValue> value = object.take(key);
+  if (!value)
+    return std::nullopt;
+  if (const std::optional<std::size_t> index = value->oneOf(names))
+    return Enum(*index);
+  if (m_newer)
+    object.giveBack(key, value->json());
+  else
+    value->fail("\"" + std::string(names.front()) +
+                "\" or another word of this format is expected here");
+  return std::nullopt;
+}
+
+Style SceneReader::style(JsonObject& object) const {
+  Style style;
+  if (const auto colour = object.take("colour"))
+    style.colour = colour->colour();
+  if (const auto colour = object.take("ink_colour"))
+    style.inkColour = colour->colour();
+  if (const auto gamma = object.take("gamma"))
+    style.gamma = bounded<Gamma>(*gamma, "0 to 5");
+  if (const auto opacity = object.take("opacity"))
+    style.opacity = bounded<Opacity>(*opacity, "0 to 1");
+  style.fill = choice<Fill>(object, "fill", fillNames);
+  if (const auto visible = object.take("visible"))
+    style.visible = visible->flag();
+  if (const auto weight = object.take("pen_weight"))
+    style.penWeight = weight->number();
+  return style;
+}
+
+Provenance provenanceFrom(JsonObject& object) {
+  Provenance p;
+  const auto text = [&object](std::string_view key, std::string& target) {
+    if (const auto value = object.take(key))
+      target = value->text();
+  };
+  const auto count = [&object](std::string_view key, int& target) {
+    constexpr auto most = std::numeric_limits<std::int32_t>::max();
+    if (const auto value = object.take(key))
+      target = int(value->whole(0, most));
+  };
+  const auto number = [&object](std::string_view key, float& target) {
+    if (const auto value = object.take(key))
+      target = value->number();
+  };
+  text("file", p.file);
+  text("frame", p.frame);
+  text("frame_reason", p.frameReason);
+  number("mm_per_unit", p.mmPerUnit);
+  text("unit_reason", p.unitReason);
+  count("smoothing_steps", p.smoothingSteps);
+  count("refinement_steps", p.refinementSteps);
+  count("repaired_faces", p.repairedFaces);
+  number("displacement_mm", p.displacementMm);
+  return p;
+}
+
+MeshPtr SceneReader::mesh(JsonObject& object) const {
+  const JsonValue file = object.need("file");
+  const auto found = m_meshes.find(file.text());
+  if (found == m_meshes.end()) {
+    file.fail("the file holds no such mesh");
+    return nullptr;
+  }
+  const MeshPtr& mesh = found->second;
+  const auto promised = [&object](std::string_view key, std::size_t count) {
+    const auto value = object.take(key);
+    if (value && value->whole(0, largestId) != std::int64_t(count))
+      value->fail("the mesh has " + std::to_string(count));
+  };
+  promised("vertices", mesh->vertexCount());
+  promised("triangles", mesh->triangleCount());
+  return mesh;
+}
+
+Node SceneReader::node(const JsonValue& value) const {
+  JsonObject object(value);
+  Node node;
+  node.id.value = idOf(object.need("id"));
+  if (const auto parent = object.take("parent"))
+    node.parent.value = idOf(*parent);
+  node.name = object.need("name").text();
+  if (const auto reference = object.take("mesh")) {
+    JsonObject inner(*reference);
+    node.mesh = mesh(inner);
+    object.giveBack("mesh", inner.rest());
+  }
+  if (const auto own = object.take("style")) {
+    JsonObject inner(*own);
+    node.style = style(inner);
+    object.giveBack("style", inner.rest());
+  }
+  if (const auto origin = object.take("provenance")) {
+    JsonObject inner(*origin);
+    node.provenance = provenanceFrom(inner);
+    object.giveBack("provenance", inner.rest());
+  }
+  node.unread = object.unread();
+  return node;
+}
+
+Section SceneReader::section(const JsonValue& value) const {
+  JsonObject object(value);
+  Section section;
+  section.id.value = idOf(object.need("id"));
+  section.name = object.need("name").text();
+  section.plane.normal = object.need("normal").point();
+  section.plane.offset = object.need("offset_mm").number();
+  if (const auto scope = object.take("scope"))
+    section.scope.value = idOf(*scope);
+  if (const auto enabled = object.take("enabled"))
+    section.enabled = enabled->flag();
+  if (const auto hatched = object.take("hatched"))
+    section.hatched = hatched->flag();
+  section.unread = object.unread();
+  if (const auto fault = planeFault(section.plane))
+    value.fail(*fault);
+  return section;
+}
+
+std::vector<Section> SceneReader::sections(const JsonValue& list) const {
+  std::vector<Section> all;
+  std::set<SectionId> ids;
+  if (list.json().size() > mostSections)
+    list.fail("there are more than " + std::to_string(mostSections) + " sections");
+  list.forEach([&](const JsonValue& value) {
+    all.push_back(section(value));
+    if (!ids.insert(all.back().id).second)
+      value.fail("another section has the same id");
+  });
+  return all;
+}
+
+Camera SceneReader::camera(JsonObject& object) const {
+  Camera camera;
+  camera.projection =
+      choice<Projection>(object, "projection", projectionNames).value_or(camera.projection);
+  camera.eye = object.need("eye_mm").point();
+  camera.target = object.need("target_mm").point();
+  camera.up = object.need("up").point();
+  if (const auto opening = object.take("opening_degrees"))
+    camera.fovyDegrees = opening->number();
+  if (const auto height = object.take("height_mm"))
+    camera.heightMm = height->number();
+  if (const auto fault = cameraFault(camera))
+    object.value().fail(*fault);
+  return camera;
+}
+
+View SceneReader::view(const JsonValue& value) const {
+  JsonObject object(value);
+  View view;
+  view.name = object.need("name").text();
+  const JsonValue place = object.need("camera");
+  JsonObject inner(place);
+  view.camera = camera(inner);
+  object.giveBack("camera", inner.rest());
+  if (const auto list = object.take("sections"))
+    view.sections = sections(*list);
+  view.unread = object.unread();
+  return view;
+}
+
+/// Each node new, and below the node before it or one of that node's groups: tree order.
+class TreeOrder {
+ public:
+  void add(const Node& node, const JsonValue& value) {
+    while (!m_open.empty() && m_open.back() != node.parent)
+      m_open.pop_back();
+    if (m_open.empty())
+      value.fail("its parent is not among the groups that are open before it");
+    if (!m_ids.insert(node.id).second)
+      value.fail("another node has the same id");
+    if (node.isGroup())
+      m_open.push_back(node.id);
+    if (m_open.size() > deepestNode + 1)  // the root is open too
+      value.fail("groups lie more than " + std::to_string(deepestNode) + " deep in each other");
+  }
+
+ private:
+  std::set<NodeId> m_ids{rootId};
+  std::vector<NodeId> m_open{rootId};
+};
+
+Scene SceneReader::scene(const JsonValue& root) {
+  JsonObject object(root);
+  for (const char* known : {"format", "schema"})
+    object.need(known);
+  for (const auto& [key, only] : {std::pair{"frame", "LPS"}, std::pair{"unit", "mm"}})
+    if (const auto value = object.take(key); value && value->text() != only)
+      value->fail("\"" + std::string(only) + "\" is expected here");
+  std::vector<Node> nodes;
+  TreeOrder order;
+  const JsonValue nodeList = object.need("nodes");
+  if (nodeList.json().size() > mostNodes)
+    nodeList.fail("there are more than " + std::to_string(mostNodes) + " nodes");
+  nodeList.forEach([&](const JsonValue& value) {
+    nodes.push_back(node(value));
+    order.add(nodes.back(), value);
+  });
+  std::vector<Section> cuts;
+  if (const auto list = object.take("sections"))
+    cuts = sections(*list);
+  std::vector<View> views;
+  if (const auto list = object.take("views")) {
+    if (list->json().size() > mostViews)
+      list->fail("there are more than " + std::to_string(mostViews) + " views");
+    list->forEach([&](const JsonValue& value) { views.push_back(view(value)); });
+  }
+  Scene scene;
+  if (root.fault().any())
+    return scene;
+  scene.setNodes(std::move(nodes));
+  scene.setSections(std::move(cuts));
+  scene.setViews(std::move(views));
+  scene.setUnread(object.unread());
+  return scene;
+}
+
+Error errorOf(const JsonFault& fault) {
+  return {.where = fault.where, .reason = fault.reason};
+}
+}  // namespace
+
+Result<int> schemaOf(const Json& root) {
+  JsonFault fault;
+  const JsonValue value(root, fault);
+  JsonObject object(value);
+  const JsonValue format = object.need("format");
+  if (format.text() != formatName)
+    format.fail("it is no scene of Sline");
+  const auto schema = int(object.need("schema").whole(1, std::numeric_limits<int>::max()));
+  if (fault.any())
+    return errorOf(fault);
+  return schema;
+}
+
+std::vector<std::string> meshesCalledFor(const Json& root) {
+  std::set<std::string> names;
+  const auto nodes = root.is_object() ? root.find("nodes") : root.end();
+  if (nodes == root.end() || !nodes->is_array())
+    return {};
+  for (const Json& node : *nodes) {
+    const auto mesh = node.is_object() ? node.find("mesh") : node.end();
+    if (mesh == node.end() || !mesh->is_object())
+      continue;
+    const auto file = mesh->find("file");
+    if (file != mesh->end() && file->is_string())
+      names.insert(file->get<std::string>());
+  }
+  return {names.begin(), names.end()};
+}
+
+Result<Scene> sceneFromJson(const Json& root, const MeshesByName& meshes) {
+  const Result<int> schema = schemaOf(root);
+  if (!schema.ok())
+    return schema.error();
+  JsonFault fault;
+  Scene scene = SceneReader(meshes, *schema > sceneSchema).scene(JsonValue(root, fault));
+  if (fault.any())
+    return errorOf(fault);
+  return scene;
+}
+
+}  // namespace sline::model

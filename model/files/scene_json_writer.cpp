@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+
+#include "model/files/scene_json.h"
+#include "model/files/scene_json_names.h"
+
+namespace sline::model {
+
+namespace {
+/// Keys stay in the order they are written in.
+using Ordered = nlohmann::ordered_json;
+
+/// The same value; its keys, sorted and unlike each other, are not looked for again one by one.
+Ordered orderedOf(const Json& json) {
+  if (json.is_array()) {
+    Ordered list = Ordered::array();
+    for (const Json& value : json)
+      list.push_back(orderedOf(value));
+    return list;
+  }
+  if (!json.is_object())
+    return Ordered::parse(json.dump());
+  Ordered object = Ordered::object();
+  for (const auto& [key, value] : json.items())
+    object.get_ref<Ordered::object_t&>().push_back({key, orderedOf(value)});
+  return object;
+}
+
+/// Adds what `unread` has and `target` has not, object by object.
+void addUnread(Ordered& target, const Json& unread) {
+  auto& keys = target.get_ref<Ordered::object_t&>();
+  const std::size_t known = keys.size();
+  for (const auto& [key, value] : unread.items()) {
+    auto own = keys.begin();
+    const auto end = own + std::ptrdiff_t(known);
+    while (own != end && own->first != key)
+      ++own;
+    if (own == end)
+      keys.push_back({key, orderedOf(value)});
+    else if (own->second.is_object() && value.is_object())
+      addUnread(own->second, value);
+  }
+}
+
+void addUnread(Ordered& target, const std::string& unread) {
+  if (unread.empty())
+    return;
+  const Result<Json> kept = parseJson(unread);
+  if (kept.ok() && kept->is_object())
+    addUnread(target, *kept);
+}
+
+Ordered pointOf(const glm::vec3& p) {
+  return Ordered::array({jsonNumber(p.x), jsonNumber(p.y), jsonNumber(p.z)});
+}
+
+std::string colourText(const Colour& c) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text = "#";
+  for (const std::uint8_t channel : {c.red, c.green, c.blue}) {
+    text += digits[channel >> 4];
+    text += digits[channel & 15];
+  }
+  return text;
+}
+
+Ordered styleOf(const Style& style) {
+  Ordered json = Ordered::object();
+  if (style.colour)
+    json["colour"] = colourText(*style.colour);
+  if (style.inkColour)
+    json["ink_colour"] = colourText(*style.inkColour);
+  if (style.gamma)
+    json["gamma"] = jsonNumber(style.gamma->value());
+  if (style.opacity)
+    json["opacity"] = jsonNumber(style.opacity->value());
+  if (style.fill)
+    json["fill"] = fillNames[std::size_t(*style.fill)];
+  if (style.visible)
+    json["visible"] = *style.visible;
+  if (style.penWeight)
+    json["pen_weight"] = jsonNumber(*style.penWeight);
+  return json;
+}
+
+Ordered provenanceOf(const Provenance& p) {
+  return {{"file", p.file},
+          {"frame", p.frame},
+          {"frame_reason", p.frameReason},
+          {"mm_per_unit", jsonNumber(p.mmPerUnit)},
+          {"unit_reason", p.unitReason},
+          {"smoothing_steps", p.smoothingSteps},
+          {"refinement_steps", p.refinementSteps},
+          {"repaired_faces", p.repairedFaces},
+          {"displacement_mm", jsonNumber(p.displacementMm)}};
+}
+
+Ordered nodeOf(const Node& node, const std::map<MeshPtr, std::string>& names) {
+  Ordered json = {{"id", node.id.value}};
+  if (node.parent != rootId)
+    json["parent"] = node.parent.value;
+  json["name"] = node.name;
+  if (!node.isGroup())
+    json["mesh"] = {{"file", names.at(node.mesh)},
+                    {"vertices", node.mesh->vertexCount()},
+                    {"triangles", node.mesh->triangleCount()}};
+  if (node.style != Style())
+    json["style"] = styleOf(node.style);
+  if (node.provenance != Provenance())
+    json["provenance"] = provenanceOf(node.provenance);
+  addUnread(json, node.unread);
+  return json;
+}
+
+Ordered sectionsOf(const std::vector<Section>& sections) {
+  Ordered list = Ordered::array();
+  for (const Section& section : sections) {
+    Ordered json = {{"id", section.id.value},
+                    {"name", section.name},
+                    {"normal", pointOf(section.plane.normal)},
+                    {"offset_mm", jsonNumber(section.plane.offset)}};
+    if (section.scope != rootId)
+      json["scope"] = section.scope.value;
+    json["enabled"] = section.enabled;
+    json["hatched"] = section.hatched;
+    addUnread(json, section.unread);
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+Ordered cameraOf(const Camera& camera) {
+  return {{"projection", projectionNames[std::size_t(camera.projection)]},
+          {"eye_mm", pointOf(camera.eye)},
+          {"target_mm", pointOf(camera.target)},
+          {"up", pointOf(camera.up)},
+          {"opening_degrees", jsonNumber(camera.fovyDegrees)},
+          {"height_mm", jsonNumber(camera.heightMm)}};
+}
+
+Ordered viewOf(const View& view) {
+  Ordered json = {{"name", view.name}, {"camera", cameraOf(view.camera)}};
+  if (view.sections)
+    json["sections"] = sectionsOf(*view.sections);
+  addUnread(json, view.unread);
+  return json;
+}
+}  // namespace
+
+std::map<MeshPtr, std::string> meshNames(const Scene& scene) {
+  std::map<MeshPtr, std::string> names;
+  for (const Node& node : scene.nodes())
+    if (!node.isGroup())
+      names.try_emplace(node.mesh, "meshes/" + std::to_string(node.id.value) + ".mesh");
+  return names;
+}
+
+std::string sceneJson(const Scene& scene) {
+  const std::map<MeshPtr, std::string> names = meshNames(scene);
+  Ordered root = {
+      {"format", formatName}, {"schema", sceneSchema}, {"frame", "LPS"}, {"unit", "mm"}};
+  root["nodes"] = Ordered::array();
+  for (const Node& node : scene.nodes())
+    root["nodes"].push_back(nodeOf(node, names));
+  root["sections"] = sectionsOf(scene.sections());
+  root["views"] = Ordered::array();
+  for (const View& view : scene.views())
+    root["views"].push_back(viewOf(view));
+  addUnread(root, scene.unread());
+  return root.dump(1, ' ', false, Ordered::error_handler_t::replace) + "\n";
+}
+
+}  // namespace sline::model

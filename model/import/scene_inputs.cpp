@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/import/scene_inputs.h"
+
+#include <algorithm>
+#include <map>
+
+#include "model/files/scene_file.h"
+
+namespace sline::model {
+
+namespace {
+void warnOfOptions(const ImportOptions& options, std::vector<ImportWarning>& warnings) {
+  if (options.frame || options.unit)
+    warnings.push_back({"",
+                        "a scene file is in millimetres of the patient's frame; the frame and "
+                        "the unit that were chosen do not apply to it"});
+}
+
+/// What decided the frame when its first structure was imported.
+std::string frameReasonOf(const Scene& scene) {
+  const auto& nodes = scene.nodes();
+  const auto found = std::find_if(nodes.begin(), nodes.end(), [](const Node& node) {
+    return !node.provenance.frameReason.empty();
+  });
+  return found == nodes.end() ? "scene file" : found->provenance.frameReason;
+}
+
+using NewIds = std::map<NodeId, NodeId>;
+
+/// Sections get fresh ids in the scene; those of a view keep theirs, which are its own.
+Section moved(Section section, const NewIds& ids) {
+  const auto scope = ids.find(section.scope);
+  section.scope = scope == ids.end() ? rootId : scope->second;
+  return section;
+}
+
+void append(Scene& to, const Scene& added) {
+  NewIds ids{{rootId, rootId}};
+  for (Node node : added.nodes()) {
+    const NodeId old = node.id;
+    node.parent = ids.at(node.parent);
+    ids[old] = to.append(std::move(node));
+  }
+  for (const Section& section : added.sections())
+    to.appendSection(moved(section, ids));
+  std::vector<View> views = to.views();
+  for (View view : added.views()) {
+    if (view.sections)
+      for (Section& section : *view.sections)
+        section = moved(section, ids);
+    views.push_back(std::move(view));
+  }
+  to.setViews(std::move(views));
+  if (to.unread().empty())
+    to.setUnread(added.unread());
+}
+}  // namespace
+
+void append(Imported& to, Imported added) {
+  append(to.scene, added.scene);
+  const auto take = [](auto& all, auto& more) {
+    std::move(more.begin(), more.end(), std::back_inserter(all));
+  };
+  take(to.report.warnings, added.report.warnings);
+  take(to.others, added.others);
+}
+
+Result<Imported> openScenes(std::span<const std::filesystem::path> files,
+                            const ImportOptions& options) {
+  Imported all;
+  for (const std::filesystem::path& file : files) {
+    Result<SceneDocument> document = readSceneFile(file);
+    if (!document.ok())
+      return document.error();
+    Imported one{.scene = std::move(document->scene), .others = std::move(document->others)};
+    if (const std::string warning = document->warning(); !warning.empty())
+      one.report.warnings.push_back({file.string(), warning});
+    if (&file == &files.front())
+      all = std::move(one);  // alone it keeps its ids
+    else
+      append(all, std::move(one));
+  }
+  all.report.frameReason = frameReasonOf(all.scene);
+  warnOfOptions(options, all.report.warnings);
+  return all;
+}
+
+}  // namespace sline::model

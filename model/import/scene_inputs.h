@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scene files among the inputs: opened as they are and put together with the rest.
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "model/import/import.h"
+
+namespace sline::model {
+
+/// Reads the scene files and puts them below each other; the error is of the first that cannot be
+/// read. Warns of options that do not apply to them.
+Result<Imported> openScenes(std::span<const std::filesystem::path> files,
+                            const ImportOptions& options);
+
+/// Adds nodes, sections and views under ids that are free in `to`; its own keep theirs.
+void append(Imported& to, Imported added);
+
+}  // namespace sline::model

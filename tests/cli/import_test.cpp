@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/cli/sline_process.h"
+#include "tests/support/shapes.h"
+
+namespace sline::test {
+namespace {
+
+QByteArray contentOf(const QString& name) {
+  QFile file(name);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+QJsonObject objectOf(const QStringList& arguments) {
+  const Finished finished = runSline(arguments);
+  return finished.code == 0 ? QJsonDocument::fromJson(finished.out).object() : QJsonObject();
+}
+
+}  // namespace
+
+class ImportTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase();
+  void holdsWhatTheInputsHold();
+  void everyCommandTakesIt_data();
+  void everyCommandTakesIt();
+  void savedAgainIsTheSame();
+  void planAsText();
+  void planAsJson();
+  void wrongUse_data();
+  void wrongUse();
+  void brokenFileIsNamed();
+
+ private:
+  QString at(const QString& name) const { return m_folder.filePath(name); }
+  QTemporaryDir m_folder;
+  QString m_meshes;
+  QString m_scene;
+};
+
+void ImportTest::initTestCase() {
+  m_meshes = writeSample(at("meshes"));
+  m_scene = at("sample.sline");
+  const Finished finished = runSline({"import", m_meshes, "-o", m_scene, "--smooth", "off"});
+  QVERIFY2(finished.code == 0, finished.err.constData());
+  writeFile(at("camera.json"), frontCamera());
+}
+
+void ImportTest::holdsWhatTheInputsHold() {
+  const QJsonObject meshes = objectOf({"info", "--json", m_meshes});
+  QVERIFY(!meshes.isEmpty());
+  QCOMPARE(objectOf({"info", "--json", m_scene}), meshes);
+  QVERIFY(contentOf(m_scene).contains("thumbnail.png"));
+  // The file holds its data: the meshes may go.
+  QTemporaryDir other;
+  const QString copy = other.filePath("copy.sline");
+  QVERIFY(QFile::copy(m_scene, copy));
+  QCOMPARE(objectOf({"info", "--json", copy}), meshes);
+}
+
+void ImportTest::everyCommandTakesIt_data() {
+  QTest::addColumn<QStringList>("arguments");
+  QTest::addColumn<QString>("output");
+  QTest::newRow("render") << QStringList{"render", "--size", "160x120"} << "a.png";
+  QTest::newRow("lines") << QStringList{"lines", "--camera", at("camera.json"), "--size", "160x120"}
+                         << "lines.json";
+  QTest::newRow("curvature") << QStringList{"curvature"} << "curvature.csv";
+  QTest::newRow("import") << QStringList{"import"} << "b.sline";
+}
+
+void ImportTest::everyCommandTakesIt() {
+  QFETCH(QStringList, arguments);
+  QFETCH(QString, output);
+  const QStringList rest = arguments.mid(1);
+  const Finished fromScene =
+      runSline(QStringList{arguments[0], m_scene, "-o", at("of scene " + output)} + rest);
+  QVERIFY2(fromScene.code == 0, fromScene.err.constData());
+  const QStringList off{"--smooth", "off"};
+  const Finished fromMeshes =
+      runSline(QStringList{arguments[0], m_meshes, "-o", at("of meshes " + output)} + rest + off);
+  QVERIFY2(fromMeshes.code == 0, fromMeshes.err.constData());
+  QVERIFY(!contentOf(at("of scene " + output)).isEmpty());
+  QVERIFY(contentOf(at("of scene " + output)) == contentOf(at("of meshes " + output)));
+}
+
+void ImportTest::savedAgainIsTheSame() {
+  const QByteArray before = contentOf(m_scene);
+  QCOMPARE(runSline({"import", m_scene, "-o", at("again.sline")}).code, 0);
+  QVERIFY(contentOf(at("again.sline")) == before);
+  QCOMPARE(runSline({"import", m_scene, "-o", m_scene}).code, 0);  // over itself
+  QVERIFY(contentOf(m_scene) == before);
+  QVERIFY(QDir(m_folder.path()).entryList({".*"}, QDir::Files | QDir::Hidden).isEmpty());
+}
+
+void ImportTest::planAsText() {
+  writeFile(m_meshes + "/Organs/broken.obj", "v 0 0\nf 1 2 3\n");
+  const Finished finished = runSline({"import", m_meshes, "--plan", "--frame", "RAS"});
+  QVERIFY(QFile::remove(m_meshes + "/Organs/broken.obj"));
+  QCOMPARE(finished.code, 0);
+  const QByteArray expected =
+      "Organs\n"
+      "  kidney: 5120 triangles from kidney.obj\n"
+      "Vessels\n"
+      "  renal artery: 1280 triangles from renal artery.obj\n"
+      "  renal vein: 1280 triangles from renal vein.obj\n"
+      "3 structures, 7680 triangles, 140 × 60 × 60 mm\n"
+      "frame RAS (chosen by the user): 3 structures\n"
+      "one unit is 1.0 mm (no unit in the file: millimetres assumed): 3 structures\n"
+      "left out or mended: broken.obj: ";
+  QVERIFY2(finished.out.startsWith(expected), finished.out.constData());
+}
+
+void ImportTest::planAsJson() {
+  const QJsonObject plan =
+      objectOf({"import", m_meshes, "--plan", "--json", "--unit", "cm", "-o", at("never.sline")});
+  QCOMPARE(plan.keys(), QStringList({"bounds_mm", "inputs", "left_out", "nodes"}));
+  const QJsonArray nodes = plan["nodes"].toArray();
+  QCOMPARE(nodes.size(), 5);
+  QVERIFY(!nodes[0].toObject().contains("file"));
+  const QJsonObject kidney = nodes[1].toObject();
+  QCOMPARE(kidney["parent"].toInt(), nodes[0].toObject()["id"].toInt());
+  QCOMPARE(kidney["file"].toString(), QString("kidney.obj"));
+  QCOMPARE(kidney["mm_per_unit"].toDouble(), 10.0);
+  QCOMPARE(kidney["unit_reason"].toString(), QString("chosen by the user"));
+  QCOMPARE(kidney["frame"].toString(), QString("LPS"));
+  QVERIFY(!kidney["frame_reason"].toString().isEmpty());
+  QCOMPARE(plan["bounds_mm"][1][0].toDouble(), 700.0);
+  QVERIFY(!QFile::exists(at("never.sline")));
+}
+
+void ImportTest::wrongUse_data() {
+  QTest::addColumn<QStringList>("arguments");
+  QTest::addColumn<QByteArray>("says");
+  const QString out = at("wrong.sline");
+  QTest::newRow("no output") << QStringList{} << QByteArray("--plan");
+  QTest::newRow("another kind") << QStringList{"-o", at("a.stl")} << QByteArray(".sline");
+  QTest::newRow("JSON without plan") << QStringList{"-o", out, "--json"} << QByteArray("--plan");
+  QTest::newRow("unit") << QStringList{"-o", out, "--unit", "mile"} << QByteArray("inch");
+  QTest::newRow("unit of nothing")
+      << QStringList{"-o", out, "--unit", "m", "--frame", "file"} << QByteArray("--frame file");
+}
+
+void ImportTest::wrongUse() {
+  QFETCH(QStringList, arguments);
+  QFETCH(QByteArray, says);
+  const Finished finished = runSline(QStringList{"import", m_meshes} + arguments);
+  QCOMPARE(finished.code, 2);
+  QVERIFY2(finished.err.contains(says), finished.err.constData());
+  QVERIFY(!QFile::exists(at("wrong.sline")));
+}
+
+void ImportTest::brokenFileIsNamed() {
+  writeFile(at("cut.sline"), contentOf(m_scene).left(5000));
+  const Finished finished = runSline({"info", at("cut.sline")});
+  QCOMPARE(finished.code, 1);
+  QVERIFY2(finished.err.contains("cut.sline") && finished.err.contains("ZIP"),
+           finished.err.constData());
+}
+
+}  // namespace sline::test
+
+QTEST_GUILESS_MAIN(sline::test::ImportTest)
+#include "import_test.moc"
