@@ -21,7 +21,7 @@ namespace {
 constexpr float hair = 0.36f;
 constexpr float pen = 0.52f;  // half width at and above which it is drawn as it is
 // A pen's point opens by no more than this half width per length.
-constexpr float opening = 0.14f;
+constexpr float opening = 0.09f;
 constexpr float halfHeight = 360.0f;  // of the picture, λ, by definition
 // Strokes go on this far outside of it, λ, and may come to a point there.
 constexpr float margin = 24.0f;
@@ -65,6 +65,7 @@ class Hatcher {
                                     .twoSided = request.twoSided}) {}
 
   Hatching hatch() {
+    m_layout.beginView();
     const std::vector<LaidCell> cells =
         neededCells(m_layout, m_fields.clusters(), m_scale, m_frustum, m_request.spacing);
     m_entered = m_request.entered;
@@ -81,10 +82,10 @@ class Hatcher {
   template <class Body>
   void forEachStroke(const std::vector<LaidCell>& cells, const Body& body) {
     for (const LaidCell& cell : cells) {
-      const LaidTile& tile = m_layout.tile(cell);
-      for (const LaidStroke& stroke : tile.strokes)
+      const std::shared_ptr<const LaidTile> tile = m_layout.tile(cell);
+      for (const LaidStroke& stroke : tile->strokes)
         if (!m_frustum.misses(stroke.bounds))
-          body(cell, tile, stroke);
+          body(cell, *tile, stroke);
     }
   }
 

@@ -31,6 +31,9 @@ constexpr float roundTrip = 2.0f;
 // Nor may it turn within the surface by more than this many radians in about a distance: around the
 // field's singular points strokes would curl.
 constexpr float sharpestBend = 0.7f;
+// Below so many points nothing is forgotten; above it what the last views did not ask for is.
+constexpr std::size_t fewPoints = 10'000;
+constexpr std::uint32_t viewsKept = 12;
 
 LaidPoint packed(const SurfacePoint& at) {
   return {.triangle = at.triangle,
@@ -289,16 +292,32 @@ glm::vec3 StrokeLayout::position(const LaidPoint& point) const {
   return valueAt(*m_surface->mesh, m_surface->mesh->positions(), at(point));
 }
 
-const LaidTile& StrokeLayout::tile(const LaidCell& cell) {
+void StrokeLayout::beginView() {
+  const std::lock_guard lock(m_mutex);
+  ++m_view;
+  if (m_points <= fewPoints)
+    return;
+  std::erase_if(m_tiles, [this](const auto& entry) {
+    const bool old = m_view - entry.second.lastView > viewsKept;
+    m_points -= old ? entry.second.tile->points.size() : 0;
+    return old;
+  });
+}
+
+std::shared_ptr<const LaidTile> StrokeLayout::tile(const LaidCell& cell) {
   const std::lock_guard lock(m_mutex);
   return found(cell);
 }
 
-const LaidTile& StrokeLayout::found(const LaidCell& cell) {
-  if (const auto known = m_tiles.find(cell); known != m_tiles.end())
-    return known->second;
-  LaidTile laid = lay(cell);
-  return m_tiles.emplace(cell, std::move(laid)).first->second;
+std::shared_ptr<const LaidTile> StrokeLayout::found(const LaidCell& cell) {
+  auto known = m_tiles.find(cell);
+  if (known == m_tiles.end()) {
+    auto laid = std::make_shared<const LaidTile>(lay(cell));
+    m_points += laid->points.size();
+    known = m_tiles.emplace(cell, KeptTile{std::move(laid)}).first;
+  }
+  known->second.lastView = m_view;
+  return known->second.tile;
 }
 
 LaidTile StrokeLayout::lay(const LaidCell& cell) {
@@ -336,10 +355,10 @@ void StrokeLayout::markAround(const LaidCell& cell, const model::Box& box, Strok
           others.push_back(neighbour);
       }
   for (const LaidCell& other : others) {
-    const LaidTile& laid = found(other);
-    for (const LaidStroke& stroke : laid.strokes)
+    const std::shared_ptr<const LaidTile> laid = found(other);
+    for (const LaidStroke& stroke : laid->strokes)
       if (touches(stroke.bounds, box))
-        mark(laid, stroke, spacing(cell.level), taken);
+        mark(*laid, stroke, spacing(cell.level), taken);
   }
 }
 

@@ -14,6 +14,7 @@
 #include <compare>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <vector>
 
@@ -76,8 +77,10 @@ class StrokeLayout {
   std::vector<LaidCell> cellsWithin(int level, const model::Box& box) const;
   /// Those from which strokes may reach into the sphere.
   std::vector<LaidCell> cellsNear(int level, const model::Sphere& sphere) const;
-  /// Stays where it is as long as the layout.
-  const LaidTile& tile(const LaidCell& cell);
+  /// To be called before a view asks for its cells: what no view has asked for lately is forgotten
+  /// where there is much of it, and laid again, the same, should it be needed.
+  void beginView();
+  std::shared_ptr<const LaidTile> tile(const LaidCell& cell);
 
   SurfacePoint at(const LaidPoint& point) const;
   glm::vec3 position(const LaidPoint& point) const;
@@ -86,7 +89,11 @@ class StrokeLayout {
   class Placer;
   float reach(int level) const;
   float side(int level) const;
-  const LaidTile& found(const LaidCell& cell);
+  struct KeptTile {
+    std::shared_ptr<const LaidTile> tile;
+    std::uint32_t lastView = 0;
+  };
+  std::shared_ptr<const LaidTile> found(const LaidCell& cell);
   LaidTile lay(const LaidCell& cell);
   void markAround(const LaidCell& cell, const model::Box& box, StrokeSpacing& taken);
   void mark(const LaidTile& tile, const LaidStroke& stroke, float distance,
@@ -98,7 +105,9 @@ class StrokeLayout {
   float m_length;
   int m_firstLevel;
   std::mutex m_mutex;  ///< of the tiles
-  std::map<LaidCell, LaidTile> m_tiles;
+  std::map<LaidCell, KeptTile> m_tiles;
+  std::size_t m_points = 0;  ///< in all tiles
+  std::uint32_t m_view = 0;
 };
 
 }  // namespace sline::render

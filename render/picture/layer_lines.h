@@ -33,8 +33,7 @@ LineSet styledLines(const model::Surface& surface, const PictureView& view,
                     const model::ResolvedStyle& style);
 /// The hatching that the style asks for, with the light there in the camera's frame.
 Hatching styledHatching(StrokeLayout& layout, const PictureView& view,
-                        const model::ResolvedStyle& style,
-                        const glm::vec3& light);
+                        const model::ResolvedStyle& style, const glm::vec3& light);
 /// Ends them at the section planes and adds the outlines of the cut faces.
 void cutLines(const SectionedSurface& cut, StructureLines& drawn);
 /// Finds when each enters its stage and joins them to the strokes a pen would set: pieces of a line

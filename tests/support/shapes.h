@@ -24,8 +24,8 @@ model::MeshPtr jittered(const model::Mesh& mesh, float fraction, std::uint32_t s
 model::MeshPtr mirrored(const model::Mesh& mesh);
 /// Both in one mesh, nothing joined.
 model::MeshPtr together(const model::Mesh& a, const model::Mesh& b);
-/// Turned about an axis of no meaning, so that a symmetric shape and its mirror image are not alike:
-/// between two strokes that are each other's image chance decides.
+/// Turned about an axis of no meaning, so that a symmetric shape and its mirror image are not
+/// alike: between two strokes that are each other's image chance decides.
 model::MeshPtr askew(const model::Mesh& mesh);
 model::MeshPtr moved(const model::Mesh& mesh, float scale, const glm::vec3& offset);
 

@@ -180,6 +180,9 @@ class HatchingTest : public QObject {
     const Subject used = torusSubject();
     for (const float height : {3.0f, 60.0f, 8.0f})
       used.hatched(orthographic(glm::vec3(1, 0.4f, -0.3f), height));
+    // So many that what the first ones asked for is forgotten.
+    for (int i = 0; i < 20; ++i)
+      used.hatched(orthographic(slanted + glm::vec3(0.02f * float(i), 0, 0), 20.0f));
     const render::Hatching a = fresh.hatched(orthographic(slanted, 24.0f));
     const render::Hatching b = used.hatched(orthographic(slanted, 24.0f));
     QCOMPARE(a.points.size(), b.points.size());
