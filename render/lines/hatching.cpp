@@ -21,7 +21,7 @@ namespace {
 constexpr float hair = 0.36f;
 constexpr float pen = 0.52f;  // half width at and above which it is drawn as it is
 // A pen's point opens by no more than this half width per length.
-constexpr float opening = 0.09f;
+constexpr float opening = 0.14f;
 constexpr float halfHeight = 360.0f;  // of the picture, λ, by definition
 // Strokes go on this far outside of it, λ, and may come to a point there.
 constexpr float margin = 24.0f;
@@ -32,6 +32,13 @@ constexpr float halfPi = 1.5707963f;
 /// The thinnest strokes taper off quickly instead of fading.
 float definite(float halfWidth) {
   return halfWidth >= pen ? halfWidth : std::max(halfWidth - hair, 0.0f) * pen / (pen - hair);
+}
+
+/// Of the share that strokes are seen apart, what counts for which levels show: its root, half as
+/// fast in powers of two, but in the depth of a tunnel, where that would turn black, all of it.
+float widened(float across) {
+  constexpr float deep = 0.25f;
+  return across >= deep ? std::sqrt(across) : across / std::sqrt(deep);
 }
 
 /// A point of a laid stroke in this view.
@@ -130,9 +137,8 @@ class Hatcher {
       across = nv / std::sqrt(std::max(1.0f - towards * towards, nv * nv));
     }
     // Were strokes to leave as fast as the surface turns away, they would come and go with every
-    // turn: half of that, in powers of two, makes way. What runs along a contour thins out, or it
-    // would go behind it all at once.
-    const float seenLevel = hatchLevel(m_layout, seen.perMm * std::sqrt(across), m_request.spacing);
+    // turn. What runs along a contour thins out, or it would go behind it all at once.
+    const float seenLevel = hatchLevel(m_layout, seen.perMm * widened(across), m_request.spacing);
     s.presence =
         std::clamp(seenLevel + 1.0f - float(level), 0.0f, 1.0f) * std::min(1.0f, across / narrow);
   }
