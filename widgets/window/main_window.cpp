@@ -415,7 +415,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::chooseFiles() {
   auto* dialog =
       new QFileDialog(this, tr("Open Files"), m_settings.value(QLatin1String(folderKey)).toString(),
-                      tr("Meshes and scenes (*.mrml *.obj *.stl *.ply *.off *.vtk *.vtp "
+                      tr("Meshes and scenes (*.sline *.mrml *.obj *.stl *.ply *.off *.vtk *.vtp "
                          "*.glb *.gltf);;All files (*)"));
   dialog->setObjectName(QStringLiteral("openFilesDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
