@@ -57,11 +57,11 @@ class Bend {
 
   /// Radians at the next place; turns are forgotten over `distance` mm.
   float after(const StrokeSpacing::Mark& mark, float distance) {
-    const glm::vec3 step = mark.position - m_last;
-    const float length = glm::length(step);
+    const glm::vec3 move = mark.position - m_last;
+    const float length = glm::length(move);
     if (!(length > 0.0f))
       return std::abs(m_turn);
-    const glm::vec3 direction = step / length;
+    const glm::vec3 direction = move / length;
     if (m_direction != glm::vec3(0.0f)) {
       const float sine = glm::dot(glm::cross(m_direction, direction), mark.normal);
       m_turn = m_turn * std::max(1.0f - length / distance, 0.0f) +
