@@ -91,7 +91,7 @@ class StrokeLayout::Placer {
   }
 
   void place(const PlacedSeed& seed) {
-    const StrokeSpacing::Mark start = markAt(seed.at);
+    const StrokeSpacing::Mark start = m_layout.markAt(seed.at);
     if (m_taken.room(start) < roomToStart)
       return;
     m_points.clear();
@@ -123,13 +123,6 @@ class StrokeLayout::Placer {
   }
 
  private:
-  StrokeSpacing::Mark markAt(const SurfacePoint& at) const {
-    const model::Surface& surface = m_layout.surface();
-    const glm::vec3 normal = valueAt(*surface.mesh, surface.normals, at);
-    return {valueAt(*surface.mesh, surface.mesh->positions(), at),
-            normal / std::max(glm::length(normal), 1e-20f)};
-  }
-
   struct Own {
     StrokeSpacing::Mark mark;
     float place;  ///< mm from the seed along the stroke, negative one way
@@ -157,7 +150,7 @@ class StrokeLayout::Placer {
       if (!m_grows)
         return false;
       const bool more = m_walk.advance(length);
-      const StrokeSpacing::Mark mark = m_placer.markAt(m_walk.at());
+      const StrokeSpacing::Mark mark = m_placer.m_layout.markAt(m_walk.at());
       if (m_placer.m_taken.room(mark) < roomToGoOn ||
           m_placer.meetsItself(mark, m_sign * (m_gone + length)) ||
           m_bend.after(mark, m_placer.m_distance) > sharpestBend)
@@ -362,18 +355,18 @@ void StrokeLayout::markAround(const LaidCell& cell, const model::Box& box, Strok
   }
 }
 
+StrokeSpacing::Mark StrokeLayout::markAt(const SurfacePoint& place) const {
+  const glm::vec3 normal = valueAt(*m_surface->mesh, m_surface->normals, place);
+  return {valueAt(*m_surface->mesh, m_surface->mesh->positions(), place),
+          normal / std::max(glm::length(normal), 1e-20f)};
+}
+
 void StrokeLayout::mark(const LaidTile& tile, const LaidStroke& stroke, float distance,
                         StrokeSpacing& taken) const {
-  const auto markOf = [&](std::uint32_t i) {
-    const SurfacePoint place = at(tile.points[i]);
-    const glm::vec3 normal = valueAt(*m_surface->mesh, m_surface->normals, place);
-    return StrokeSpacing::Mark{valueAt(*m_surface->mesh, m_surface->mesh->positions(), place),
-                               normal / std::max(glm::length(normal), 1e-20f)};
-  };
-  StrokeSpacing::Mark last = markOf(stroke.first);
+  StrokeSpacing::Mark last = markAt(at(tile.points[stroke.first]));
   taken.add(last);
   for (std::uint32_t i = stroke.first + 1; i < stroke.first + stroke.count; ++i) {
-    const StrokeSpacing::Mark next = markOf(i);
+    const StrokeSpacing::Mark next = markAt(at(tile.points[i]));
     const float apart = glm::distance(next.position, last.position);
     if (apart < markStep * distance && i + 1 < stroke.first + stroke.count)
       continue;

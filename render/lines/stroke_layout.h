@@ -96,6 +96,7 @@ class StrokeLayout {
   std::shared_ptr<const LaidTile> found(const LaidCell& cell);
   LaidTile lay(const LaidCell& cell);
   void markAround(const LaidCell& cell, const model::Box& box, StrokeSpacing& taken);
+  StrokeSpacing::Mark markAt(const SurfacePoint& place) const;
   void mark(const LaidTile& tile, const LaidStroke& stroke, float distance,
             StrokeSpacing& taken) const;
 
