@@ -123,8 +123,8 @@ void ownUnit(Part& part, const ImportOptions& options, bool ofSlicer) {
   } else if (options.unit) {
     part.unit = *options.unit;
     reason = "chosen by the user";
-  } else if (part.raw.yUp) {
-    reason = "glTF: metres";
+  } else if (!part.raw.unitReason.empty()) {
+    reason = part.raw.unitReason;
   } else {
     reason = ofSlicer ? "scene of Slicer: millimetres" : "no unit in the file: millimetres assumed";
   }
@@ -142,8 +142,8 @@ void decideUnits(std::vector<Part>& parts, const Sources& sources, const ImportO
     return sources.files[part.file].model.has_value();
   };
   const auto unitless = [&](const Part& part) {
-    return !options.unit && !part.raw.yUp && part.raw.millimetresPerUnit == 1.0f &&
-           part.frame != Frame::file && !ofSlicer(part);
+    return !options.unit && part.raw.unitReason.empty() && part.frame != Frame::file &&
+           !ofSlicer(part);
   };
   for (Part& part : parts) {
     ownUnit(part, options, ofSlicer(part));

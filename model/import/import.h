@@ -13,16 +13,10 @@
 #include "model/base/result.h"
 #include "model/files/zip_archive.h"
 #include "model/import/raw_mesh.h"
+#include "model/import/read_options.h"
 #include "model/scene/scene.h"
 
 namespace sline::model {
-
-/// `automatic` smooths what shows the steps of a label map and refines what is too coarse to draw;
-/// `off` leaves every vertex where the file has it; `steps` smooths everything that many times.
-struct Smoothing {
-  enum class Mode { automatic, off, steps } mode = Mode::automatic;
-  int steps = 0;
-};
 
 struct ImportOptions {
   std::optional<Frame> frame;  ///< overrides header and vote

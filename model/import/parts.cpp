@@ -9,9 +9,9 @@
 #include <numeric>
 
 #include "model/base/parallel.h"
+#include "model/import/file_kinds.h"
 #include "model/import/laterality.h"
 #include "model/import/names.h"
-#include "model/import/readers/readers.h"
 #include "model/import/repair.h"
 
 namespace sline::model {
@@ -50,7 +50,8 @@ Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& 
   Loaded loaded;
   const SourceFile& source = sources.files[index];
   const std::string shown = source.file.filename().string();
-  Result<RawMeshes> read = readMeshFile(source.file, options.limits);
+  Result<RawMeshes> read = readSurfaces(
+      source.file, {options.limits, options.smoothing, [&] { return meter.goesOn(shown); }});
   if (!read) {
     Error error = read.error();
     error.file.clear();
@@ -66,7 +67,7 @@ Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& 
     part.file = index;
     part.name = nameInFile(raw.name);
     if (part.name.empty())
-      part.name = readableName(source.file.stem().string());
+      part.name = readableName(stemOf(source.file));
     if (source.model) {
       const SlicerModel& model = sources.sources[source.source].scene->models[*source.model];
       part.name = meshes.size() == 1 ? model.name : model.name + " " + part.name;
@@ -83,7 +84,7 @@ Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& 
     }
     part.raw.positions.shrink_to_fit();
     part.raw.triangles.shrink_to_fit();
-    if (options.smoothing.mode == Smoothing::Mode::automatic)
+    if (options.smoothing.mode == Smoothing::Mode::automatic && !part.raw.smooth)
       part.measure = measureSurface(part.raw.positions, part.raw.triangles);
     loaded.parts.push_back(std::move(part));
   }
@@ -171,6 +172,10 @@ void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothi
   });
   forFewAtATime(order, meter, [&](std::size_t i) {
     Part& part = parts[i];
+    if (part.raw.smooth) {
+      part.provenance.displacementMm = part.raw.displacement * part.unit;
+      return;
+    }
     const double bytes = double(part.raw.triangles.size()) * 6.0;
     const Smoothed done =
         smooth(part.raw.positions, part.raw.triangles, grids[i], smoothing, allowed[i]);

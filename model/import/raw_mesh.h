@@ -12,6 +12,7 @@
 #include "model/base/result.h"
 #include "model/base/units.h"
 #include "model/geometry/mesh.h"
+#include "model/import/read_options.h"
 
 namespace sline::model {
 
@@ -29,7 +30,11 @@ struct RawMesh {
   std::optional<Frame> frame;       ///< where the file's own header says so
   std::string frameReason;          ///< which part of the header
   float millimetresPerUnit = 1.0f;  ///< glTF: 1000 (its unit is the metre)
+  std::string unitReason;           ///< what in the file or its format fixes the unit; empty: none
+                                    ///< does, and it may be guessed
   bool yUp = false;                 ///< glTF: +y up, +x patient left, +z to the front
+  bool smooth = false;              ///< made smooth by its reader: not smoothed or refined again
+  float displacement = 0.0f;        ///< the farthest that reader moved a vertex, in the file's unit
 };
 
 /// Something left out or mended on the way in; the rest of the file was read.
@@ -42,13 +47,6 @@ struct ImportWarning {
 struct RawMeshes {
   std::vector<RawMesh> meshes;
   std::vector<ImportWarning> warnings;
-};
-
-/// Limits every reader keeps, so that a small file cannot ask for a large machine.
-struct ReadLimits {
-  std::uint64_t fileBytes = std::uint64_t(4) << 30;
-  std::uint64_t vertices = 100'000'000;
-  std::uint64_t triangles = 200'000'000;
 };
 
 }  // namespace sline::model

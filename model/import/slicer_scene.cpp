@@ -8,8 +8,8 @@
 #include <glm/matrix.hpp>
 #include <set>
 
+#include "model/import/file_kinds.h"
 #include "model/import/names.h"
-#include "model/import/readers/readers.h"
 #include "model/import/slicer_hierarchy.h"
 #include "model/import/slicer_nodes.h"
 
@@ -115,8 +115,8 @@ void SceneReader::readModel(const XmlNode& node,
   if (!file)
     return;
   SlicerModel model;
-  if (isMeshFile(name))
-    name = fs::path(name).stem().string();
+  if (isSurfaceFile(name))
+    name = stemOf(name);
   model.name = readableName(name.empty() ? file->stem().string() : name);
   model.file = *file;
   if (const auto group = groups.find(node.attribute("id").value()); group != groups.end())

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "model/import/readers/readers.h"
+#include "model/import/file_kinds.h"
 
 namespace sline::model {
 
@@ -12,9 +12,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* supportedKinds =
-    "Give a mesh (.obj, .stl, .ply, .off, .vtk, .vtp, .gltf, .glb), a folder of meshes, a 3D "
-    "Slicer scene (.mrml) or a scene file (.sline)";
+std::string supportedKinds() {
+  return "Give a file of surfaces (" + surfaceExtensions() +
+         "), a folder of them, a 3D Slicer scene (.mrml) or a scene file (.sline)";
+}
 
 std::string lowerExtension(const fs::path& file) {
   std::string extension = file.extension().string();
@@ -38,12 +39,12 @@ class Collector {
       addFolder(input);
     else if (lowerExtension(input) == ".mrml")
       addScene(input);
-    else if (isMeshFile(input))
+    else if (isSurfaceFile(input))
       addFile(input, looseFiles(), {});
     else
       refuse({.file = input.string(),
               .reason = "this kind of file is not supported",
-              .remedy = supportedKinds});
+              .remedy = supportedKinds()});
   }
 
   Sources take() && { return std::move(m_result); }
@@ -83,7 +84,7 @@ class Collector {
     for (const fs::recursive_directory_iterator end; !fault && entry != end;
          entry.increment(fault)) {
       std::error_code ignored;
-      if (entry->is_regular_file(ignored) && isMeshFile(entry->path()))
+      if (entry->is_regular_file(ignored) && isSurfaceFile(entry->path()))
         files.push_back(entry->path());
     }
     if (fault)
@@ -92,7 +93,7 @@ class Collector {
     if (files.empty()) {
       refuse({.file = folder.string(),
               .reason = "the folder holds no mesh",
-              .remedy = supportedKinds});
+              .remedy = supportedKinds()});
       return;
     }
     std::sort(files.begin(), files.end());

@@ -24,6 +24,7 @@
 #include "model/edit/emphasis.h"
 #include "model/edit/tree.h"
 #include "model/edit/visibility.h"
+#include "model/import/file_kinds.h"
 #include "widgets/gamma/gamma_panel.h"
 #include "widgets/session/demo_scenes.h"
 #include "widgets/structure_tree/structure_tree.h"
@@ -77,6 +78,15 @@ QString summaryOf(const model::Scene& scene) {
 bool hasLocalFiles(const QMimeData& data) {
   const QList<QUrl> urls = data.urls();
   return std::any_of(urls.begin(), urls.end(), [](const QUrl& url) { return url.isLocalFile(); });
+}
+
+/// "*.sline *.mrml *.obj …", for a file dialog.
+QString readablePatterns() {
+  QStringList patterns{QStringLiteral("*.sline"), QStringLiteral("*.mrml")};
+  for (const model::FileKind& kind : model::fileKinds())
+    patterns << QStringLiteral("*") +
+                    QString::fromUtf8(kind.extension.data(), qsizetype(kind.extension.size()));
+  return patterns.join(QLatin1Char(' '));
 }
 
 }  // namespace
@@ -415,8 +425,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::chooseFiles() {
   auto* dialog =
       new QFileDialog(this, tr("Open Files"), m_settings.value(QLatin1String(folderKey)).toString(),
-                      tr("Meshes and scenes (*.sline *.mrml *.obj *.stl *.ply *.off *.vtk *.vtp "
-                         "*.glb *.gltf);;All files (*)"));
+                      tr("Meshes and scenes (%1);;All files (*)").arg(readablePatterns()));
   dialog->setObjectName(QStringLiteral("openFilesDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFiles);

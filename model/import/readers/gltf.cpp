@@ -167,6 +167,7 @@ class GltfReader {
     mesh.name = instance.name;
     mesh.groups = instance.groups;
     mesh.millimetresPerUnit = 1000.0f;
+    mesh.unitReason = "glTF: metres";
     mesh.yUp = true;
     const Json* material = element(m_document.root, "materials",
                                    wholeMember(primitive, "material").value_or(UINT64_MAX));

@@ -19,9 +19,4 @@ Result<RawMeshes> readLegacyVtk(const std::filesystem::path& file, const ReadLim
 Result<RawMeshes> readVtp(const std::filesystem::path& file, const ReadLimits& limits);
 Result<RawMeshes> readGltf(const std::filesystem::path& file, const ReadLimits& limits);
 
-/// True for an extension one of the readers knows (case ignored).
-bool isMeshFile(const std::filesystem::path& file);
-/// Picks the reader by extension; an unsupported kind is an error that lists the supported ones.
-Result<RawMeshes> readMeshFile(const std::filesystem::path& file, const ReadLimits& limits = {});
-
 }  // namespace sline::model

@@ -262,7 +262,7 @@ Result<model::RawMeshes> readBytes(const QTemporaryDir& folder, const QString& n
   if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
     qFatal("cannot write %s", qPrintable(path));
   file.close();
-  return model::readMeshFile(path.toStdString(), limits);
+  return model::readSurfaces(path.toStdString(), {.limits = limits});
 }
 
 std::size_t triangleCount(const model::RawMeshes& read) {

@@ -284,7 +284,7 @@ class TestBrokenFiles : public QObject {
   void unreadable() {
     QTemporaryDir folder;
     const auto reasonOf = [](const QString& path) {
-      const Result<model::RawMeshes> read = model::readMeshFile(path.toStdString());
+      const Result<model::RawMeshes> read = model::readSurfaces(path.toStdString());
       return read ? QString() : QString::fromStdString(read.error().reason);
     };
     QVERIFY(QDir(folder.path()).mkdir("folder.obj"));

@@ -64,7 +64,7 @@ class TestForeignFiles : public QObject {
     QFETCH(int, vertices);
     QFETCH(int, triangles);
     QFETCH(QString, name);
-    const Result<model::RawMeshes> read = model::readMeshFile(path.toStdString());
+    const Result<model::RawMeshes> read = model::readSurfaces(path.toStdString());
     QVERIFY2(read, read ? "" : read.error().text().c_str());
     QCOMPARE(int(read->meshes.size()), meshes);
     QCOMPARE(int(vertexCount(*read)), vertices);
@@ -95,7 +95,7 @@ class TestForeignFiles : public QObject {
     if (!QFile::exists(path))
       QSKIP("the folder formats of the test data is absent");
     QFETCH(QString, fragment);
-    const Result<model::RawMeshes> read = model::readMeshFile(path.toStdString());
+    const Result<model::RawMeshes> read = model::readSurfaces(path.toStdString());
     QVERIFY(!read);
     QVERIFY2(read.error().text().find(fragment.toStdString()) != std::string::npos,
              read.error().text().c_str());
@@ -119,9 +119,9 @@ class TestForeignFiles : public QObject {
     int files = 0;
     std::size_t triangles = 0;
     for (const QFileInfo& info : directory.entryInfoList(QDir::Files)) {
-      if (!model::isMeshFile(info.filePath().toStdString()))
+      if (!model::isSurfaceFile(info.filePath().toStdString()))
         continue;
-      const Result<model::RawMeshes> read = model::readMeshFile(info.filePath().toStdString());
+      const Result<model::RawMeshes> read = model::readSurfaces(info.filePath().toStdString());
       QVERIFY2(read, read ? "" : read.error().text().c_str());
       QVERIFY(isSound(*read));
       ++files;

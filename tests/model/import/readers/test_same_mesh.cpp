@@ -74,8 +74,8 @@ class TestSameMesh : public QObject {
       QSKIP("the folder formats/same_mesh of the test data is absent");
     QFETCH(QString, path);
     const QString reference = QString(SLINE_TEST_DATA) + "/formats/same_mesh/adrenal_binary_le.ply";
-    const Result<model::RawMeshes> expected = model::readMeshFile(reference.toStdString());
-    const Result<model::RawMeshes> read = model::readMeshFile(path.toStdString());
+    const Result<model::RawMeshes> expected = model::readSurfaces(reference.toStdString());
+    const Result<model::RawMeshes> read = model::readSurfaces(path.toStdString());
     QVERIFY2(expected, "the reference encoding cannot be read");
     QVERIFY2(read, read ? "" : read.error().text().c_str());
     QCOMPARE(read->meshes.size(), std::size_t(1));

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "model/import/file_kinds.h"
+
 #include <array>
 #include <cstdio>
 
@@ -9,27 +11,36 @@
 namespace sline::model {
 
 namespace {
-struct Kind {
-  std::string_view extension;
-  std::string_view name;
-  Result<RawMeshes> (*read)(const std::filesystem::path&, const ReadLimits&);
-};
 
-constexpr std::array kinds = {Kind{".obj", "OBJ", readObj},
-                              Kind{".stl", "STL", readStl},
-                              Kind{".ply", "PLY", readPly},
-                              Kind{".off", "OFF", readOff},
-                              Kind{".vtk", "legacy VTK", readLegacyVtk},
-                              Kind{".vtp", "VTP", readVtp},
-                              Kind{".gltf", "glTF", readGltf},
-                              Kind{".glb", "GLB", readGltf}};
+/// A reader that needs only the limits.
+template <auto reader>
+Result<RawMeshes> within(const std::filesystem::path& file, const ReadOptions& options) {
+  return reader(file, options.limits);
+}
 
-const Kind* kindOf(const std::filesystem::path& file) {
-  const std::string extension = file.extension().string();
-  for (const Kind& kind : kinds)
-    if (equalsIgnoringCase(extension, kind.extension))
-      return &kind;
-  return nullptr;
+constexpr std::array kinds = {FileKind{".obj", "OBJ", within<readObj>},
+                              FileKind{".stl", "STL", within<readStl>},
+                              FileKind{".ply", "PLY", within<readPly>},
+                              FileKind{".off", "OFF", within<readOff>},
+                              FileKind{".vtk", "legacy VTK", within<readLegacyVtk>},
+                              FileKind{".vtp", "VTP", within<readVtp>},
+                              FileKind{".gltf", "glTF", within<readGltf>},
+                              FileKind{".glb", "GLB", within<readGltf>}};
+
+bool endsLike(std::string_view name, std::string_view ending) {
+  return name.size() > ending.size() &&
+         equalsIgnoringCase(name.substr(name.size() - ending.size()), ending);
+}
+
+/// The kind with the longest ending that fits.
+const FileKind* kindOf(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  const FileKind* found = nullptr;
+  for (const FileKind& kind : kinds)
+    if (endsLike(name, kind.extension) &&
+        (!found || kind.extension.size() > found->extension.size()))
+      found = &kind;
+  return found;
 }
 
 /// What the first bytes say a file is; nothing where they do not tell.
@@ -78,32 +89,48 @@ std::string_view kindInContent(const std::filesystem::path& file) {
 }
 }  // namespace
 
-bool isMeshFile(const std::filesystem::path& file) {
+std::span<const FileKind> fileKinds() {
+  return kinds;
+}
+
+std::string surfaceExtensions() {
+  std::string list;
+  for (std::size_t i = 0; i < kinds.size(); ++i)
+    list += (i == 0 ? "" : i + 1 < kinds.size() ? ", " : " or ") + std::string(kinds[i].extension);
+  return list;
+}
+
+bool isSurfaceFile(const std::filesystem::path& file) {
   return kindOf(file) != nullptr;
 }
 
-Result<RawMeshes> readMeshFile(const std::filesystem::path& file, const ReadLimits& limits) {
-  const Kind* kind = kindOf(file);
+std::string stemOf(const std::filesystem::path& file) {
+  const FileKind* kind = kindOf(file);
+  std::string name = file.filename().string();
+  return kind ? name.substr(0, name.size() - kind->extension.size()) : file.stem().string();
+}
+
+Result<RawMeshes> readSurfaces(const std::filesystem::path& file, const ReadOptions& options) {
+  const FileKind* kind = kindOf(file);
   std::error_code code;
   const std::string_view content =
       std::filesystem::is_regular_file(file, code) ? kindInContent(file) : std::string_view();
   if (!kind) {
     if (!std::filesystem::is_regular_file(file, code))
-      if (const Result<Source> source = Source::read(file, limits); !source)
+      if (const Result<Source> source = Source::read(file, options.limits); !source)
         return source.error();
     std::string reason = file.extension().empty() ? "has no extension that tells its kind"
                                                   : "files of kind '" + file.extension().string() +
                                                         "' are not supported";
     if (!content.empty())
       reason += "; its content looks like " + std::string(content);
-    return Error{
-        file.string(), {}, reason, "Use .obj, .stl, .ply, .off, .vtk, .vtp, .gltf or .glb"};
+    return Error{file.string(), {}, reason, "Use " + surfaceExtensions()};
   }
-  Result<RawMeshes> result = kind->read(file, limits);
+  Result<RawMeshes> result = kind->read(file, options);
   // "glTF" and "GLB" are read by the same reader under either extension.
-  const bool other = !content.empty() && content != kind->name &&
-                     !(content.starts_with("gl") && kind->read == readGltf) && content != "GLB";
-  if (!result && (other || (content == "GLB" && kind->read != readGltf))) {
+  const bool gltf = kind->name == "glTF" || kind->name == "GLB";
+  const bool same = content == kind->name || (gltf && (content == "glTF" || content == "GLB"));
+  if (!result && !content.empty() && !same) {
     Error error = result.error();
     error.reason += "; its content looks like " + std::string(content);
     error.remedy = "Give the file the extension of its kind or export the mesh again";

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which kinds of file hold surfaces, and the one door to their readers.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "model/import/raw_mesh.h"
+#include "model/import/read_options.h"
+
+namespace sline::model {
+
+struct FileKind {
+  std::string_view extension;  ///< lower case, with its dots: ".obj", ".nii.gz"
+  std::string_view name;
+  Result<RawMeshes> (*read)(const std::filesystem::path&, const ReadOptions&);
+};
+
+/// All kinds, in the order messages and dialogs list them.
+std::span<const FileKind> fileKinds();
+/// ".obj, .stl, … or .glb"
+std::string surfaceExtensions();
+
+/// True for a name that ends like one of the kinds (case ignored).
+bool isSurfaceFile(const std::filesystem::path& file);
+/// The file's name without the ending that tells its kind: "liver" of "liver.nii.gz".
+std::string stemOf(const std::filesystem::path& file);
+
+/// Picks the reader by the name's ending; an unsupported kind is an error that lists the supported
+/// ones. Errors and limits are those of the readers (readers/readers.h).
+Result<RawMeshes> readSurfaces(const std::filesystem::path& file, const ReadOptions& options = {});
+
+}  // namespace sline::model
