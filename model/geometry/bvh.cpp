@@ -153,7 +153,7 @@ std::optional<Hit> Bvh::nearest(const Ray& ray) const {
   return best;
 }
 
-Closest Bvh::closest(const glm::vec3& point) const {
+Closest Bvh::closest(const glm::vec3& point, float enough) const {
   Closest best;
   if (m_nodes.empty())
     return best;
@@ -164,7 +164,7 @@ Closest Bvh::closest(const glm::vec3& point) const {
   std::array<std::pair<std::uint32_t, float>, 64> stack{};
   std::size_t depth = 0;
   stack[depth++] = {0, gap(0)};
-  while (depth > 0) {
+  while (depth > 0 && bestSquared > enough * enough) {
     const auto [node, far] = stack[--depth];
     if (!(far < bestSquared))
       continue;

@@ -40,8 +40,9 @@ class Bvh {
   std::optional<Hit> nearest(const Ray& ray) const;
   /// True where anything lies on the ray.
   bool blocked(const Ray& ray) const;
-  /// Infinitely far where there is no triangle.
-  Closest closest(const glm::vec3& point) const;
+  /// Infinitely far where there is no triangle. Any triangle no farther than `enough` may be given
+  /// for the closest.
+  Closest closest(const glm::vec3& point, float enough = 0.0f) const;
 
  private:
   struct Bounds {

@@ -2,20 +2,22 @@
 #include "model/geometry/simplification.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "model/base/parallel.h"
 #include "model/geometry/edge_collapse.h"
+#include "model/geometry/edge_length.h"
 #include "model/geometry/spatial_order.h"
 
 namespace sline::model {
 
 namespace {
 constexpr int attempts = 8;
-constexpr int mostCells = 8;
+constexpr int mostCells = 6;
 
-/// Calls visit(point) for the corners and a grid on the triangle.
+/// Calls visit(point) for the middles of the equal parts into which a grid divides the triangle.
 template <class Visit>
 void forSamples(const Mesh& mesh, std::size_t triangle, float spacing, const Visit& visit) {
   const auto& [i, j, k] = mesh.triangles()[triangle];
@@ -23,36 +25,56 @@ void forSamples(const Mesh& mesh, std::size_t triangle, float spacing, const Vis
   const glm::vec3 u = mesh.positions()[j] - a;
   const glm::vec3 v = mesh.positions()[k] - a;
   const float longest = std::max({glm::length(u), glm::length(v), glm::length(u - v)});
-  const int cells = int(std::clamp(std::ceil(longest / spacing), 1.0f, float(mostCells)));
-  for (int p = 0; p <= cells; ++p)
-    for (int q = 0; p + q <= cells; ++q)
-      visit(a + (float(p) / float(cells)) * u + (float(q) / float(cells)) * v);
-  visit(a + (u + v) / 3.0f);
+  // A mesh of one point has no spacing.
+  const int cells =
+      spacing > 0.0f ? int(std::clamp(std::ceil(longest / spacing), 1.0f, float(mostCells))) : 1;
+  const float step = 1.0f / float(cells);
+  for (int p = 0; p < cells; ++p)
+    for (int q = 0; p + q < cells; ++q) {
+      visit(a + (float(p) + 1.0f / 3.0f) * step * u + (float(q) + 1.0f / 3.0f) * step * v);
+      if (p + q + 1 < cells)
+        visit(a + (float(p) + 2.0f / 3.0f) * step * u + (float(q) + 2.0f / 3.0f) * step * v);
+    }
 }
 
-/// Triangles by how far their farthest sample lies from the other surface.
-struct Deviation {
-  float distance = 0.0f;
-  std::uint32_t nearest = 0;  ///< the triangle of the other surface nearest to that sample
+/// What lies too far from another surface.
+struct Deviations {
+  float most = 0.0f;
+  std::vector<std::uint32_t> beyond;   ///< triangles with a sample farther than the bound
+  std::vector<std::uint32_t> nearest;  ///< and the triangle of the other surface nearest to it
 };
 
-std::vector<Deviation> deviations(const Mesh& mesh, const Bvh& from, float spacing) {
-  std::vector<Deviation> all(mesh.triangleCount());
+/// Only the largest distance and those beyond the bound matter, so most searches may stop early.
+Deviations deviations(const Mesh& mesh, const Bvh& from, float spacing, float bound) {
+  std::vector<Closest> farthest(mesh.triangleCount(), Closest{0.0f, 0});
+  std::atomic<float> most = 0.0f;
+  // Each vertex once, with the last of its triangles.
+  std::vector<std::uint32_t> owner(mesh.vertexCount());
+  for (std::uint32_t t = 0; t < mesh.triangleCount(); ++t)
+    for (const std::uint32_t v : mesh.triangles()[t])
+      owner[v] = t;
   parallelFor(mesh.triangleCount(), 256, [&](std::size_t t) {
-    forSamples(mesh, t, spacing, [&](const glm::vec3& p) {
-      const Closest closest = from.closest(p);
-      if (closest.distance >= all[t].distance)
-        all[t] = {closest.distance, closest.triangle};
-    });
+    const auto look = [&](const glm::vec3& p) {
+      float seen = most.load(std::memory_order_relaxed);
+      const float enough = std::max(farthest[t].distance, std::min(seen, bound));
+      const Closest closest = from.closest(p, enough);
+      if (closest.distance > enough)
+        farthest[t] = closest;
+      while (closest.distance > seen && !most.compare_exchange_weak(seen, closest.distance)) {
+      }
+    };
+    for (const std::uint32_t v : mesh.triangles()[t])
+      if (owner[v] == t)
+        look(mesh.positions()[v]);
+    forSamples(mesh, t, spacing, look);
   });
-  return all;
-}
-
-float largest(const std::vector<Deviation>& all) {
-  float most = 0.0f;
-  for (const Deviation& one : all)
-    most = std::max(most, one.distance);
-  return most;
+  Deviations found{.most = most};
+  for (std::uint32_t t = 0; t < farthest.size(); ++t)
+    if (farthest[t].distance > bound) {
+      found.beyond.push_back(t);
+      found.nearest.push_back(farthest[t].triangle);
+    }
+  return found;
 }
 
 /// Halves the tolerance of the triangle's vertices and of those around them.
@@ -82,13 +104,14 @@ class Tightening {
 }  // namespace
 
 float farthestSample(const Mesh& mesh, const Bvh& from, float spacing) {
-  return largest(deviations(mesh, from, spacing));
+  return deviations(mesh, from, spacing, std::numeric_limits<float>::infinity()).most;
 }
 
 Simplified simplified(const MeshPtr& mesh, float bound, const std::function<bool()>& goesOn) {
   const Simplified same{mesh, 0.0f};
   if (!(bound > 0.0f) || mesh->triangleCount() == 0)
     return same;
+  const float spacing = meanEdgeLength(mesh->positions(), mesh->triangles());
   const Bvh original(mesh, spatialOrder(*mesh));
   std::vector<float> tolerances(mesh->vertexCount(), 0.5f * bound);
   for (int attempt = 0; attempt < attempts && goesOn(); ++attempt) {
@@ -99,19 +122,16 @@ Simplified simplified(const MeshPtr& mesh, float bound, const std::function<bool
     if (!made.ok())
       return same;
     const auto result = std::make_shared<const Mesh>(std::move(*made));
-    const std::vector<Deviation> out = deviations(*result, original, bound);
-    const std::vector<Deviation> back =
-        deviations(*mesh, Bvh(result, spatialOrder(*result)), bound);
-    const float error = std::max(largest(out), largest(back));
+    const Deviations out = deviations(*result, original, spacing, bound);
+    const Deviations back = deviations(*mesh, Bvh(result, spatialOrder(*result)), spacing, bound);
+    const float error = std::max(out.most, back.most);
     if (error <= bound)
       return {result, error};
     Tightening tightening(*mesh);
-    for (const Deviation& one : out)
-      if (one.distance > bound)
-        tightening.mark(one.nearest);
-    for (std::uint32_t t = 0; t < back.size(); ++t)
-      if (back[t].distance > bound)
-        tightening.mark(t);
+    for (const std::uint32_t triangle : out.nearest)
+      tightening.mark(triangle);
+    for (const std::uint32_t triangle : back.beyond)
+      tightening.mark(triangle);
     tightening.apply(tolerances);
     if (attempt >= 3)
       for (float& tolerance : tolerances)
