@@ -122,11 +122,13 @@ std::string meshCodec(std::string_view bytes) {
   return again.ok() && model::encodedMesh(*again) == once ? "" : "decoded again it is another mesh";
 }
 
-/// The whole way in: what a reader hands on is mended, smoothed, refined and saved.
+/// The whole way in: what a reader hands on is mended, smoothed, refined, decimated and saved.
 std::string wholeImport(std::string_view bytes) {
   static const InputFolder folder;
   const std::filesystem::path inputs[] = {folder.put(".off", bytes)};
-  Result<model::Imported> imported = model::importInputs(inputs, {});
+  model::ImportOptions options;
+  options.decimateMm = 0.25f;
+  Result<model::Imported> imported = model::importInputs(inputs, options);
   if (!imported.ok())
     return faultOf(imported.error());
   return savedTwice({.scene = std::move(imported->scene)});
