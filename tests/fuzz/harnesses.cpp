@@ -122,16 +122,24 @@ std::string meshCodec(std::string_view bytes) {
   return again.ok() && model::encodedMesh(*again) == once ? "" : "decoded again it is another mesh";
 }
 
-/// The whole way in: what a reader hands on is mended, smoothed, refined, decimated and saved.
+/// The whole way in: what a reader hands on is mended, smoothed and refined, or decimated, and
+/// saved. Refinement makes much of little by design, so the input is kept small.
 std::string wholeImport(std::string_view bytes) {
+  if (bytes.size() > 8192)
+    return {};
   static const InputFolder folder;
   const std::filesystem::path inputs[] = {folder.put(".off", bytes)};
-  model::ImportOptions options;
-  options.decimateMm = 0.25f;
-  Result<model::Imported> imported = model::importInputs(inputs, options);
-  if (!imported.ok())
-    return faultOf(imported.error());
-  return savedTwice({.scene = std::move(imported->scene)});
+  model::ImportOptions fewer;
+  fewer.smoothing.mode = model::Smoothing::Mode::off;
+  fewer.decimateMm = 0.25f;
+  for (const model::ImportOptions& options : {model::ImportOptions(), fewer}) {
+    Result<model::Imported> imported = model::importInputs(inputs, options);
+    if (!imported.ok())
+      return faultOf(imported.error());
+    if (std::string fault = savedTwice({.scene = std::move(imported->scene)}); !fault.empty())
+      return fault;
+  }
+  return {};
 }
 
 // A reader that stands in the table of kinds needs its row here and a folder of seeds.
