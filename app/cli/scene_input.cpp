@@ -28,6 +28,7 @@ Result<model::ImportOptions> importOptions(const InputFlags& flags) {
       return smoothing.error();
     options.smoothing = *smoothing;
   }
+  options.decimateMm = float(flags.decimateMm);
   return options;
 }
 

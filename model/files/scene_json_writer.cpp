@@ -84,15 +84,20 @@ Ordered styleOf(const Style& style) {
 }
 
 Ordered provenanceOf(const Provenance& p) {
-  return {{"file", p.file},
-          {"frame", p.frame},
-          {"frame_reason", p.frameReason},
-          {"mm_per_unit", jsonNumber(p.mmPerUnit)},
-          {"unit_reason", p.unitReason},
-          {"smoothing_steps", p.smoothingSteps},
-          {"refinement_steps", p.refinementSteps},
-          {"repaired_faces", p.repairedFaces},
-          {"displacement_mm", jsonNumber(p.displacementMm)}};
+  Ordered json = {{"file", p.file},
+                  {"frame", p.frame},
+                  {"frame_reason", p.frameReason},
+                  {"mm_per_unit", jsonNumber(p.mmPerUnit)},
+                  {"unit_reason", p.unitReason},
+                  {"smoothing_steps", p.smoothingSteps},
+                  {"refinement_steps", p.refinementSteps},
+                  {"repaired_faces", p.repairedFaces},
+                  {"displacement_mm", jsonNumber(p.displacementMm)}};
+  if (p.decimatedFrom != 0) {
+    json["decimated_from"] = p.decimatedFrom;
+    json["decimation_mm"] = jsonNumber(p.decimationMm);
+  }
+  return json;
 }
 
 Ordered nodeOf(const Node& node, const std::map<MeshPtr, std::string>& names) {

@@ -207,6 +207,10 @@ Result<Imported> importMeshes(std::span<const std::filesystem::path> inputs,
   if (meter.cancelled())
     return cancelled;
   placeParts(parts, sources, report.warnings);
+  if (options.decimateMm > 0.0f)
+    decimateParts(parts, options.decimateMm, meter);
+  if (meter.cancelled())
+    return cancelled;
   if (parts.empty())
     return nothingRead(sources, report);
   if (options.frame) {

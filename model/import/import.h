@@ -23,6 +23,7 @@ struct ImportOptions {
   std::optional<float> unit;   ///< millimetres per unit: overrides what files say and their size
   Smoothing smoothing;
   bool repair = true;
+  float decimateMm = 0.0f;  ///< > 0: fewer triangles, no part of a surface moved by more than this
   ReadLimits limits;
 };
 

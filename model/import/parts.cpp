@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "model/base/parallel.h"
+#include "model/geometry/simplification.h"
 #include "model/import/file_kinds.h"
 #include "model/import/laterality.h"
 #include "model/import/names.h"
@@ -216,6 +217,24 @@ void placeParts(std::vector<Part>& parts, const Sources& sources,
     part.raw.triangles = {};
   }
   std::erase_if(parts, [](const Part& part) { return !part.mesh; });
+}
+
+void decimateParts(std::vector<Part>& parts, float bound, ProgressMeter& meter) {
+  std::vector<std::size_t> order(parts.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return parts[a].mesh->triangleCount() > parts[b].mesh->triangleCount();
+  });
+  forFewAtATime(order, meter, [&](std::size_t i) {
+    Part& part = parts[i];
+    const std::size_t before = part.mesh->triangleCount();
+    Simplified fewer = simplified(part.mesh, bound, [&] { return meter.goesOn(part.name); });
+    if (fewer.mesh == part.mesh)
+      return;
+    part.mesh = std::move(fewer.mesh);
+    part.provenance.decimatedFrom = int(before);
+    part.provenance.decimationMm = fewer.error;
+  });
 }
 
 }  // namespace sline::model

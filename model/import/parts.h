@@ -65,4 +65,7 @@ void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothi
 void placeParts(std::vector<Part>& parts, const Sources& sources,
                 std::vector<ImportWarning>& warnings);
 
+/// Fewer triangles within `bound` mm (geometry/simplification.h).
+void decimateParts(std::vector<Part>& parts, float bound, ProgressMeter& meter);
+
 }  // namespace sline::model

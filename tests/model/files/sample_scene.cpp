@@ -21,7 +21,7 @@ Scene sampleScene() {
                   .fill = Fill::tint,
                   .visible = false,
                   .penWeight = 1.7f};
-  artery.provenance = {"a.ply", "LPS", "said so", 3, 2, 1, 0.25f, 1000.0f, "glTF: metres"};
+  artery.provenance = {"a.ply", "LPS", "said so", 3, 2, 1, 0.25f, 1000.0f, "glTF: metres", 4321, 0.125f};
   scene.append(artery);
   scene.append({.name = "its twin", .style = {.visible = true}, .mesh = artery.mesh});
   scene.append({.name = "loose", .style = {.fill = Fill::veil}, .mesh = torus(9, 2, 12, 8)});
