@@ -25,7 +25,8 @@ constexpr std::array kinds = {FileKind{".obj", "OBJ", within<readObj>},
                               FileKind{".vtk", "legacy VTK", within<readLegacyVtk>},
                               FileKind{".vtp", "VTP", within<readVtp>},
                               FileKind{".gltf", "glTF", within<readGltf>},
-                              FileKind{".glb", "GLB", within<readGltf>}};
+                              FileKind{".glb", "GLB", within<readGltf>},
+                              FileKind{".3mf", "3MF", within<readThreeMf>}};
 
 bool endsLike(std::string_view name, std::string_view ending) {
   return name.size() > ending.size() &&

@@ -16,6 +16,7 @@
 #include "model/import/parts.h"
 #include "model/import/scene_inputs.h"
 #include "model/import/sources.h"
+#include "model/import/views_and_annotations.h"
 
 namespace sline::model {
 
@@ -199,7 +200,7 @@ Result<Imported> importMeshes(std::span<const std::filesystem::path> inputs,
   std::vector<Part> parts = loadParts(sources, options, meter, report.warnings);
   if (meter.cancelled())
     return cancelled;
-  if (parts.empty())
+  if (parts.empty() && !haveFiducials(sources))
     return nothingRead(sources, report);
   FrameDecision(parts, sources, options).run(report);
   decideUnits(parts, sources, options, report);
@@ -211,13 +212,14 @@ Result<Imported> importMeshes(std::span<const std::filesystem::path> inputs,
     decimateParts(parts, options.decimateMm, meter);
   if (meter.cancelled())
     return cancelled;
-  if (parts.empty())
+  if (parts.empty() && !haveFiducials(sources))
     return nothingRead(sources, report);
   if (options.frame) {
     report.frame = *options.frame;
     report.frameReason = "chosen by the user";
   }
-  imported.scene = buildScene(std::move(parts), sources, table);
+  imported.scene =
+      withViewsAndAnnotations(buildScene(std::move(parts), sources, table), sources, options.frame);
   // Hundreds of files' intermediate copies are free now; the system may have them back.
 #if defined(__GLIBC__)
   malloc_trim(0);
