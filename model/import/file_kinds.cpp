@@ -113,6 +113,11 @@ bool isSurfaceFile(const std::filesystem::path& file) {
   return kindOf(file) != nullptr;
 }
 
+bool isDicomFile(const std::filesystem::path& file) {
+  const FileKind* kind = kindOf(file);
+  return kind && kind->name == "DICOM";
+}
+
 std::string stemOf(const std::filesystem::path& file) {
   const FileKind* kind = kindOf(file);
   std::string name = file.filename().string();

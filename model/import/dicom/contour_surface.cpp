@@ -12,7 +12,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <utility>
 
 #include "model/import/dicom/stack_field.h"
@@ -24,9 +26,16 @@ namespace sline::model {
 
 namespace {
 
-/// Waves shorter than about nine edges go: the jitter between slices, not the organ's form.
-constexpr SincFilter light{.iterations = 20, .passBand = 0.1f};
-constexpr double farthestMove = 1.0 / 3.0;
+constexpr int iterations = 40;
+/// Waves shorter than this many spacings of slices are their jitter, not the organ's form.
+constexpr double shortestWave = 8.0;
+constexpr double farthestMove = 0.75;  ///< times the spacing
+
+/// The pass band 1 − cos(2π·edge/wave) that keeps longer waves.
+SincFilter filterFor(float edge, double spacing) {
+  const double share = std::clamp(double(edge) / (shortestWave * spacing), 0.02, 0.075);
+  return {iterations, float(1.0 - std::cos(2.0 * std::numbers::pi * share))};
+}
 
 /// The surface 0 in (u, v, n), about the middle of the box.
 void isosurface(const FieldBox& box, RawMesh& mesh) {
@@ -67,9 +76,13 @@ double signedVolume(const RawMesh& mesh) {
   return volume;
 }
 
-void smoothLightly(RawMesh& mesh, const SincFilter& filter, double farthest) {
+void smoothLightly(RawMesh& mesh, const Smoothing& smoothing, double spacing) {
   const HalfEdges edges(mesh.positions.size(), mesh.triangles);
   const VertexRings rings(mesh.positions.size(), mesh.triangles, edges);
+  SincFilter filter = filterFor(rings.meanEdge(mesh.positions), spacing);
+  if (smoothing.mode == Smoothing::Mode::steps)
+    filter.iterations = std::clamp(smoothing.steps, 1, 200);
+  const double farthest = farthestMove * spacing;
   const std::vector<glm::vec3> filtered = windowedSinc(mesh.positions, rings, filter);
   for (std::size_t v = 0; v < filtered.size(); ++v) {
     glm::vec3 way = filtered[v] - mesh.positions[v];
@@ -96,11 +109,8 @@ RawMesh surfaceOf(const ContourStack& stack, const ReadOptions& options) {
   if (signedVolume(mesh) < 0.0)
     for (Triangle& t : mesh.triangles)
       std::swap(t[1], t[2]);
-  SincFilter filter = light;
-  if (options.smoothing.mode == Smoothing::Mode::steps)
-    filter.iterations = std::clamp(options.smoothing.steps, 0, 200);
-  if (options.smoothing.mode != Smoothing::Mode::off && filter.iterations > 0)
-    smoothLightly(mesh, filter, farthestMove * stack.spacing);
+  if (options.smoothing.mode != Smoothing::Mode::off)
+    smoothLightly(mesh, options.smoothing, stack.spacing);
   const glm::dvec3 centre = box.origin + 0.5 * box.step * glm::dvec3(box.size - 1);
   for (glm::vec3& p : mesh.positions)
     p = glm::vec3(stack.axes * (centre + glm::dvec3(p)));

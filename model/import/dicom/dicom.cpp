@@ -2,6 +2,7 @@
 #include "model/import/dicom/dicom.h"
 
 #include "model/import/dicom/dicom_file.h"
+#include "model/import/dicom/segmentation.h"
 #include "model/import/dicom/structure_set.h"
 
 namespace sline::model {
@@ -13,11 +14,13 @@ Result<RawMeshes> readDicom(const std::filesystem::path& file, const ReadOptions
   const std::string_view kind = dicom->sopClass();
   if (kind == structureSetClass)
     return structureSetSurfaces(*dicom, options);
+  if (kind == segmentationClass)
+    return segmentationSurfaces(*dicom, options);
   const std::string_view name = objectName(kind);
-  const std::string what =
-      name.empty() ? "an object of a kind not known here" : "" + std::string(name);
-  return dicom->source().whole("holds no segmentation: it is DICOM, " + what,
-                               "Give the segmentation or structure set made from it");
+  return dicom->source().whole(
+      name.empty() ? "is DICOM of a kind that is not known here and holds no segmentation"
+                   : "holds no segmentation: its content is of the kind " + std::string(name),
+      "Give the DICOM segmentation or RT structure set that was made from it");
 }
 
 }  // namespace sline::model
