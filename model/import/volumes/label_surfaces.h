@@ -13,10 +13,11 @@ namespace sline::model {
 /// vertex for vertex. Where a label reaches the border of the volume its surface closes half a
 /// voxel outside the last voxel's centre.
 ///
-/// As `options.smoothing` asks, vertices are relaxed within their cell: none leaves it, so none
-/// moves by more than half a voxel along any axis (RawMesh::displacement has the farthest, mm).
-/// Errors: more vertices or triangles than the limits allow, a matrix that cannot be inverted, and
-/// `goesOn` having said no; they name no file.
+/// `options.smoothing`: `off` leaves each vertex in the middle of its cell, `steps` relaxes it that
+/// often within its cell, by less than half a voxel along any axis, `automatic` until steps are
+/// gone, by less than a voxel (net_relaxation.h). RawMesh::displacement says how far the farthest
+/// moved. Errors: more vertices or triangles than the limits allow, a matrix that cannot be
+/// inverted, and `goesOn` having said no; they name no file.
 Result<RawMeshes> labelSurfaces(const LabelVolume& volume, const ReadOptions& options);
 
 }  // namespace sline::model
