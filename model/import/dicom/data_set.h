@@ -2,7 +2,7 @@
 // DICOM data elements (PS3.5 §7), little endian, explicit or implicit VR. Elements point into the
 // file; sequences are parsed when they are asked for. Every length is checked against what is left
 // before it is believed, and nesting is bounded. GDCM was tried and is not used: files of 4 kB with
-// one changed length stop its reader at an assertion or make it take 700 MB.
+// one changed length stop its reader at an assertion or make it take 750 MB.
 #pragma once
 
 #include <compare>
