@@ -114,6 +114,12 @@ class Builder {
                                                            : byFileGroupsOrNames(members);
     if (source.kind == ImportSource::Kind::folder)
       top.name = folderName(source.path);
+    // Folders of medical images are named after patients; the scene is not to know them.
+    if (const auto kept =
+            std::find_if(members.begin(), members.end(),
+                         [&](std::size_t part) { return !m_parts[part].raw.origin.empty(); });
+        kept != members.end())
+      top.name = m_parts[*kept].raw.origin;
     return top;
   }
 

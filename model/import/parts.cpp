@@ -80,7 +80,7 @@ Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& 
       part.name = meshes.size() == 1 ? model.name : model.name + " " + part.name;
     }
     part.raw = std::move(raw);
-    part.provenance.file = shown;
+    part.provenance.file = part.raw.origin.empty() ? shown : part.raw.origin;
     part.provenance.fingerprint = fingerprint;
     if (meshes.size() > 1)
       part.provenance.part = names[i];

@@ -21,8 +21,9 @@ namespace sline::model {
 enum class Frame { lps, ras, file };
 
 struct RawMesh {
-  std::string name;                  ///< the group's or node's name in the file; may be empty
-  std::vector<std::string> groups;   ///< enclosing named groups in the file, outermost first
+  std::string name;                 ///< the group's or node's name in the file; may be empty
+  std::vector<std::string> groups;  ///< enclosing named groups in the file, outermost first
+  std::string origin;               ///< told in place of the file's name, which may say whose it is
   std::vector<glm::vec3> positions;  ///< in the file's own coordinates and unit
   std::vector<Triangle> triangles;   ///< polygons and strips already cut into triangles
   std::optional<Colour> colour;      ///< where the file gives the surface one colour
