@@ -73,6 +73,7 @@ Json planJson(const model::ImportPlan& plan) {
   root["left_out"] = Json::array();
   for (const model::ImportWarning& warning : plan.report.warnings)
     root["left_out"].push_back({{"file", warning.file}, {"reason", warning.reason}});
+  root["notes"] = plan.report.notes;
   return root;
 }
 
@@ -103,6 +104,8 @@ std::string planText(const model::ImportPlan& plan) {
   out << '\n'
       << decisions(plan.scene, "frame", frameDecision)
       << decisions(plan.scene, "one unit is", unitDecision);
+  for (const std::string& note : plan.report.notes)
+    out << note << '\n';
   for (const model::ImportWarning& warning : plan.report.warnings)
     out << "left out or mended: " << (warning.file.empty() ? "" : warning.file + ": ")
         << warning.reason << '\n';

@@ -17,6 +17,7 @@ struct InputFlags {
   std::string frame;
   std::string smooth;
   std::string unit;
+  std::string overlay;
 };
 
 /// The importer's options; an error is a wrong use.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 
+#include "model/import/molecules/molecules.h"
 #include "model/import/readers/readers.h"
 #include "model/import/readers/source.h"
 #include "model/import/readers/text_cursor.h"
@@ -25,7 +26,11 @@ constexpr std::array kinds = {FileKind{".obj", "OBJ", within<readObj>},
                               FileKind{".vtk", "legacy VTK", within<readLegacyVtk>},
                               FileKind{".vtp", "VTP", within<readVtp>},
                               FileKind{".gltf", "glTF", within<readGltf>},
-                              FileKind{".glb", "GLB", within<readGltf>}};
+                              FileKind{".glb", "GLB", within<readGltf>},
+                              FileKind{".pdb", "PDB", readPdb},
+                              FileKind{".ent", "PDB", readPdb},
+                              FileKind{".cif", "mmCIF", readMmcif},
+                              FileKind{".mmcif", "mmCIF", readMmcif}};
 
 bool endsLike(std::string_view name, std::string_view ending) {
   return name.size() > ending.size() &&
