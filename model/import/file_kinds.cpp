@@ -7,6 +7,7 @@
 
 #include "model/import/dicom/dicom.h"
 #include "model/import/dicom/dicom_file.h"
+#include "model/import/molecules/molecules.h"
 #include "model/import/readers/readers.h"
 #include "model/import/readers/source.h"
 #include "model/import/readers/text_cursor.h"
@@ -37,7 +38,11 @@ constexpr std::array kinds = {FileKind{".obj", "OBJ", within<readObj>},
                               FileKind{".nhdr", "NRRD", readNrrdSurfaces},
                               FileKind{".mha", "MetaImage", readMetaImageSurfaces},
                               FileKind{".mhd", "MetaImage", readMetaImageSurfaces},
-                              FileKind{".dcm", "DICOM", readDicom}};
+                              FileKind{".dcm", "DICOM", readDicom},
+                              FileKind{".pdb", "PDB", readPdb},
+                              FileKind{".ent", "PDB", readPdb},
+                              FileKind{".cif", "mmCIF", readMmcif},
+                              FileKind{".mmcif", "mmCIF", readMmcif}};
 
 bool endsLike(std::string_view name, std::string_view ending) {
   return name.size() > ending.size() &&

@@ -72,7 +72,7 @@ Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& 
       break;
     Part part;
     part.file = index;
-    part.name = nameInFile(raw.name);
+    part.name = raw.molecule ? raw.name : nameInFile(raw.name);
     if (part.name.empty())
       part.name = readableName(stemOf(source.file));
     if (source.model) {
