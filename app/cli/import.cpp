@@ -72,6 +72,9 @@ void declareImport(CLI::App& command, ImportFlags& flags) {
                                        "structure with what decided them, "
                                        "and what would be left out and why");
   command.add_flag("--json", flags.json, "The plan for programs: one JSON object")->needs(plan);
+  command.add_option("--overlay", flags.input.overlay, overlayHelp)
+      ->type_name("auto|off")
+      ->default_str("auto");
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
       ->default_str("auto");

@@ -74,6 +74,7 @@ Json planJson(const model::ImportPlan& plan) {
   root["left_out"] = Json::array();
   for (const model::ImportWarning& warning : plan.report.warnings)
     root["left_out"].push_back({{"file", warning.file}, {"reason", warning.reason}});
+  root["notes"] = plan.report.notes;
   return root;
 }
 
@@ -107,6 +108,8 @@ std::string planText(const model::ImportPlan& plan) {
   if (plan.options.decimateMm > 0.0f)
     out << "triangles will be made fewer, with no part of a surface moved by more than "
         << jsonText(jsonNumber(plan.options.decimateMm)) << " mm\n";
+  for (const std::string& note : plan.report.notes)
+    out << note << '\n';
   for (const model::ImportWarning& warning : plan.report.warnings)
     out << "left out or mended: " << (warning.file.empty() ? "" : warning.file + ": ")
         << warning.reason << '\n';

@@ -18,6 +18,7 @@ struct InputFlags {
   std::string smooth;
   std::string unit;
   double decimateMm = 0;  ///< 0: not at all
+  std::string overlay;
 };
 
 /// The importer's options; an error is a wrong use.
