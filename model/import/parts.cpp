@@ -76,7 +76,8 @@ Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& 
       part.name = readableName(stemOf(source.file));
     if (source.model) {
       const SlicerModel& model = sources.sources[source.source].scene->models[*source.model];
-      part.name = meshes.size() == 1 ? model.name : model.name + " " + part.name;
+      if (!model.segments)
+        part.name = meshes.size() == 1 ? model.name : model.name + " " + part.name;
     }
     part.raw = std::move(raw);
     part.provenance.file = shown;
@@ -251,7 +252,11 @@ void placeParts(std::vector<Part>& parts, const Sources& sources,
     if (source.model)
       if (const auto& toWorld = sources.sources[source.source].scene->models[*source.model].toWorld)
         part.provenance.transform = rowsOf(*toWorld);
-    Result<MeshPtr> mesh = placedMesh(std::move(part.raw), part.provenance);
+    // Names, groups and colours are asked for later.
+    RawMesh surface{.positions = std::move(part.raw.positions),
+                    .triangles = std::move(part.raw.triangles),
+                    .yUp = part.raw.yUp};
+    Result<MeshPtr> mesh = placedMesh(std::move(surface), part.provenance);
     if (mesh)
       part.mesh = std::move(*mesh);
     else
