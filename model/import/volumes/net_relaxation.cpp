@@ -18,12 +18,13 @@ constexpr float mostShift = 0.48f;
 constexpr float mostLooseShift = 0.98f;
 /// Along the mean of the neighbours; half of the stable range.
 constexpr float stepLength = 0.5f;
-/// Curvature around is measured anew after that many steps. It is averaged over the neighbours
-/// often at first, later once for each step; what was found before keeps most of its weight, so
-/// that it comes from ever farther around: six voxels in the end.
+/// Curvature around is measured anew after so many steps, when what was found before keeps most of
+/// its weight and is averaged over the neighbours once for each step; and now and then afresh, so
+/// that no step of the voxels that is gone lives on in it. It comes from six voxels around.
 constexpr int stepsPerMeasure = 4;
-constexpr int firstReach = 30;
 constexpr float newShare = 0.05f;
+constexpr int stepsPerFreshMeasure = 20;
+constexpr int freshReach = 40;
 
 class Relaxer {
  public:
@@ -42,6 +43,7 @@ class Relaxer {
     m_normals.resize(nodes);
     m_curvature.resize(nodes);
     m_averaged.resize(nodes);
+    m_squares.resize(nodes);
     m_target.resize(m_at.size());
     return steps(relaxation.steps, {mostShift, relaxation.momentum}, goesOn) &&
            steps(relaxation.looseSteps, {mostLooseShift, 0.0f}, goesOn);
@@ -59,6 +61,7 @@ class Relaxer {
     const SurfaceNet::Cell& cell = m_net.cells[m_sheets.cellOf[point]];
     return (glm::vec3(cell.x, cell.y, cell.z) - 0.5f) * m_spacing;
   }
+  bool isJunction(std::size_t point) const { return m_net.cells[m_sheets.cellOf[point]].junction; }
   const glm::vec3& place(std::uint32_t node) const { return m_at[m_sheets.pointOf[node]]; }
 
   void gatherNodes() {
@@ -78,9 +81,9 @@ class Relaxer {
   void gatherPulls() {
     m_firstPull.assign(m_at.size() + 1, 0);
     const auto pulling = [this](std::size_t point) {
-      const bool junction = m_net.cells[m_sheets.cellOf[point]].junction;
       const std::uint32_t begin = m_firstNode[point];
-      return std::span(m_nodes.data() + begin, junction ? m_firstNode[point + 1] - begin : 1u);
+      const std::uint32_t count = isJunction(point) ? m_firstNode[point + 1] - begin : 1u;
+      return std::span(m_nodes.data() + begin, count);
     };
     for (std::size_t point = 0; point < m_at.size(); ++point) {
       m_firstPull[point + 1] = m_firstPull[point];
@@ -103,7 +106,7 @@ class Relaxer {
       if (!goesOn())
         return false;
       if (step % stepsPerMeasure == 0)
-        measureCurvature();
+        measureCurvature(step % stepsPerFreshMeasure == 0);
       move(stride);
     }
     return true;
@@ -111,13 +114,12 @@ class Relaxer {
 
   /// What each point is pulled by that belongs to the form of its surroundings and is not to be
   /// followed: `m_target`.
-  void measureCurvature() {
-    const bool first = std::exchange(m_first, false);
-    const float share = first ? 1.0f : newShare;
+  void measureCurvature(bool afresh) {
+    const float share = afresh ? 1.0f : newShare;
     parallelFor(m_normals.size(), grain, [this, share](std::size_t i) {
       m_curvature[i] += share * (curvature(i) - m_curvature[i]);
     });
-    for (int k = 0; k < (first ? firstReach : stepsPerMeasure); ++k) {
+    for (int k = 0; k < (afresh ? freshReach : stepsPerMeasure); ++k) {
       parallelFor(m_curvature.size(), grain,
                   [this](std::size_t i) { m_averaged[i] = averaged(i); });
       std::swap(m_averaged, m_curvature);
@@ -125,25 +127,30 @@ class Relaxer {
     parallelFor(m_at.size(), grain, [this](std::size_t point) {
       glm::vec3 sum(0.0f);
       for (std::uint32_t k = m_firstNode[point]; k < m_firstNode[point + 1]; ++k)
-        sum += m_curvature[m_nodes[k]] * m_normals[m_nodes[k]];
+        sum += m_curvature[m_nodes[k]] * m_squares[m_nodes[k]] * m_normals[m_nodes[k]];
       m_target[point] = sum / float(m_firstNode[point + 1] - m_firstNode[point]);
     });
   }
 
-  /// How far the mean of a node's neighbours lies outside its surface; sets the normal.
+  /// How far the mean of a node's neighbours lies outside its surface, by the mean square of their
+  /// distances: twice the mean curvature where they lie evenly, and independent of how densely.
+  /// Sets the normal and that mean square.
   float curvature(std::size_t node) {
     const glm::vec3& at = place(std::uint32_t(node));
     const std::span<const LabelSheets::Side> sides = m_sheets.sidesOf(node);
     glm::vec3 area(0.0f);
     glm::vec3 sum(0.0f);
+    float squares = 0.0f;
     for (const LabelSheets::Side& side : sides) {
       const glm::vec3 next = place(side.next) - at;
+      squares += glm::dot(next, next);
       area += glm::cross(next, place(side.last) - at);
       sum += next;
     }
     const float length = glm::length(area);
     m_normals[node] = length > 0.0f ? area / length : glm::vec3(0.0f);
-    return glm::dot(m_normals[node], sum) / float(sides.size());
+    m_squares[node] = squares / float(sides.size());
+    return squares > 0.0f ? glm::dot(m_normals[node], sum) / squares : 0.0f;
   }
 
   float averaged(std::size_t node) const {
@@ -187,6 +194,7 @@ class Relaxer {
   std::vector<glm::vec3> m_normals;  ///< of nodes
   std::vector<float> m_curvature;    ///< likewise
   std::vector<float> m_averaged;
+  std::vector<float> m_squares;  ///< of the distances to a node's neighbours, their mean
 };
 
 }  // namespace
