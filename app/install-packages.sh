@@ -15,6 +15,7 @@ packages=(
   libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri
   # small libraries
   libtbb-dev libglm-dev nlohmann-json3-dev libcli11-dev libpugixml-dev libzip-dev
+  zlib1g-dev libbz2-dev
 )
 
 missing=()

@@ -7,6 +7,7 @@
 #include "model/import/readers/readers.h"
 #include "model/import/readers/source.h"
 #include "model/import/readers/text_cursor.h"
+#include "model/import/volumes/volume_surfaces.h"
 
 namespace sline::model {
 
@@ -26,7 +27,13 @@ constexpr std::array kinds = {FileKind{".obj", "OBJ", within<readObj>},
                               FileKind{".vtp", "VTP", within<readVtp>},
                               FileKind{".gltf", "glTF", within<readGltf>},
                               FileKind{".glb", "GLB", within<readGltf>},
-                              FileKind{".3mf", "3MF", within<readThreeMf>}};
+                              FileKind{".3mf", "3MF", within<readThreeMf>},
+                              FileKind{".nii", "NIfTI", readNiftiSurfaces},
+                              FileKind{".nii.gz", "packed NIfTI", readNiftiSurfaces},
+                              FileKind{".nrrd", "NRRD", readNrrdSurfaces},
+                              FileKind{".nhdr", "NRRD", readNrrdSurfaces},
+                              FileKind{".mha", "MetaImage", readMetaImageSurfaces},
+                              FileKind{".mhd", "MetaImage", readMetaImageSurfaces}};
 
 bool endsLike(std::string_view name, std::string_view ending) {
   return name.size() > ending.size() &&

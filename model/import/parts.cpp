@@ -203,6 +203,8 @@ void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothi
     Part& part = parts[i];
     if (part.raw.smooth) {
       part.provenance.displacementMm = part.raw.displacement * part.unit;
+      if (smoothing.mode == Smoothing::Mode::steps)
+        part.provenance.smoothingSteps = smoothing.steps;
       return;
     }
     const double bytes = double(part.raw.triangles.size()) * 6.0;

@@ -186,8 +186,23 @@ class Reloader {
     read(origin, changed.front().first, changed.front().second);
   }
 
+  /// How readers that smooth what they read were told to: nothing moved where they were not to.
+  Smoothing readersSmoothing(const Origin& origin) const {
+    float moved = 0.0f;
+    int steps = 0;
+    for (const std::size_t i : origin.nodes) {
+      moved = std::max(moved, m_nodes[i].provenance.displacementMm);
+      steps = std::max(steps, m_nodes[i].provenance.smoothingSteps);
+    }
+    if (moved == 0.0f)
+      return {Smoothing::Mode::off};
+    return steps > 0 ? Smoothing{Smoothing::Mode::steps, steps} : Smoothing{};
+  }
+
   void read(const Origin& origin, const fs::path& file, const Fingerprint& now) {
-    Result<RawMeshes> read = readSurfaces(file, m_options);
+    ReadOptions options = m_options;
+    options.smoothing = readersSmoothing(origin);
+    Result<RawMeshes> read = readSurfaces(file, options);
     if (!read) {
       Error error = read.error();
       error.file.clear();

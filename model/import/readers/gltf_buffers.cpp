@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-
 #include "model/import/readers/base64.h"
+#include "model/import/readers/file_in_folder.h"
 #include "model/import/readers/gltf_document.h"
 #include "model/import/readers/text_cursor.h"
 #include "model/import/readers/values.h"
@@ -114,29 +113,6 @@ std::optional<std::string> percentDecoded(std::string_view uri) {
   return text;
 }
 
-/// The file a URI names, if it lies in the glTF's folder or below; a scene must not be able to read
-/// any other file of its reader.
-std::optional<std::filesystem::path> fileInFolder(const Source& source, std::string_view uri) {
-  const std::optional<std::string> decoded = percentDecoded(uri);
-  if (!decoded || decoded->find_first_of(":\\") != std::string::npos)
-    return std::nullopt;
-  const std::filesystem::path relative(*decoded);
-  if (relative.is_absolute() || relative.has_root_path())
-    return std::nullopt;
-  for (const std::filesystem::path& part : relative)
-    if (part == "..")
-      return std::nullopt;
-  std::error_code code;
-  const std::filesystem::path folder =
-      std::filesystem::weakly_canonical(std::filesystem::path(source.file()), code).parent_path();
-  const std::filesystem::path target = std::filesystem::weakly_canonical(folder / relative, code);
-  if (code || folder.empty())
-    return std::nullopt;
-  const auto [end, unused] =
-      std::mismatch(folder.begin(), folder.end(), target.begin(), target.end());
-  return end == folder.end() ? std::optional(target) : std::nullopt;
-}
-
 GltfBuffer failed(Error error) {
   return {{}, {}, std::move(error)};
 }
@@ -154,7 +130,9 @@ GltfBuffer loadUri(const GltfDocument& document, const std::string& uri, const s
     buffer.owned = std::move(*bytes);
     return buffer;
   }
-  const std::optional<std::filesystem::path> path = fileInFolder(source, uri);
+  const std::optional<std::string> name = percentDecoded(uri);
+  const std::optional<std::filesystem::path> path =
+      name ? fileInFolder(source.file(), *name) : std::nullopt;
   if (!path)
     return failed(source.at(place,
                             "refers to " + inQuotes(uri) + ", which is outside the file's folder",

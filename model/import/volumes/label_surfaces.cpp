@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/import/volumes/label_surfaces.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
+
+#include "model/base/parallel.h"
+#include "model/import/volumes/label_mesh.h"
+#include "model/import/volumes/net_relaxation.h"
+#include "model/import/volumes/surface_net.h"
+
+namespace sline::model {
+
+namespace {
+
+Error fault(std::string reason, std::string remedy) {
+  return Error{{}, {}, std::move(reason), std::move(remedy)};
+}
+
+Error cancelled() {
+  return fault("the import was cancelled", "Import it again");
+}
+
+bool isUsable(const glm::dmat4& matrix) {
+  double longest = 1.0;
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row)
+      if (!(std::abs(matrix[column][row]) < 1e7))
+        return false;
+  for (int column = 0; column < 3; ++column)
+    longest *= glm::length(glm::dvec3(matrix[column]));
+  // A sheared grid is fine, one whose axes lie in a plane is not.
+  return longest > 0.0 && std::abs(glm::determinant(glm::dmat3(matrix))) > 1e-4 * longest;
+}
+
+class Surfacer {
+ public:
+  Surfacer(const LabelVolume& volume, const ReadOptions& options)
+      : m_volume(volume), m_options(options), m_box(volume) {}
+
+  Result<RawMeshes> run() {
+    if (m_box.empty())
+      return fault("the volume holds nothing but background", "Choose a volume with structures");
+    const std::optional<SurfaceNet> net =
+        surfaceNet(m_box, m_options.limits.vertices, m_options.goesOn);
+    if (!net)
+      return m_options.goesOn()
+                 ? fault("the borders of its structures have more than " +
+                             std::to_string(m_options.limits.vertices) + " vertices",
+                         "Check that it is a label volume, or export it with larger voxels")
+                 : cancelled();
+    for (int axis = 0; axis < 3; ++axis)
+      m_spacing[axis] = float(glm::length(glm::dvec3(m_volume.toLps[axis])));
+    const LabelSheets sheets =
+        labelSheets(m_box, *net, m_volume.labels.size(), m_options.limits.triangles / 2);
+    if (sheets.quads.empty())
+      return fault("its structures have more than " + std::to_string(m_options.limits.triangles) +
+                       " triangles",
+                   "Check that it is a label volume, or export it with larger voxels");
+    const std::vector<glm::vec3> at =
+        relaxed(*net, sheets, m_spacing, relaxation(), m_options.goesOn);
+    if (at.empty())
+      return cancelled();
+    return meshes(*net, sheets, at);
+  }
+
+ private:
+  Relaxation relaxation() const {
+    Relaxation relaxation;
+    if (m_options.smoothing.mode == Smoothing::Mode::off)
+      relaxation = {0, 0};
+    else if (m_options.smoothing.mode == Smoothing::Mode::steps)
+      relaxation = {m_options.smoothing.steps, 0};
+    return relaxation;
+  }
+
+  Result<RawMeshes> meshes(const SurfaceNet& net, const LabelSheets& sheets,
+                           const std::vector<glm::vec3>& at) const {
+    std::vector<RawMesh> all(m_volume.labels.size());
+    std::atomic<bool> stopped = false;
+    parallelFor(all.size(), 1, [&](std::size_t i) {
+      if (stopped || !m_options.goesOn())
+        stopped = true;
+      else if (!sheets.quadsOf(i + 1).empty())
+        all[i] = mesh(net, sheets, labelMesh(m_box, net, sheets, i + 1, at), m_volume.labels[i]);
+    });
+    if (stopped)
+      return cancelled();
+    std::erase_if(all, [](const RawMesh& mesh) { return mesh.triangles.empty(); });
+    return RawMeshes{std::move(all), {}};
+  }
+
+  RawMesh mesh(const SurfaceNet& net, const LabelSheets& sheets, LabelMesh&& found,
+               const Label& label) const {
+    RawMesh mesh;
+    mesh.name = label.name;
+    mesh.groups = label.groups;
+    mesh.colour = label.colour;
+    mesh.frame = m_volume.frame;
+    mesh.frameReason = m_volume.frameReason;
+    mesh.unitReason = m_volume.unitReason;
+    mesh.smooth = true;
+    mesh.triangles = std::move(found.triangles);
+    mesh.positions.reserve(found.positions.size());
+    // Files that speak RAS are given back what they say: half a turn, which keeps handedness.
+    const double turn = m_volume.frame == Frame::ras ? -1.0 : 1.0;
+    const glm::dmat3 axes(m_volume.toLps);
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < found.positions.size(); ++i) {
+      const glm::dvec3 index = glm::dvec3(found.positions[i]) / glm::dvec3(m_spacing);
+      const glm::dvec3 p =
+          glm::dvec3(m_volume.toLps * glm::dvec4(index + glm::dvec3(m_box.low()), 1.0));
+      mesh.positions.emplace_back(turn * p.x, turn * p.y, p.z);
+      if (i >= found.points.size())
+        continue;
+      const SurfaceNet::Cell& cell = net.cells[sheets.cellOf[found.points[i]]];
+      const glm::dvec3 middle = glm::dvec3(cell.x, cell.y, cell.z) - 0.5;
+      farthest = std::max(farthest, glm::length(axes * (index - middle)));
+    }
+    mesh.displacement = float(farthest);
+    if (glm::determinant(axes) < 0.0)
+      for (Triangle& t : mesh.triangles)
+        std::swap(t[1], t[2]);
+    return mesh;
+  }
+
+  const LabelVolume& m_volume;
+  const ReadOptions& m_options;
+  VoxelBox m_box;
+  glm::vec3 m_spacing{1.0f};
+};
+
+}  // namespace
+
+Result<RawMeshes> labelSurfaces(const LabelVolume& volume, const ReadOptions& options) {
+  constexpr int longestSide = 65'000;
+  const glm::ivec3 size = volume.size;
+  const bool fits =
+      size.x > 0 && size.y > 0 && size.z > 0 && size.x <= longestSide && size.y <= longestSide &&
+      size.z <= longestSide &&
+      volume.voxels.size() == std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
+  if (!fits)
+    return fault("the volume's size is not one of voxels", "Export the volume again");
+  if (!isUsable(volume.toLps))
+    return fault("the directions in which its voxels lie do not span space",
+                 "Export the volume again with its directions");
+  return Surfacer(volume, options).run();
+}
+
+}  // namespace sline::model

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// The surfaces of a label volume's structures.
+#pragma once
+
+#include "model/import/raw_mesh.h"
+#include "model/import/read_options.h"
+#include "model/import/volumes/label_volume.h"
+
+namespace sline::model {
+
+/// One closed, outward oriented, manifold surface per label that has a voxel, in the order of
+/// `labels`, in millimetres in the volume's own frame. Structures that touch share their faces,
+/// vertex for vertex. Where a label reaches the border of the volume its surface closes half a
+/// voxel outside the last voxel's centre.
+///
+/// `options.smoothing`: `off` leaves each vertex in the middle of its cell, `steps` relaxes it that
+/// often within its cell, by less than half a voxel along any axis, `automatic` until steps are
+/// gone, by less than a voxel (net_relaxation.h). RawMesh::displacement says how far the farthest
+/// moved. Errors: more vertices or triangles than the limits allow, a matrix that cannot be
+/// inverted, and `goesOn` having said no; they name no file.
+Result<RawMeshes> labelSurfaces(const LabelVolume& volume, const ReadOptions& options);
+
+}  // namespace sline::model

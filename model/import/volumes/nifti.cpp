@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: Apache-2.0
+// NIfTI-1.1 and NIfTI-2 (R. W. Cox and others, nifti.nimh.nih.gov: nifti1.h, nifti2.h).
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/matrix.hpp>
+
+#include "model/import/readers/source.h"
+#include "model/import/volumes/label_names.h"
+#include "model/import/volumes/volume_readers.h"
+#include "model/import/volumes/voxel_decoder.h"
+
+namespace sline::model {
+
+namespace {
+
+/// Where the fields of the two versions lie, in bytes.
+struct Places {
+  std::size_t header;
+  std::size_t magic;
+  std::size_t dim;
+  std::size_t type;
+  std::size_t pixdim;
+  std::size_t offset;
+  std::size_t slope;
+  std::size_t units;
+  std::size_t forms;  ///< qform_code, sform_code
+  std::size_t quaternion;
+  std::size_t rows;  ///< srow_x …
+};
+constexpr Places nifti1 = {348, 344, 40, 70, 76, 108, 112, 123, 252, 256, 280};
+constexpr Places nifti2 = {540, 4, 16, 12, 104, 168, 176, 500, 344, 352, 400};
+
+std::optional<ScalarType> typeOf(std::int64_t code) {
+  switch (code) {
+    case 2:
+      return ScalarType::uint8;
+    case 4:
+      return ScalarType::int16;
+    case 8:
+      return ScalarType::int32;
+    case 16:
+      return ScalarType::float32;
+    case 64:
+      return ScalarType::float64;
+    case 256:
+      return ScalarType::int8;
+    case 512:
+      return ScalarType::uint16;
+    case 768:
+      return ScalarType::uint32;
+    case 1024:
+      return ScalarType::int64;
+    case 1280:
+      return ScalarType::uint64;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// The rotation of the quaternion whose vector part is given (nifti1.h, "METHOD 2").
+glm::dmat3 rotation(const glm::dvec3& v) {
+  const double rest = 1.0 - glm::dot(v, v);
+  double a = 0.0;
+  glm::dvec3 q = v;
+  if (rest < 1e-7)
+    q = v / std::sqrt(std::max(glm::dot(v, v), 1e-30));
+  else
+    a = std::sqrt(rest);
+  const double b = q.x;
+  const double c = q.y;
+  const double d = q.z;
+  glm::dmat3 m;
+  m[0] = {a * a + b * b - c * c - d * d, 2 * (b * c + a * d), 2 * (b * d - a * c)};
+  m[1] = {2 * (b * c - a * d), a * a + c * c - b * b - d * d, 2 * (c * d + a * b)};
+  m[2] = {2 * (b * d + a * c), 2 * (c * d - a * b), a * a + d * d - c * c - b * b};
+  return m;
+}
+
+class NiftiReader {
+ public:
+  NiftiReader(const Source& source, const ReadOptions& options)
+      : m_source(source), m_options(options) {}
+
+  Result<LabelVolumes> read() {
+    if (const Status status = readHeader(); !status)
+      return status.error();
+    if (const Status status = readLayout(); !status)
+      return status.error();
+    readPlace();
+    m_stored.bytes = m_source.text();
+    m_stored.packing = m_packing;
+    m_stored.skip = m_offset;
+    Result<std::vector<LabelVolume>> volumes = decodeVoxels(m_layout, m_stored, m_options.goesOn);
+    if (!volumes) {
+      Error error = volumes.error();
+      error.file = m_source.file();
+      return error;
+    }
+    LabelNames names = labelsInCaret(m_extension);
+    std::string from;
+    if (names.empty())
+      names = labelsBeside(m_source.file(), m_options.limits, from);
+    for (LabelVolume& volume : *volumes) {
+      volume.toLps = m_place.toLps;
+      volume.frame = m_place.frame;
+      volume.frameReason = m_place.frameReason;
+      volume.unitReason = m_place.unitReason;
+      nameLabels(volume, names);
+    }
+    return LabelVolumes{std::move(*volumes), std::move(m_warnings)};
+  }
+
+ private:
+  Status readHeader() {
+    m_packing = m_source.text().starts_with("\x1f\x8b") ? Packing::deflated : Packing::none;
+    PackedBytes bytes(m_source.text(), m_packing);
+    m_header.resize(nifti2.header + 4);
+    const std::size_t got = bytes.read(m_header.data(), m_header.size());
+    m_header.resize(got);
+    const auto begins = [&](const Places& places, bool swap) {
+      return got >= places.header &&
+             loadAs<std::int32_t>(m_header.data(), swap) == std::int32_t(places.header);
+    };
+    for (const bool swap : {false, true})
+      for (const Places* places : {&nifti1, &nifti2})
+        if (!m_places && begins(*places, swap)) {
+          m_places = places;
+          m_swap = swap;
+        }
+    if (!m_places)
+      return m_source.atByte(
+          m_source.begin(), "does not begin like a NIfTI file",
+          "Export it as NIfTI again, or give the file the extension of its kind");
+    const std::string_view magic(m_header.data() + m_places->magic, 3);
+    if (magic == "ni1" || magic == "ni2")
+      return m_source.whole("has its voxels in a file of its own (.hdr and .img)",
+                            "Export it as one .nii or .nii.gz file");
+    if (magic != "n+1" && magic != "n+2")
+      return m_source.whole("is an Analyze file, which does not say which side is left",
+                            "Export it as NIfTI");
+    const double offset = m_places == &nifti1 ? double(number<float>(m_places->offset))
+                                              : double(number<std::int64_t>(m_places->offset));
+    if (!(offset >= double(m_places->header) && offset < 1e9))
+      return m_source.whole("its header says that the voxels begin at byte " +
+                            std::to_string(offset));
+    m_offset = std::uint64_t(offset);
+    readExtension(bytes, got);
+    return Unit{};
+  }
+
+  /// What stands between header and voxels; extensions are looked through for the text they hold.
+  void readExtension(PackedBytes& bytes, std::size_t got) {
+    constexpr std::uint64_t longest = std::uint64_t(4) << 20;
+    const std::size_t begin = m_places->header + 4;
+    if (m_offset <= begin || m_offset - begin > longest || got < begin)
+      return;
+    const std::size_t ahead = std::min<std::size_t>(got - begin, m_offset - begin);
+    m_extension.assign(m_header.data() + begin, ahead);
+    m_extension.resize(m_offset - begin);
+    const std::size_t rest = bytes.read(m_extension.data() + ahead, m_extension.size() - ahead);
+    m_extension.resize(ahead + rest);
+    // Before the XML stand eight bytes of size and code.
+    const std::size_t xml = m_extension.find('<');
+    m_extension.erase(0, std::min(xml, m_extension.size()));
+  }
+
+  template <class T>
+  T number(std::size_t at) const {
+    return loadAs<T>(m_header.data() + at, m_swap);
+  }
+  /// Number `i` of a row of them: as wide as the version has it.
+  std::int64_t whole(std::size_t at, std::size_t i) const {
+    return m_places == &nifti1 ? std::int64_t(number<std::int16_t>(at + 2 * i))
+                               : number<std::int64_t>(at + 8 * i);
+  }
+  double real(std::size_t at, std::size_t i) const {
+    return m_places == &nifti1 ? double(number<float>(at + 4 * i)) : number<double>(at + 8 * i);
+  }
+
+  Status readLayout() {
+    const std::int64_t axes = whole(m_places->dim, 0);
+    std::array<std::int64_t, 8> sizes;
+    sizes.fill(1);
+    for (std::int64_t i = 1; i <= std::clamp<std::int64_t>(axes, 0, 7); ++i)
+      sizes[std::size_t(i)] = whole(m_places->dim, std::size_t(i));
+    if (axes < 3 || axes > 7)
+      return m_source.whole("has " + std::to_string(axes) + " axes, a volume needs three",
+                            "Export a label volume with three axes in space");
+    m_layout.size = {sizes[1], sizes[2], sizes[3]};
+    m_layout.layers = 1;
+    for (std::size_t i = 4; i < 8; ++i) {
+      if (sizes[i] < 1 || sizes[i] > 65'536)
+        return m_source.whole("the size of its axis " + std::to_string(i) + " is " +
+                              std::to_string(sizes[i]));
+      m_layout.layers = std::min<std::int64_t>(m_layout.layers * sizes[i], 65'536);
+    }
+    const std::int64_t code = number<std::int16_t>(m_places->type);
+    const std::optional<ScalarType> type = typeOf(code);
+    if (!type)
+      return m_source.whole(
+          "its voxels are of type " + std::to_string(code) + ", which is none of labels",
+          "Export it with whole numbers");
+    m_layout.type = *type;
+    m_layout.order = m_swap == (std::endian::native == std::endian::little) ? std::endian::big
+                                                                            : std::endian::little;
+    const double slope = real(m_places->slope, 0);
+    const double intercept = real(m_places->slope, 1);
+    if (std::isfinite(slope) && std::isfinite(intercept) && slope != 0.0) {
+      m_layout.slope = slope;
+      m_layout.intercept = intercept;
+    }
+    return Unit{};
+  }
+
+  void readPlace() {
+    const auto code = [&](std::size_t i) {
+      return m_places == &nifti1 ? std::int32_t(number<std::int16_t>(m_places->forms + 2 * i))
+                                 : number<std::int32_t>(m_places->forms + 4 * i);
+    };
+    glm::dmat4 toRas(1.0);
+    glm::dvec3 spacing;
+    for (int i = 0; i < 3; ++i) {
+      spacing[i] = std::abs(real(m_places->pixdim, std::size_t(i) + 1));
+      if (!std::isfinite(spacing[i]) || spacing[i] == 0.0)
+        spacing[i] = 1.0;
+    }
+    m_place.frame = Frame::ras;
+    if (code(1) > 0 && sform(toRas)) {
+      m_place.frameReason = "sform (NIfTI is RAS)";
+    } else if (code(0) > 0) {
+      glm::dvec3 q;
+      for (int i = 0; i < 3; ++i) {
+        q[i] = real(m_places->quaternion, std::size_t(i));
+        toRas[3][i] = real(m_places->quaternion, std::size_t(i) + 3);
+      }
+      const glm::dmat3 turn = rotation(q);
+      const double sign = real(m_places->pixdim, 0) < 0.0 ? -1.0 : 1.0;
+      for (int i = 0; i < 3; ++i)
+        toRas[i] = glm::dvec4(turn[i] * spacing[i] * (i == 2 ? sign : 1.0), 0.0);
+      m_place.frameReason = "qform (NIfTI is RAS)";
+    } else {
+      for (int i = 0; i < 3; ++i)
+        toRas[i][i] = spacing[i];
+      m_place.frame = std::nullopt;
+      m_warnings.push_back(m_source.warning(
+          "has neither sform nor qform: which side is left is taken from names, if they tell"));
+    }
+    const double unit = readUnit();
+    // Half a turn about the long axis leads from RAS to LPS; without a frame, nothing is known.
+    const double turn = m_place.frame ? -1.0 : 1.0;
+    for (int column = 0; column < 4; ++column)
+      for (int row = 0; row < 3; ++row)
+        toRas[column][row] *= unit * (row < 2 ? turn : 1.0);
+    m_place.toLps = toRas;
+  }
+
+  /// Directions of no length are no sform, whatever its code says.
+  bool sform(glm::dmat4& toRas) const {
+    glm::dmat4 found(1.0);
+    for (int row = 0; row < 3; ++row)
+      for (int column = 0; column < 4; ++column)
+        found[column][row] = real(m_places->rows, std::size_t(4 * row + column));
+    if (std::abs(glm::determinant(glm::dmat3(found))) > 0.0)
+      toRas = found;
+    return toRas == found;
+  }
+
+  double readUnit() {
+    const int code = m_places == &nifti1 ? int(number<std::uint8_t>(m_places->units))
+                                         : int(number<std::int32_t>(m_places->units));
+    switch (code & 7) {
+      case 1:
+        m_place.unitReason = "header: metres";
+        return 1000.0;
+      case 2:
+        m_place.unitReason = "header: millimetres";
+        return 1.0;
+      case 3:
+        m_place.unitReason = "header: micrometres";
+        return 0.001;
+      default:
+        m_place.unitReason = "NIfTI without a unit is in millimetres";
+        return 1.0;
+    }
+  }
+
+  const Source& m_source;
+  const ReadOptions& m_options;
+  Packing m_packing = Packing::none;
+  std::vector<char> m_header;
+  std::string m_extension;
+  const Places* m_places = nullptr;
+  bool m_swap = false;
+  std::uint64_t m_offset = 0;
+  VoxelLayout m_layout;
+  VoxelBytes m_stored;
+  LabelVolume m_place;  ///< without voxels
+  std::vector<ImportWarning> m_warnings;
+};
+
+}  // namespace
+
+Result<LabelVolumes> readNifti(const std::filesystem::path& file, const ReadOptions& options) {
+  const Result<Source> source = Source::read(file, options.limits);
+  if (!source)
+    return source.error();
+  return NiftiReader(*source, options).read();
+}
+
+}  // namespace sline::model

@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "model/import/readers/file_in_folder.h"
+#include "model/import/readers/text_cursor.h"
+#include "model/import/volumes/label_names.h"
+#include "model/import/volumes/nrrd_header.h"
+#include "model/import/volumes/volume_readers.h"
+#include "model/import/volumes/voxel_decoder.h"
+
+namespace sline::model {
+
+namespace {
+
+constexpr const char* threeAxes = "Export a label volume with three axes in space";
+
+std::optional<ScalarType> typeCalled(std::string_view name) {
+  struct Row {
+    ScalarType type;
+    std::initializer_list<std::string_view> names;
+  };
+  static const Row rows[] = {
+      {ScalarType::int8, {"signed char", "int8", "int8_t"}},
+      {ScalarType::uint8, {"uchar", "unsigned char", "uint8", "uint8_t"}},
+      {ScalarType::int16,
+       {"short", "short int", "signed short", "signed short int", "int16", "int16_t"}},
+      {ScalarType::uint16,
+       {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}},
+      {ScalarType::int32, {"int", "signed int", "int32", "int32_t"}},
+      {ScalarType::uint32, {"uint", "unsigned int", "uint32", "uint32_t"}},
+      {ScalarType::int64,
+       {"longlong", "long long", "long long int", "signed long long", "signed long long int",
+        "int64", "int64_t"}},
+      {ScalarType::uint64,
+       {"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}},
+      {ScalarType::float32, {"float"}},
+      {ScalarType::float64, {"double"}}};
+  for (const Row& row : rows)
+    for (const std::string_view known : row.names)
+      if (equalsIgnoringCase(name, known))
+        return row.type;
+  return std::nullopt;
+}
+
+std::vector<std::string_view> wordsOf(std::string_view text) {
+  std::vector<std::string_view> words;
+  TextCursor at(text);
+  for (at.skipSpace(); !at.atEnd(); at.skipSpace())
+    words.push_back(at.word());
+  return words;
+}
+
+/// What the space's name says: how its axes map to LPS, and what it is called.
+struct Space {
+  glm::dvec3 toLps{1.0};
+  std::optional<Frame> frame;
+};
+
+Result<Space> spaceOf(const Source& source, const NrrdHeader& header) {
+  const std::string_view name = header.field("space");
+  struct Row {
+    std::string_view name;
+    std::string_view brief;
+    Space space;
+  };
+  const Row rows[] = {{"left-posterior-superior", "lps", {{1.0, 1.0, 1.0}, Frame::lps}},
+                      {"right-anterior-superior", "ras", {{-1.0, -1.0, 1.0}, Frame::ras}},
+                      {"left-anterior-superior", "las", {{1.0, -1.0, 1.0}, Frame::lps}},
+                      {"", "", {{1.0, 1.0, 1.0}, std::nullopt}},
+                      {"scanner-xyz", "", {{1.0, 1.0, 1.0}, std::nullopt}},
+                      {"3d-right-handed", "", {{1.0, 1.0, 1.0}, std::nullopt}}};
+  for (const Row& row : rows)
+    if (equalsIgnoringCase(name, row.name) ||
+        (!name.empty() && equalsIgnoringCase(name, row.brief)))
+      return row.space;
+  return source.at("field space",
+                   "its space " + inQuotes(name) + " does not say how it lies in the patient",
+                   "Export it in the space left-posterior-superior");
+}
+
+/// Millimetres per unit of the space; 0 where the unit is not known.
+double unitOf(const NrrdHeader& header) {
+  const std::string_view units = header.field("space units");
+  struct Row {
+    std::string_view name;
+    double millimetres;
+  };
+  for (const Row& row : {Row{"\"mm\"", 1.0}, Row{"\"cm\"", 10.0}, Row{"\"m\"", 1000.0},
+                         Row{"\"um\"", 0.001}, Row{"\"µm\"", 0.001}, Row{"\"microns\"", 0.001}})
+    if (units.starts_with(row.name))
+      return row.millimetres;
+  return 0.0;
+}
+
+class NrrdReader {
+ public:
+  NrrdReader(const Source& source, NrrdHeader header, const ReadOptions& options)
+      : m_source(source), m_header(std::move(header)), m_options(options) {}
+
+  Result<LabelVolumes> read() {
+    if (const Status status = readAxes(); !status)
+      return status.error();
+    if (const Status status = readPlace(); !status)
+      return status.error();
+    if (const Status status = readType(); !status)
+      return status.error();
+    if (const Status status = findData(); !status)
+      return status.error();
+    Result<std::vector<LabelVolume>> volumes = decodeVoxels(m_layout, m_stored, m_options.goesOn);
+    if (!volumes) {
+      Error error = volumes.error();
+      error.file = m_data ? m_data->file() : m_source.file();
+      return error;
+    }
+    finish(*volumes);
+    return LabelVolumes{std::move(*volumes), std::move(m_warnings)};
+  }
+
+ private:
+  /// Sizes; which axis counts layers, if one does.
+  Status readAxes() {
+    std::int64_t dimension = 0;
+    TextCursor(m_header.field("dimension")).integer(dimension);
+    TextCursor at(m_header.field("sizes"));
+    for (at.skipSpace(); !at.atEnd(); at.skipSpace()) {
+      std::int64_t size = 0;
+      if (!at.integer(size) || size < 1 || m_sizes.size() > 16)
+        return m_source.at("field sizes",
+                           "is no list of sizes: " + inQuotes(m_header.field("sizes")));
+      m_sizes.push_back(size);
+    }
+    if (m_sizes.empty() || std::int64_t(m_sizes.size()) != dimension)
+      return m_source.at("field sizes", "there are " + std::to_string(m_sizes.size()) +
+                                            " sizes for the dimension " +
+                                            std::to_string(dimension));
+    m_directions = nrrdVectors(m_header.field("space directions"));
+    if (!m_directions.empty() && m_directions.size() != m_sizes.size())
+      return m_source.at("field space directions", "there is not one vector for each axis");
+    if (m_sizes.size() < 3)
+      return m_source.at("field dimension",
+                         "has " + std::to_string(m_sizes.size()) +
+                             (m_sizes.size() == 1 ? " axis" : " axes") + ", a volume needs three",
+                         threeAxes);
+    std::vector<std::size_t> spatial;
+    const std::vector<std::string_view> kinds = wordsOf(m_header.field("kinds"));
+    for (std::size_t i = 0; i < m_sizes.size(); ++i)
+      if (isSpatial(i, kinds))
+        spatial.push_back(i);
+    const bool contiguous =
+        spatial.size() == 3 && spatial[2] - spatial[0] == 2 && m_sizes.size() <= 4;
+    if (!contiguous)
+      return m_source.at("field sizes",
+                         "has " + std::to_string(m_sizes.size()) + " axes, of which " +
+                             std::to_string(spatial.size()) + " lie in space",
+                         threeAxes);
+    m_first = spatial[0];
+    m_layout.size = {m_sizes[m_first], m_sizes[m_first + 1], m_sizes[m_first + 2]};
+    if (m_sizes.size() == 4) {
+      const std::size_t other = m_first == 0 ? 3 : 0;
+      m_layout.layers = m_sizes[other];
+      m_layout.interleaved = other == 0;
+      if (other < kinds.size() && kinds[other] != "list" && kinds[other] != "???" &&
+          kinds[other] != "none" && m_layout.layers > 1)
+        return m_source.at("field kinds",
+                           "holds " + inQuotes(kinds[other]) + " in each voxel, which is no label",
+                           "Export a label volume");
+    }
+    return Unit{};
+  }
+
+  bool isSpatial(std::size_t axis, const std::vector<std::string_view>& kinds) const {
+    if (!m_directions.empty())
+      return m_directions[axis].has_value();
+    if (m_sizes.size() == 3)
+      return true;
+    return axis < kinds.size() && (kinds[axis] == "domain" || kinds[axis] == "space");
+  }
+
+  Status readPlace() {
+    const Result<Space> space = spaceOf(m_source, m_header);
+    if (!space)
+      return space.error();
+    glm::dmat4& place = m_place.toLps;
+    if (m_directions.empty()) {
+      TextCursor at(m_header.field("spacings"));
+      double spacing = 0.0;
+      for (std::size_t i = 0; i < m_first + 3; ++i) {
+        at.skipSpace();
+        const bool given = at.number(spacing) && std::isfinite(spacing) && spacing != 0.0;
+        if (i >= m_first) {
+          const int axis = int(i - m_first);
+          place[axis][axis] = given ? spacing : 1.0;
+        }
+      }
+    } else {
+      for (int i = 0; i < 3; ++i)
+        place[i] = glm::dvec4(*m_directions[m_first + std::size_t(i)], 0.0);
+    }
+    const auto origin = nrrdVectors(m_header.field("space origin"));
+    if (origin.size() == 1 && origin.front())
+      place[3] = glm::dvec4(*origin.front(), 1.0);
+    const double unit = unitOf(m_header);
+    for (int column = 0; column < 4; ++column)
+      for (int row = 0; row < 3; ++row)
+        place[column][row] *= space->toLps[row] * (unit > 0.0 ? unit : 1.0);
+    m_place.frame = space->frame;
+    m_place.frameReason = "space: " + std::string(m_header.field("space"));
+    m_place.unitReason = unit > 0.0 ? "header: space units" : "volumes are in millimetres";
+    return Unit{};
+  }
+
+  Status readType() {
+    const std::string_view name = m_header.field("type");
+    const std::optional<ScalarType> type = typeCalled(name);
+    if (!type)
+      return m_source.at("field type", "its type " + inQuotes(name) + " is not one of numbers",
+                         "Export it as unsigned short");
+    m_layout.type = *type;
+    const std::string_view encoding = m_header.field("encoding");
+    const auto is = [&](std::initializer_list<std::string_view> names) {
+      return std::any_of(names.begin(), names.end(), [&](std::string_view known) {
+        return equalsIgnoringCase(encoding, known);
+      });
+    };
+    if (is({"gzip", "gz"}))
+      m_stored.packing = Packing::deflated;
+    else if (is({"bzip2", "bz2"}))
+      m_stored.packing = Packing::bzip2;
+    else if (is({"hex"}))
+      m_stored.packing = Packing::hex;
+    else if (is({"txt", "text", "ascii"}))
+      m_stored.text = true;
+    else if (!is({"raw"}))
+      return m_source.at("field encoding",
+                         "its encoding " + inQuotes(encoding) + " is not supported",
+                         "Export it raw or with gzip");
+    const std::string_view endian = m_header.field("endian");
+    if (equalsIgnoringCase(endian, "big"))
+      m_layout.order = std::endian::big;
+    else if (!equalsIgnoringCase(endian, "little") && sizeOf(*type) > 1 && !m_stored.text)
+      m_warnings.push_back(
+          m_source.warning("does not say in which order its bytes are; taken as little-endian"));
+    return Unit{};
+  }
+
+  Status findData() {
+    m_stored.bytes = m_header.data;
+    if (const std::string_view name = m_header.field("data file"); !name.empty()) {
+      if (const Status status = openData(name); !status)
+        return status;
+      m_stored.bytes = m_data->text();
+    }
+    std::int64_t lines = 0;
+    TextCursor(m_header.field("line skip")).integer(lines);
+    TextCursor at(m_stored.bytes);
+    for (; lines > 0 && !at.atEnd(); --lines)
+      at.skipLine();
+    m_stored.bytes = {at.at(), std::size_t(at.end() - at.at())};
+    if (const std::string_view text = m_header.field("byte skip"); !text.empty()) {
+      std::int64_t bytes = 0;
+      if (!TextCursor(text).integer(bytes) || bytes < -1)
+        return m_source.at("field byte skip",
+                           inQuotes(text) + " is neither a number of bytes nor -1",
+                           "Write how many bytes come before the voxels");
+      m_stored.fromTheEnd = bytes == -1;
+      m_stored.skip = std::uint64_t(std::max<std::int64_t>(bytes, 0));
+    }
+    skipNiftiHeader();
+    return Unit{};
+  }
+
+  Status openData(std::string_view name) {
+    if (name.starts_with("LIST") || name.find('%') != std::string_view::npos)
+      return m_source.at("field data file", "its voxels are in several files, which are not read",
+                         "Export it as one file");
+    const std::optional<std::filesystem::path> file = fileInFolder(m_source.file(), name);
+    if (!file)
+      return m_source.at("field data file",
+                         "refers to " + inQuotes(name) + ", which is outside the header's folder",
+                         "Put the data beside the header and name only the file");
+    Result<Source> data = Source::read(*file, m_options.limits);
+    if (!data)
+      return data.error();
+    m_data = std::move(*data);
+    return Unit{};
+  }
+
+  /// A header may be laid over a NIfTI file; unless it says how much comes before the voxels, its
+  /// first voxels would be the NIfTI header.
+  void skipNiftiHeader() {
+    constexpr std::size_t magic = 344;
+    if (!m_data || m_stored.fromTheEnd || m_stored.skip > 0 || m_stored.text ||
+        !unpackedBytesHave(m_stored, magic, std::string_view("n+1\0", 4)))
+      return;
+    m_stored.fromTheEnd = true;
+    m_warnings.push_back(m_source.warning(
+        "its data file is a NIfTI volume, of which the header was passed over; open " +
+        inQuotes(std::filesystem::path(m_data->file()).filename().string()) +
+        " itself to have its own directions"));
+  }
+
+  void finish(std::vector<LabelVolume>& volumes) {
+    const bool segments =
+        !m_header.key("Segment0_LabelValue").empty() || !m_header.key("Segment0_Name").empty();
+    LabelNames beside;
+    std::string from;
+    if (!segments)
+      beside = labelsBeside(m_source.file(), m_options.limits, from);
+    for (std::size_t layer = 0; layer < volumes.size(); ++layer) {
+      LabelVolume& volume = volumes[layer];
+      volume.toLps = m_place.toLps;
+      volume.frame = m_place.frame;
+      volume.frameReason = m_place.frameReason;
+      volume.unitReason = m_place.unitReason;
+      nameLabels(volume, segments ? segmentsOf(layer) : beside);
+    }
+  }
+
+  /// 3D Slicer: Segment7_Name, _LabelValue, _Layer and _Color ("0.5 0.7 0.1").
+  LabelNames segmentsOf(std::size_t layer) const {
+    LabelNames names;
+    for (std::size_t i = 0; i < 65'536; ++i) {
+      const std::string segment = "Segment" + std::to_string(i) + "_";
+      const std::string_view name = m_header.key(segment + "Name");
+      const std::string_view id = m_header.key(segment + "ID");
+      if (name.empty() && id.empty())
+        break;
+      std::int64_t value = 1;
+      TextCursor(m_header.key(segment + "LabelValue")).integer(value);
+      // Before there were layers, each segment had one of its own.
+      std::int64_t its = m_layout.layers > 1 ? std::int64_t(i) : 0;
+      TextCursor(m_header.key(segment + "Layer")).integer(its);
+      if (its != std::int64_t(layer))
+        continue;
+      Label label{value, std::string(name.empty() ? id : name), {}, {}};
+      TextCursor at(m_header.key(segment + "Color"));
+      std::array<float, 3> channels{-1.0f, -1.0f, -1.0f};
+      for (float& channel : channels) {
+        at.skipSpace();
+        at.number(channel);
+      }
+      if (std::all_of(channels.begin(), channels.end(),
+                      [](float c) { return c >= 0.0f && c <= 1.0f; }))
+        label.colour = Colour{std::uint8_t(std::lround(255.0f * channels[0])),
+                              std::uint8_t(std::lround(255.0f * channels[1])),
+                              std::uint8_t(std::lround(255.0f * channels[2]))};
+      names.insert_or_assign(value, std::move(label));
+    }
+    return names;
+  }
+
+  const Source& m_source;
+  NrrdHeader m_header;
+  const ReadOptions& m_options;
+  std::vector<std::int64_t> m_sizes;
+  std::vector<std::optional<glm::dvec3>> m_directions;  ///< of all axes, or none
+  std::size_t m_first = 0;                              ///< axis in space
+  LabelVolume m_place;                                  ///< without voxels
+  VoxelLayout m_layout;
+  VoxelBytes m_stored;
+  std::optional<Source> m_data;  ///< where the voxels have a file of their own
+  std::vector<ImportWarning> m_warnings;
+};
+
+}  // namespace
+
+Result<LabelVolumes> readNrrd(const std::filesystem::path& file, const ReadOptions& options) {
+  const Result<Source> source = Source::read(file, options.limits);
+  if (!source)
+    return source.error();
+  Result<NrrdHeader> header = nrrdHeader(*source);
+  if (!header)
+    return header.error();
+  return NrrdReader(*source, std::move(*header), options).read();
+}
+
+}  // namespace sline::model

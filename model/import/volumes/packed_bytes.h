@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bytes as volumes store them, unpacked piece by piece: whatever the packed bytes claim to hold,
+// only the piece asked for is in memory.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+
+namespace sline::model {
+
+enum class Packing {
+  none,
+  deflated,  ///< gzip (several members in a row, too) or zlib
+  bzip2,
+  hex  ///< pairs of hexadecimal digits, white space between them
+};
+
+class PackedBytes {
+ public:
+  /// `packed` must outlive it.
+  PackedBytes(std::string_view packed, Packing packing);
+  ~PackedBytes();
+  PackedBytes(PackedBytes&&) noexcept;
+  PackedBytes& operator=(PackedBytes&&) noexcept;
+
+  /// Unpacks the next `count` bytes to `to`; fewer only where the data end or cannot be unpacked
+  /// any further.
+  std::size_t read(char* to, std::size_t count);
+  /// Passes over `count` bytes; true if there were that many.
+  bool skip(std::uint64_t count);
+  /// The packed bytes are not what they should be, rather than at their end.
+  bool broken() const;
+
+  struct Unpacker;
+
+ private:
+  std::unique_ptr<Unpacker> m_unpacker;
+};
+
+/// The most that packed bytes can hold, from what the method can reach. bzip2 packs long runs
+/// almost without limit, so that this says little about it.
+std::uint64_t mostUnpacked(std::uint64_t packed, Packing packing);
+
+}  // namespace sline::model

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Volume files → surfaces, as the table of file kinds wants them.
+#pragma once
+
+#include <filesystem>
+
+#include "model/import/raw_mesh.h"
+#include "model/import/read_options.h"
+#include "model/import/volumes/label_volume.h"
+
+namespace sline::model {
+
+/// The surfaces of all volumes that came from a file of `bytes` bytes: what a small file may cost
+/// is bounded by its size. Errors as those of labelSurfaces.
+Result<RawMeshes> volumeSurfaces(const LabelVolumes& volumes, std::uint64_t bytes,
+                                 const ReadOptions& options);
+
+Result<RawMeshes> readNiftiSurfaces(const std::filesystem::path& file, const ReadOptions& options);
+Result<RawMeshes> readNrrdSurfaces(const std::filesystem::path& file, const ReadOptions& options);
+Result<RawMeshes> readMetaImageSurfaces(const std::filesystem::path& file,
+                                        const ReadOptions& options);
+
+}  // namespace sline::model
