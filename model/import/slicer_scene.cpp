@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <fstream>
+#include <iterator>
 
 #include "model/import/file_kinds.h"
 #include "model/import/names.h"
@@ -18,6 +19,9 @@ namespace sline::model {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Scenes of whole bodies have some thousands.
+constexpr std::ptrdiff_t mostNodes = 100'000;
 
 /// Where a byte of the file lies, for people.
 std::string lineOf(std::string_view text, std::ptrdiff_t offset) {
@@ -218,6 +222,10 @@ Result<SlicerScene> readSlicerScene(const fs::path& file, const ReadLimits& limi
     return Error{.file = file.string(),
                  .reason = "it is XML, but no 3D Slicer scene: there is no <MRML>",
                  .remedy = "Choose the .mrml file that 3D Slicer saved"};
+  if (std::distance(scene.begin(), scene.end()) > mostNodes)
+    return Error{.file = file.string(),
+                 .reason = "the scene has more than " + std::to_string(mostNodes) + " nodes",
+                 .remedy = "Save the scene in parts in 3D Slicer"};
   return SceneReader(file, scene).read();
 }
 

@@ -389,6 +389,10 @@ void SlicerViewsTest::brokenBundles_data() {
   QTest::newRow("no scene") << zip({{"a/b.ply", "ply"}}) << "holds no 3D Slicer scene";
   QTest::newRow("broken scene") << zip({{"a/b.mrml", "<MRML"}}) << "b.mrml, line 1: the XML";
   QTest::newRow("empty scene") << zip({{"a/b.mrml", "<MRML/>"}}) << "holds no model";
+  QTest::newRow("more nodes than any scene has")
+      << zip({{"b.mrml", "<MRML>" + QByteArray("<a/>").repeated(100'001) + "</MRML>"},
+              {"pad", QByteArray(20'000, 'x')}})
+      << "more than 100000 nodes";
   QTest::newRow("a bomb") << zip({{"a/b.mrml", "<MRML/>"}, {"a/b.ply", QByteArray(100 << 20, ' ')}})
                           << "";
   QByteArray escaping = zip({{"ab/b.mrml", "<MRML/>"}});
