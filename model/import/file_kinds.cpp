@@ -158,7 +158,9 @@ Result<RawMeshes> readSurfaces(const std::filesystem::path& file, const ReadOpti
   Result<RawMeshes> result = kind->read(file, options);
   // "glTF" and "GLB" are read by the same reader under either extension.
   const bool gltf = kind->name == "glTF" || kind->name == "GLB";
-  const bool same = content == kind->name || (gltf && (content == "glTF" || content == "GLB"));
+  const bool package = kind->name == "3MF" && content == "a ZIP archive";
+  const bool same =
+      package || content == kind->name || (gltf && (content == "glTF" || content == "GLB"));
   if (!result && !content.empty() && !same) {
     Error error = result.error();
     error.reason += "; its content looks like " + std::string(content);

@@ -77,7 +77,8 @@ Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& 
       part.name = readableName(stemOf(source.file));
     if (source.model) {
       const SlicerModel& model = sources.sources[source.source].scene->models[*source.model];
-      part.name = meshes.size() == 1 ? model.name : model.name + " " + part.name;
+      if (!model.segments)
+        part.name = meshes.size() == 1 ? model.name : model.name + " " + part.name;
     }
     part.raw = std::move(raw);
     part.provenance.file = part.raw.origin.empty() ? shown : part.raw.origin;
@@ -203,6 +204,8 @@ void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothi
     Part& part = parts[i];
     if (part.raw.smooth) {
       part.provenance.displacementMm = part.raw.displacement * part.unit;
+      if (smoothing.mode == Smoothing::Mode::steps)
+        part.provenance.smoothingSteps = smoothing.steps;
       return;
     }
     const double bytes = double(part.raw.triangles.size()) * 6.0;
@@ -252,7 +255,11 @@ void placeParts(std::vector<Part>& parts, const Sources& sources,
     if (source.model)
       if (const auto& toWorld = sources.sources[source.source].scene->models[*source.model].toWorld)
         part.provenance.transform = rowsOf(*toWorld);
-    Result<MeshPtr> mesh = placedMesh(std::move(part.raw), part.provenance);
+    // Names, groups and colours are asked for later.
+    RawMesh surface{.positions = std::move(part.raw.positions),
+                    .triangles = std::move(part.raw.triangles),
+                    .yUp = part.raw.yUp};
+    Result<MeshPtr> mesh = placedMesh(std::move(surface), part.provenance);
     if (mesh)
       part.mesh = std::move(*mesh);
     else
