@@ -27,12 +27,12 @@ constexpr std::array kinds = {FileKind{".obj", "OBJ", within<readObj>},
                               FileKind{".vtp", "VTP", within<readVtp>},
                               FileKind{".gltf", "glTF", within<readGltf>},
                               FileKind{".glb", "GLB", within<readGltf>},
-                              FileKind{".nii", "NIfTI", readNiftiSurfaces},
-                              FileKind{".nii.gz", "packed NIfTI", readNiftiSurfaces},
-                              FileKind{".nrrd", "NRRD", readNrrdSurfaces},
-                              FileKind{".nhdr", "NRRD", readNrrdSurfaces},
-                              FileKind{".mha", "MetaImage", readMetaImageSurfaces},
-                              FileKind{".mhd", "MetaImage", readMetaImageSurfaces}};
+                              FileKind{".nii", "NIfTI", readNiftiSurfaces, true},
+                              FileKind{".nii.gz", "packed NIfTI", readNiftiSurfaces, true},
+                              FileKind{".nrrd", "NRRD", readNrrdSurfaces, true},
+                              FileKind{".nhdr", "NRRD", readNrrdSurfaces, true},
+                              FileKind{".mha", "MetaImage", readMetaImageSurfaces, true},
+                              FileKind{".mhd", "MetaImage", readMetaImageSurfaces, true}};
 
 bool endsLike(std::string_view name, std::string_view ending) {
   return name.size() > ending.size() &&
@@ -111,6 +111,11 @@ bool isSurfaceFile(const std::filesystem::path& file) {
   return kindOf(file) != nullptr;
 }
 
+bool isVolumeFile(const std::filesystem::path& file) {
+  const FileKind* kind = kindOf(file);
+  return kind && kind->volume;
+}
+
 std::string stemOf(const std::filesystem::path& file) {
   const FileKind* kind = kindOf(file);
   std::string name = file.filename().string();
@@ -136,7 +141,9 @@ Result<RawMeshes> readSurfaces(const std::filesystem::path& file, const ReadOpti
   Result<RawMeshes> result = kind->read(file, options);
   // "glTF" and "GLB" are read by the same reader under either extension.
   const bool gltf = kind->name == "glTF" || kind->name == "GLB";
-  const bool same = content == kind->name || (gltf && (content == "glTF" || content == "GLB"));
+  const bool packed = kind->extension.ends_with(".gz") && content == "a gzip archive";
+  const bool same =
+      packed || content == kind->name || (gltf && (content == "glTF" || content == "GLB"));
   if (!result && !content.empty() && !same) {
     Error error = result.error();
     error.reason += "; its content looks like " + std::string(content);

@@ -6,13 +6,17 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
+#include <map>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include "model/base/parallel.h"
 #include "model/import/file_kinds.h"
 #include "model/import/laterality.h"
 #include "model/import/names.h"
 #include "model/import/repair.h"
+#include "model/import/volumes/volume_set.h"
 
 namespace sline::model {
 
@@ -45,13 +49,20 @@ void mend(Part& part, const std::string& file, std::vector<ImportWarning>& warni
         {file, "a piece" + of + " has no consistent orientation; it stays as it is"});
 }
 
+Result<RawMeshes> readTogether(const SourceFile& source, const ReadOptions& options) {
+  std::vector<std::filesystem::path> files{source.file};
+  files.insert(files.end(), source.together.begin(), source.together.end());
+  return readVolumeSet(files, options);
+}
+
 Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& options,
                 ProgressMeter& meter) {
   Loaded loaded;
   const SourceFile& source = sources.files[index];
   const std::string shown = source.file.filename().string();
-  Result<RawMeshes> read = readSurfaces(
-      source.file, {options.limits, options.smoothing, [&] { return meter.goesOn(shown); }});
+  const ReadOptions how{options.limits, options.smoothing, [&] { return meter.goesOn(shown); }};
+  Result<RawMeshes> read =
+      source.together.empty() ? readSurfaces(source.file, how) : readTogether(source, how);
   if (!read) {
     Error error = read.error();
     error.file.clear();
@@ -73,7 +84,7 @@ Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& 
       part.name = meshes.size() == 1 ? model.name : model.name + " " + part.name;
     }
     part.raw = std::move(raw);
-    part.provenance.file = shown;
+    part.provenance.file = part.raw.file.empty() ? shown : part.raw.file;
     if (options.repair)
       mend(part, shown, loaded.warnings);
     if (!meter.goesOn(shown))
@@ -89,6 +100,37 @@ Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& 
     loaded.parts.push_back(std::move(part));
   }
   return loaded;
+}
+
+/// A folder may hold a label volume and the surfaces made of it: what is there as a surface is not
+/// taken from the volume as well.
+void leaveOutTwins(std::vector<Part>& parts, const Sources& sources,
+                   std::vector<ImportWarning>& warnings) {
+  const auto key = [&](const Part& part) {
+    std::string name;
+    for (const std::string& word : nameWords(part.name))
+      name += word + ' ';
+    return std::pair(sources.files[part.file].source, name);
+  };
+  const auto fromVolume = [&](const Part& part) {
+    const SourceFile& file = sources.files[part.file];
+    return sources.sources[file.source].kind == ImportSource::Kind::folder &&
+           isVolumeFile(file.file);
+  };
+  std::set<std::pair<std::size_t, std::string>> surfaces;
+  for (const Part& part : parts)
+    if (!fromVolume(part))
+      surfaces.insert(key(part));
+  std::map<std::string, int> leftOut;
+  std::erase_if(parts, [&](const Part& part) {
+    const bool twin = fromVolume(part) && surfaces.contains(key(part));
+    leftOut[part.provenance.file] += twin;
+    return twin;
+  });
+  for (const auto& [file, count] : leftOut)
+    if (count > 0)
+      warnings.push_back({file, counted(count, "structure", "structures") +
+                                    " left out that the folder also holds as surfaces"});
 }
 
 /// File coordinates → millimetres LPS.
@@ -140,6 +182,7 @@ std::vector<Part> loadParts(const Sources& sources, const ImportOptions& options
     std::move(one.parts.begin(), one.parts.end(), std::back_inserter(parts));
     std::move(one.warnings.begin(), one.warnings.end(), std::back_inserter(warnings));
   }
+  leaveOutTwins(parts, sources, warnings);
   return parts;
 }
 

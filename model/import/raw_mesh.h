@@ -33,6 +33,7 @@ struct RawMesh {
   std::string unitReason;           ///< what in the file or its format fixes the unit; empty: none
                                     ///< does, and it may be guessed
   bool yUp = false;                 ///< glTF: +y up, +x patient left, +z to the front
+  std::string file;                 ///< its own file's name where several were read together
   bool smooth = false;              ///< made smooth by its reader: not smoothed or refined again
   float displacement = 0.0f;        ///< the farthest that reader moved a vertex, in the file's unit
 };

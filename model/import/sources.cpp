@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
+#include <utility>
 
 #include "model/import/file_kinds.h"
 
@@ -47,7 +49,10 @@ class Collector {
               .remedy = supportedKinds()});
   }
 
-  Sources take() && { return std::move(m_result); }
+  Sources take() && {
+    joinVolumes();
+    return std::move(m_result);
+  }
 
  private:
   void refuse(Error error) {
@@ -69,10 +74,31 @@ class Collector {
     return sources.size() - 1;
   }
 
+  /// Label volumes that came together from one folder are read together: programs that give each
+  /// structure a file of its own write them so, and structures that touch shall share their faces.
+  void joinVolumes() {
+    std::vector<SourceFile> files;
+    std::map<std::pair<std::size_t, fs::path>, std::size_t> first;
+    for (SourceFile& file : m_result.files) {
+      if (!file.model && isVolumeFile(file.file)) {
+        const auto [found, fresh] =
+            first.try_emplace({file.source, file.file.parent_path()}, files.size());
+        if (!fresh) {
+          files[found->second].together.push_back(file.file);
+          files[found->second].bytes += file.bytes;
+          continue;
+        }
+      }
+      files.push_back(std::move(file));
+    }
+    m_result.files = std::move(files);
+  }
+
   void addFile(const fs::path& file, std::size_t source, std::vector<std::string> folders) {
     std::error_code fault;
     const std::uintmax_t bytes = fs::file_size(file, fault);
-    m_result.files.push_back({file, source, std::move(folders), std::nullopt, fault ? 0 : bytes});
+    m_result.files.push_back(
+        {file, source, std::move(folders), std::nullopt, fault ? 0 : bytes, {}});
   }
 
   void addFolder(const fs::path& folder) {

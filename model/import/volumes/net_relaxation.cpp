@@ -133,7 +133,7 @@ class Relaxer {
   }
 
   /// How far the mean of a node's neighbours lies outside its surface, by the mean square of their
-  /// distances: twice the mean curvature where they lie evenly, and independent of how densely.
+  /// distances: half the mean curvature where they lie evenly, however densely that is.
   /// Sets the normal and that mean square.
   float curvature(std::size_t node) {
     const glm::vec3& at = place(std::uint32_t(node));
