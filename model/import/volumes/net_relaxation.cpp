@@ -3,6 +3,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <span>
 #include <utility>
 
@@ -127,15 +128,15 @@ class Relaxer {
     parallelFor(m_at.size(), grain, [this](std::size_t point) {
       glm::vec3 sum(0.0f);
       for (std::uint32_t k = m_firstNode[point]; k < m_firstNode[point + 1]; ++k)
-        sum += m_curvature[m_nodes[k]] * m_squares[m_nodes[k]] * m_normals[m_nodes[k]];
+        sum += wanted(m_nodes[k]) * m_normals[m_nodes[k]];
       m_target[point] = sum / float(m_firstNode[point + 1] - m_firstNode[point]);
     });
   }
 
-  /// How far the mean of a node's neighbours lies outside its surface, by the mean square of their
-  /// distances: twice the mean curvature where they lie evenly, and independent of how densely.
-  /// Sets the normal and that mean square.
-  float curvature(std::size_t node) {
+  /// How far the mean of a node's neighbours lies outside its surface, and the mean square of their
+  /// distances; the ratio is half the mean curvature where they lie evenly, however densely that
+  /// is. Sets the normal.
+  glm::vec2 curvature(std::size_t node) {
     const glm::vec3& at = place(std::uint32_t(node));
     const std::span<const LabelSheets::Side> sides = m_sheets.sidesOf(node);
     glm::vec3 area(0.0f);
@@ -150,12 +151,19 @@ class Relaxer {
     const float length = glm::length(area);
     m_normals[node] = length > 0.0f ? area / length : glm::vec3(0.0f);
     m_squares[node] = squares / float(sides.size());
-    return squares > 0.0f ? glm::dot(m_normals[node], sum) / squares : 0.0f;
+    return {glm::dot(m_normals[node], sum) / float(sides.size()), m_squares[node]};
   }
 
-  float averaged(std::size_t node) const {
+  /// The share of the pull that is the form's. Averaging pull and square apart rather than their
+  /// ratio keeps the volume: crowded nodes would have too much to say.
+  float wanted(std::uint32_t node) const {
+    const glm::vec2& around = m_curvature[node];
+    return around.y > 0.0f ? around.x / around.y * m_squares[node] : 0.0f;
+  }
+
+  glm::vec2 averaged(std::size_t node) const {
     const std::span<const LabelSheets::Side> sides = m_sheets.sidesOf(node);
-    float sum = m_curvature[node];
+    glm::vec2 sum = m_curvature[node];
     for (const LabelSheets::Side& side : sides)
       sum += m_curvature[side.next];
     return sum / float(sides.size() + 1);
@@ -191,9 +199,9 @@ class Relaxer {
   std::vector<glm::vec3> m_ahead;  ///< where the momentum leads from m_at
   std::vector<glm::vec3> m_nextAhead;
   std::vector<glm::vec3> m_target;
-  std::vector<glm::vec3> m_normals;  ///< of nodes
-  std::vector<float> m_curvature;    ///< likewise
-  std::vector<float> m_averaged;
+  std::vector<glm::vec3> m_normals;    ///< of nodes
+  std::vector<glm::vec2> m_curvature;  ///< likewise
+  std::vector<glm::vec2> m_averaged;
   std::vector<float> m_squares;  ///< of the distances to a node's neighbours, their mean
 };
 
