@@ -14,10 +14,12 @@ namespace sline::model {
 
 namespace {
 
-constexpr double mostSamples = 8e6;
-/// Samples a contour's point pays for, so that a small file cannot ask for much work.
+constexpr double mostSamples = 4e6;
+/// Samples a contour's point pays for, so that a small file cannot ask for much work; a handful of
+/// points pays less, or thousands of specks would make millions of triangles.
 constexpr double samplesPerPoint = 1500.0;
-constexpr double fewestSamples = 2000.0;
+constexpr double manyPoints = 100.0;
+constexpr double fewestSamples = 500.0;
 /// A sample's size as a share of the structure's bounding sphere: the surface's triangles have
 /// about the 2 % that hatching and curvature want (METHOD §5). Large bodies may have half of it, so
 /// that no slice is left out.
@@ -53,37 +55,55 @@ struct Sampling {
   double step = 1.0;  ///< between layers
 };
 
-double samplesAt(const Extent& extent, const ContourStack& stack, double height, double cell) {
-  const glm::dvec2 size = (extent.high - extent.low) / cell + 6.0;
-  const double layers = std::max(height / cell + 2.0, double(stack.slices.size()));
-  return size.x * size.y * layers;
+/// However coarse the samples, flat stacks keep their ends and their inside.
+double layersFor(const ContourStack& stack, double height, double cell) {
+  return std::max({std::ceil(height / cell) + 1.0, double(stack.slices.size()), 7.0});
 }
 
-std::optional<Sampling> samplingOf(const ContourStack& stack) {
-  const Extent extent = extentOf(stack);
-  if (!(extent.length > 0.0))
-    return std::nullopt;
+double samplesAt(const Extent& extent, const ContourStack& stack, double height, double cell) {
+  const glm::dvec2 size = (extent.high - extent.low) / cell + 6.0;
+  return size.x * size.y * layersFor(stack, height, cell);
+}
+
+/// Each slice needs a few samples, however few there may be.
+double fewestFor(const ContourStack& stack) {
+  return fewestSamples + 64.0 * double(stack.slices.size());  // 36 each at the coarsest
+}
+
+struct Span {
+  double low = 0.0;
+  double height = 0.0;
+};
+Span spanOf(const ContourStack& stack) {
   const double low = stack.slices.front().offset - stack.spacing;
-  const double height = stack.slices.back().offset + stack.spacing - low;
+  return {low, stack.slices.back().offset + stack.spacing - low};
+}
+
+/// The size of samples that shows the shape.
+double cellFor(const ContourStack& stack, const Extent& extent) {
   const glm::dvec2 size = extent.high - extent.low;
+  const double height = spanOf(stack).height;
   const double radius = 0.5 * std::sqrt(glm::dot(size, size) + height * height);
-  const double budget = std::min(mostSamples, fewestSamples + samplesPerPoint * extent.points);
   double cell = std::max(std::min(finest * radius, stack.spacing), 0.5 * finest * radius);
-  // Thin structures need samples inside; the length of their outlines tells the mean thickness no
-  // better than their box, so the smaller side of the box stands for it.
+  // Thin structures need samples inside; the smaller side of the box stands for their thickness.
   cell = std::min(cell, 0.1 * std::min({size.x, size.y, height}));
-  cell = std::max({cell, 0.002 * radius, 0.01, 36.0 * extent.length / 6e7});
-  while (samplesAt(extent, stack, height, cell) > budget)
+  return std::max({cell, 0.002 * radius, 0.01, 36.0 * extent.length / 6e7});
+}
+
+Sampling samplingOf(const ContourStack& stack, const Extent& extent, double samples) {
+  const auto [low, height] = spanOf(stack);
+  double cell = cellFor(stack, extent);
+  while (samplesAt(extent, stack, height, cell) > std::max(samples, fewestFor(stack)))
     cell *= 1.05;
   Sampling sampling;
   sampling.plane.cell = cell;
-  const glm::dvec2 cells = glm::ceil(size / cell);
+  const glm::dvec2 cells = glm::ceil((extent.high - extent.low) / cell);
   sampling.plane.columns = int(cells.x) + 5;
   sampling.plane.rows = int(cells.y) + 5;
   sampling.plane.origin =
       0.5 * (extent.low + extent.high) -
       0.5 * cell * glm::dvec2(sampling.plane.columns - 1, sampling.plane.rows - 1);
-  sampling.layers = int(std::ceil(height / cell)) + 1;
+  sampling.layers = int(layersFor(stack, height, cell));
   sampling.low = low;
   sampling.step = height / double(sampling.layers - 1);
   return sampling;
@@ -312,9 +332,21 @@ class StackField {
 
 }  // namespace
 
-FieldBox fieldOf(const ContourStack& stack, const std::function<bool()>& goesOn) {
-  const std::optional<Sampling> sampling = samplingOf(stack);
-  return sampling ? StackField(stack, *sampling).make(goesOn) : FieldBox();
+double samplesFor(const ContourStack& stack) {
+  const Extent extent = extentOf(stack);
+  if (!(extent.length > 0.0))
+    return 0.0;
+  const double paid = samplesPerPoint * extent.points * std::min(1.0, extent.points / manyPoints);
+  const double budget = std::min(mostSamples, fewestFor(stack) + paid);
+  const double wanted = samplesAt(extent, stack, spanOf(stack).height, cellFor(stack, extent));
+  return std::min(budget, wanted);
+}
+
+FieldBox fieldOf(const ContourStack& stack, double samples, const std::function<bool()>& goesOn) {
+  const Extent extent = extentOf(stack);
+  if (!(extent.length > 0.0))
+    return {};
+  return StackField(stack, samplingOf(stack, extent, samples)).make(goesOn);
 }
 
 }  // namespace sline::model
