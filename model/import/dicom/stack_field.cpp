@@ -2,10 +2,13 @@
 #include "model/import/dicom/stack_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <optional>
+#include <utility>
 
 #include "model/base/parallel.h"
 #include "model/import/dicom/slice_shape.h"
@@ -32,12 +35,47 @@ struct Extent {
   glm::dvec2 high{-1e300};
   double points = 0.0;
   double length = 0.0;  ///< of all outlines
+  double area = 0.0;    ///< of all they enclose, as rows across them tell
 };
+
+/// What the outlines of a slice enclose, measured along a few rows.
+double areaOf(const SliceOutline& slice) {
+  constexpr int rows = 48;
+  double low = 1e300;
+  double high = -1e300;
+  for (const auto& [a, b] : slice.edges) {
+    low = std::min({low, a.y, b.y});
+    high = std::max({high, a.y, b.y});
+  }
+  if (!(high > low))
+    return 0.0;
+  const double step = (high - low) / rows;
+  std::array<std::vector<double>, rows> crossings;
+  for (auto [a, b] : slice.edges) {
+    if (a.y > b.y)
+      std::swap(a, b);
+    const auto rowAbove = [&](double y) {
+      return int(std::clamp(std::ceil((y - low) / step - 0.5), 0.0, double(rows)));
+    };
+    for (int row = rowAbove(a.y); row < rowAbove(b.y); ++row) {
+      const double y = low + (row + 0.5) * step;
+      crossings[std::size_t(row)].push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+    }
+  }
+  double length = 0.0;
+  for (std::vector<double>& row : crossings) {
+    std::sort(row.begin(), row.end());
+    for (std::size_t i = 0; i + 1 < row.size(); i += 2)
+      length += row[i + 1] - row[i];
+  }
+  return length * step;
+}
 
 Extent extentOf(const ContourStack& stack) {
   Extent extent;
   for (const SliceOutline& slice : stack.slices) {
     extent.points += double(slice.points);
+    extent.area += areaOf(slice);
     for (const auto& [a, b] : slice.edges) {
       extent.low = glm::min(extent.low, glm::min(a, b));
       extent.high = glm::max(extent.high, glm::max(a, b));
@@ -85,8 +123,10 @@ double cellFor(const ContourStack& stack, const Extent& extent) {
   const double height = spanOf(stack).height;
   const double radius = 0.5 * std::sqrt(glm::dot(size, size) + height * height);
   double cell = std::max(std::min(finest * radius, stack.spacing), 0.5 * finest * radius);
-  // Thin structures need samples inside; the smaller side of the box stands for their thickness.
-  cell = std::min(cell, 0.1 * std::min({size.x, size.y, height}));
+  // A rind is as thick as its area is to half its outlines; it needs samples inside.
+  cell = std::min({cell, 0.1 * size.x, 0.1 * size.y, 0.1 * height});
+  if (extent.area > 0.0)
+    cell = std::min(cell, 0.7 * extent.area / extent.length);
   return std::max({cell, 0.002 * radius, 0.01, 36.0 * extent.length / 6e7});
 }
 
@@ -224,7 +264,12 @@ class StackField {
         sum[ending.pieces()[i]] += double(std::max(0.0f, -before->distances()[i]));
         weight[ending.pieces()[i]] += 1.0;
       }
-    std::vector<float> result(sum.size(), 0.35f * spacing);
+    std::vector<float> result(sum.size(), 0.0f);
+    for (std::size_t i = 0; i < ending.pieces().size(); ++i)
+      result[ending.pieces()[i]] = std::max(result[ending.pieces()[i]], -ending.distances()[i]);
+    // Edges are never sharp, but thin pieces keep their height.
+    for (float& rounding : result)
+      rounding = std::max(std::min(0.35f * spacing, 0.5f * rounding), 1e-3f);
     for (std::size_t i = 1; i < sum.size(); ++i)
       if (weight[i] > 0.0)
         result[i] = std::max(result[i], float(sum[i] / weight[i]));

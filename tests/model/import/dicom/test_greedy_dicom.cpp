@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files of at most a megabyte that are written to ask for as much work and memory as they can.
-#include <QElapsedTimer>
 #include <QFile>
 #include <QTest>
+#include <ctime>
 #include <random>
 
 #include "tests/model/import/dicom/surface_facts.h"
@@ -13,7 +13,7 @@ using namespace sline::test;
 
 namespace {
 
-constexpr qint64 longestMs = 5000;
+constexpr double mostSeconds = 5.0;  ///< of the processor's time, all threads together
 constexpr long mostKib = 2L * 1024 * 1024;
 
 // The sanitizers make everything several times slower and larger.
@@ -181,16 +181,15 @@ void TestGreedyDicom::answersSoon() {
   QVERIFY2(bytes.size() < 1'100'000, qPrintable(QString::number(bytes.size())));
   const QTemporaryDir folder;
   resetPeak();
-  QElapsedTimer timer;
-  timer.start();
+  const std::clock_t start = std::clock();
   const auto read = readDicomBytes(folder, bytes);
-  const qint64 took = timer.elapsed();
+  const double took = double(std::clock() - start) / CLOCKS_PER_SEC;
   const long peak = peakKib();
-  qInfo("%lld kB: %lld ms, peak %ld MB, %s", qlonglong(bytes.size() / 1024), took, peak / 1024,
+  qInfo("%lld kB: %.1f s, peak %ld MB, %s", qlonglong(bytes.size() / 1024), took, peak / 1024,
         read.ok() ? "read" : read.error().reason.c_str());
   if (!measures)
     return;
-  QVERIFY(took < longestMs);
+  QVERIFY(took < mostSeconds);
   QVERIFY(peak < mostKib);
 }
 
