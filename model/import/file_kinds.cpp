@@ -7,6 +7,7 @@
 
 #include "model/import/dicom/dicom.h"
 #include "model/import/dicom/dicom_file.h"
+#include "model/import/molecules/molecules.h"
 #include "model/import/readers/readers.h"
 #include "model/import/readers/source.h"
 #include "model/import/readers/text_cursor.h"
@@ -30,13 +31,18 @@ constexpr std::array kinds = {FileKind{".obj", "OBJ", within<readObj>},
                               FileKind{".vtp", "VTP", within<readVtp>},
                               FileKind{".gltf", "glTF", within<readGltf>},
                               FileKind{".glb", "GLB", within<readGltf>},
+                              FileKind{".3mf", "3MF", within<readThreeMf>},
                               FileKind{".nii", "NIfTI", readNiftiSurfaces},
                               FileKind{".nii.gz", "packed NIfTI", readNiftiSurfaces},
                               FileKind{".nrrd", "NRRD", readNrrdSurfaces},
                               FileKind{".nhdr", "NRRD", readNrrdSurfaces},
                               FileKind{".mha", "MetaImage", readMetaImageSurfaces},
                               FileKind{".mhd", "MetaImage", readMetaImageSurfaces},
-                              FileKind{".dcm", "DICOM", readDicom}};
+                              FileKind{".dcm", "DICOM", readDicom},
+                              FileKind{".pdb", "PDB", readPdb},
+                              FileKind{".ent", "PDB", readPdb},
+                              FileKind{".cif", "mmCIF", readMmcif},
+                              FileKind{".mmcif", "mmCIF", readMmcif}};
 
 bool endsLike(std::string_view name, std::string_view ending) {
   return name.size() > ending.size() &&

@@ -12,6 +12,7 @@
 #include "model/base/result.h"
 #include "model/base/units.h"
 #include "model/geometry/mesh.h"
+#include "model/import/molecules/backbone.h"
 #include "model/import/read_options.h"
 
 namespace sline::model {
@@ -35,7 +36,10 @@ struct RawMesh {
                                     ///< does, and it may be guessed
   bool yUp = false;                 ///< glTF: +y up, +x patient left, +z to the front
   bool smooth = false;              ///< made smooth by its reader: not smoothed or refined again
-  float displacement = 0.0f;        ///< the farthest that reader moved a vertex, in the file's unit
+  std::optional<bool> visible;      ///< where the reader would rather hide it at first
+  std::optional<MoleculePart> molecule;  ///< cut from a molecule: named, grouped and coloured by
+                                         ///< its reader, not by anatomy
+  float displacement = 0.0f;  ///< the farthest that reader moved a vertex, in the file's unit
 };
 
 /// Something left out or mended on the way in; the rest of the file was read.

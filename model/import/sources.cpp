@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
+#include <set>
 
 #include "model/import/dicom/left_out.h"
 #include "model/import/file_kinds.h"
@@ -15,7 +17,8 @@ namespace fs = std::filesystem;
 
 std::string supportedKinds() {
   return "Give a file of surfaces (" + surfaceExtensions() +
-         "), a folder of them, a 3D Slicer scene (.mrml) or a scene file (.sline)";
+         "), a folder of them, a 3D Slicer scene (.mrml, .mrb) or its fiducials (" +
+         fiducialExtensions() + "), or a scene file (.sline)";
 }
 
 std::string lowerExtension(const fs::path& file) {
@@ -24,6 +27,10 @@ std::string lowerExtension(const fs::path& file) {
     c = char(std::tolower(static_cast<unsigned char>(c)));
   return extension;
 }
+
+/// How often a scene may have all of its files in it: a small one must not fill the memory by
+/// naming a large mesh again and again.
+constexpr std::uint64_t mostTimes = 4;
 
 class Collector {
  public:
@@ -39,7 +46,11 @@ class Collector {
     else if (fs::is_directory(status))
       addFolder(input);
     else if (lowerExtension(input) == ".mrml")
-      addScene(input);
+      addScene(input, nullptr);
+    else if (lowerExtension(input) == ".mrb")
+      addBundle(input);
+    else if (isFiducialFile(input))
+      addFiducials(input);
     else if (m_looseImages.takes(input))
       m_imageFile = input;
     else if (isSurfaceFile(input))
@@ -121,15 +132,39 @@ class Collector {
     }
   }
 
-  void addScene(const fs::path& input) {
-    Result<SlicerScene> scene = readSlicerScene(input, m_limits);
+  void addFiducials(const fs::path& input) {
+    Result<Fiducials> read = readFiducials(input, m_limits);
+    if (!read) {
+      refuse(read.error());
+      return;
+    }
+    auto& warnings = m_result.warnings;
+    warnings.insert(warnings.end(), read->warnings.begin(), read->warnings.end());
+    std::move(read->items.begin(), read->items.end(), std::back_inserter(m_result.fiducials));
+  }
+
+  void addBundle(const fs::path& input) {
+    Result<SlicerBundle> bundle = unpackBundle(input, m_limits);
+    if (!bundle)
+      refuse(bundle.error());
+    else
+      addScene(input, std::make_shared<const SlicerBundle>(std::move(*bundle)));
+  }
+
+  void addScene(const fs::path& input, std::shared_ptr<const SlicerBundle> bundle) {
+    Result<SlicerScene> scene = readSlicerScene(bundle ? bundle->scene : input, m_limits);
     if (!scene) {
-      refuse(scene.error());
+      Error error = scene.error();
+      if (bundle)
+        error.where = bundle->scene.filename().string() +
+                      (error.where.empty() ? std::string() : ", " + error.where);
+      error.file = input.string();
+      refuse(std::move(error));
       return;
     }
     auto& warnings = m_result.warnings;
     warnings.insert(warnings.end(), scene->warnings.begin(), scene->warnings.end());
-    if (scene->models.empty()) {
+    if (scene->models.empty() && scene->fiducials.empty()) {
       refuse({.file = input.string(),
               .reason = scene->named == 0 ? "the scene holds no model"
                                           : "none of the scene's " + std::to_string(scene->named) +
@@ -138,11 +173,26 @@ class Collector {
       return;
     }
     const std::size_t source = m_result.sources.size();
+    std::uint64_t allowed = 0;
+    std::set<fs::path> files;
+    for (const SlicerModel& model : scene->models)
+      if (std::error_code fault; files.insert(model.file).second)
+        allowed += mostTimes * fs::file_size(model.file, fault);
     for (std::size_t i = 0; i < scene->models.size(); ++i) {
       addFile(scene->models[i].file, source, {});
-      m_result.files.back().model = i;
+      SourceFile& added = m_result.files.back();
+      added.model = i;
+      if (added.bytes <= allowed) {
+        allowed -= added.bytes;
+        continue;
+      }
+      warnings.push_back(
+          {added.file.filename().string(), "the scene refers to its files too many times; \"" +
+                                               scene->models[i].name + "\" was left out"});
+      m_result.files.pop_back();
     }
-    m_result.sources.push_back({ImportSource::Kind::slicer, input, std::move(*scene)});
+    m_result.sources.push_back(
+        {ImportSource::Kind::slicer, input, std::move(*scene), std::move(bundle)});
   }
 
   ReadLimits m_limits;
@@ -152,6 +202,12 @@ class Collector {
 };
 
 }  // namespace
+
+bool haveFiducials(const Sources& sources) {
+  return !sources.fiducials.empty() ||
+         std::any_of(sources.sources.begin(), sources.sources.end(),
+                     [](const ImportSource& s) { return s.scene && !s.scene->fiducials.empty(); });
+}
 
 Sources collectSources(std::span<const fs::path> inputs, const ReadLimits& limits) {
   Collector collector(limits);
