@@ -98,9 +98,9 @@ void smoothLightly(RawMesh& mesh, const Smoothing& smoothing, double spacing) {
 
 }  // namespace
 
-RawMesh surfaceOf(const ContourStack& stack, const ReadOptions& options) {
+RawMesh surfaceOf(const ContourStack& stack, double samples, const ReadOptions& options) {
   RawMesh mesh;
-  const FieldBox box = fieldOf(stack, options.goesOn);
+  const FieldBox box = fieldOf(stack, samples, options.goesOn);
   if (box.values.empty())
     return mesh;
   isosurface(box, mesh);

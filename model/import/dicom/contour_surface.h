@@ -11,7 +11,8 @@ namespace sline::model {
 /// Positions (mm, LPS), triangles, `smooth` and `displacement`; closed, manifold, outward. Slices
 /// drawn by hand differ a little from each other; as `options.smoothing` asks, that is smoothed,
 /// moving no vertex by more than three quarters of the slices' spacing. Empty where the contours
-/// enclose nothing that the samples can show, or `goesOn` said no.
-RawMesh surfaceOf(const ContourStack& stack, const ReadOptions& options);
+/// enclose nothing that the samples can show, or `goesOn` said no. `samples` is the most the stack
+/// may have (samplesFor).
+RawMesh surfaceOf(const ContourStack& stack, double samples, const ReadOptions& options);
 
 }  // namespace sline::model

@@ -158,7 +158,7 @@ bool isImageClass(std::string_view sopClass) {
 
 Status DicomFile::unpack(std::string_view packed) {
   // What masks deflate to is small, but no file may ask for a large machine.
-  const std::size_t limit = (std::size_t(256) << 20) + 16 * packed.size();
+  const std::size_t limit = (std::size_t(128) << 20) + 32 * packed.size();
   z_stream stream{};
   if (inflateInit2(&stream, -MAX_WBITS) != Z_OK)
     return m_source->whole("cannot be unpacked: out of memory", "Close other programs");

@@ -19,6 +19,22 @@ constexpr Tag segmentationType{0x0062, 0x0001};
 constexpr Tag greatestFraction{0x0062, 0x000e};
 constexpr Tag pixelData{0x7fe0, 0x0010};
 constexpr std::size_t runHeader = 64;
+/// No scanner makes larger slices; a packed file could ask for them.
+constexpr std::uint64_t largestFrame = std::uint64_t(64) << 20;
+
+/// Bits from `first` on, the lowest of a byte first; most bytes of a mask are 0.
+void unpackBits(std::string_view bytes, std::size_t first, std::vector<std::uint8_t>& inside) {
+  for (std::size_t i = 0; i < inside.size();) {
+    const std::size_t at = first + i;
+    const auto byte = static_cast<unsigned char>(bytes[at / 8]);
+    const std::size_t count = std::min(8 - at % 8, inside.size() - i);
+    for (std::size_t k = 0; byte != 0 && k < count; ++k)
+      inside[i + k] = (byte >> (at % 8 + k)) & 1u;
+    if (byte == 0)
+      std::fill_n(inside.begin() + std::ptrdiff_t(i), count, std::uint8_t(0));
+    i += count;
+  }
+}
 
 }  // namespace
 
@@ -57,6 +73,10 @@ std::optional<Error> SegmentPixels::readSizes() {
   if (!columns || !rows || *columns == 0 || *rows == 0 || *columns > 0xffff || *rows > 0xffff)
     return m_file->source().whole("the segmentation does not say how many rows and columns it has",
                                   "Export it again");
+  if (std::uint64_t(*columns) * *rows > largestFrame)
+    return m_file->source().whole("its frames have " + std::to_string(*columns) + " × " +
+                                      std::to_string(*rows) + " pixels, too many for a slice",
+                                  "Export it at the images' own resolution");
   m_columns = int(*columns);
   m_rows = int(*rows);
   m_frames = std::size_t(std::max<std::int64_t>(frames.value_or(1), 0));
@@ -130,11 +150,11 @@ Status SegmentPixels::mask(std::size_t frame, std::vector<std::uint8_t>& inside)
     bytes = buffer;
     first = 0;
   }
-  for (std::size_t i = 0; i < inside.size(); ++i) {
-    const std::size_t at = first + i;
-    const auto byte = static_cast<unsigned char>(bytes[m_bits ? at / 8 : at]);
-    inside[i] = m_bits ? (byte >> (at % 8)) & 1u : std::uint8_t(byte >= m_inside);
-  }
+  if (m_bits)
+    unpackBits(bytes, first, inside);
+  else
+    for (std::size_t i = 0; i < inside.size(); ++i)
+      inside[i] = static_cast<unsigned char>(bytes[first + i]) >= m_inside ? 1 : 0;
   return Unit{};
 }
 

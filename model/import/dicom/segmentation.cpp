@@ -24,7 +24,7 @@ constexpr std::size_t mostLabels = 65'000;
 
 /// Volumes of segments that overlap may have this many voxels together, and so many more for each
 /// byte of the file.
-constexpr std::uint64_t mostVoxels = std::uint64_t(256) << 20;
+constexpr std::uint64_t mostVoxels = std::uint64_t(128) << 20;
 constexpr std::uint64_t voxelsPerByte = 64;
 
 /// Voxels of one row that follow each other.

@@ -2,10 +2,13 @@
 #include "model/import/dicom/stack_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <optional>
+#include <utility>
 
 #include "model/base/parallel.h"
 #include "model/import/dicom/slice_shape.h"
@@ -14,10 +17,12 @@ namespace sline::model {
 
 namespace {
 
-constexpr double mostSamples = 8e6;
-/// Samples a contour's point pays for, so that a small file cannot ask for much work.
+constexpr double mostSamples = 4e6;
+/// Samples a contour's point pays for, so that a small file cannot ask for much work; a handful of
+/// points pays less, or thousands of specks would make millions of triangles.
 constexpr double samplesPerPoint = 1500.0;
-constexpr double fewestSamples = 2000.0;
+constexpr double manyPoints = 100.0;
+constexpr double fewestSamples = 500.0;
 /// A sample's size as a share of the structure's bounding sphere: the surface's triangles have
 /// about the 2 % that hatching and curvature want (METHOD §5). Large bodies may have half of it, so
 /// that no slice is left out.
@@ -30,12 +35,47 @@ struct Extent {
   glm::dvec2 high{-1e300};
   double points = 0.0;
   double length = 0.0;  ///< of all outlines
+  double area = 0.0;    ///< of all they enclose, as rows across them tell
 };
+
+/// What the outlines of a slice enclose, measured along a few rows.
+double areaOf(const SliceOutline& slice) {
+  constexpr int rows = 48;
+  double low = 1e300;
+  double high = -1e300;
+  for (const auto& [a, b] : slice.edges) {
+    low = std::min({low, a.y, b.y});
+    high = std::max({high, a.y, b.y});
+  }
+  if (!(high > low))
+    return 0.0;
+  const double step = (high - low) / rows;
+  std::array<std::vector<double>, rows> crossings;
+  for (auto [a, b] : slice.edges) {
+    if (a.y > b.y)
+      std::swap(a, b);
+    const auto rowAbove = [&](double y) {
+      return int(std::clamp(std::ceil((y - low) / step - 0.5), 0.0, double(rows)));
+    };
+    for (int row = rowAbove(a.y); row < rowAbove(b.y); ++row) {
+      const double y = low + (row + 0.5) * step;
+      crossings[std::size_t(row)].push_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
+    }
+  }
+  double length = 0.0;
+  for (std::vector<double>& row : crossings) {
+    std::sort(row.begin(), row.end());
+    for (std::size_t i = 0; i + 1 < row.size(); i += 2)
+      length += row[i + 1] - row[i];
+  }
+  return length * step;
+}
 
 Extent extentOf(const ContourStack& stack) {
   Extent extent;
   for (const SliceOutline& slice : stack.slices) {
     extent.points += double(slice.points);
+    extent.area += areaOf(slice);
     for (const auto& [a, b] : slice.edges) {
       extent.low = glm::min(extent.low, glm::min(a, b));
       extent.high = glm::max(extent.high, glm::max(a, b));
@@ -53,37 +93,57 @@ struct Sampling {
   double step = 1.0;  ///< between layers
 };
 
-double samplesAt(const Extent& extent, const ContourStack& stack, double height, double cell) {
-  const glm::dvec2 size = (extent.high - extent.low) / cell + 6.0;
-  const double layers = std::max(height / cell + 2.0, double(stack.slices.size()));
-  return size.x * size.y * layers;
+/// However coarse the samples, flat stacks keep their ends and their inside.
+double layersFor(const ContourStack& stack, double height, double cell) {
+  return std::max({std::ceil(height / cell) + 1.0, double(stack.slices.size()), 7.0});
 }
 
-std::optional<Sampling> samplingOf(const ContourStack& stack) {
-  const Extent extent = extentOf(stack);
-  if (!(extent.length > 0.0))
-    return std::nullopt;
+double samplesAt(const Extent& extent, const ContourStack& stack, double height, double cell) {
+  const glm::dvec2 size = (extent.high - extent.low) / cell + 6.0;
+  return size.x * size.y * layersFor(stack, height, cell);
+}
+
+/// Each slice needs a few samples, however few there may be.
+double fewestFor(const ContourStack& stack) {
+  return fewestSamples + 64.0 * double(stack.slices.size());  // 36 each at the coarsest
+}
+
+struct Span {
+  double low = 0.0;
+  double height = 0.0;
+};
+Span spanOf(const ContourStack& stack) {
   const double low = stack.slices.front().offset - stack.spacing;
-  const double height = stack.slices.back().offset + stack.spacing - low;
+  return {low, stack.slices.back().offset + stack.spacing - low};
+}
+
+/// The size of samples that shows the shape.
+double cellFor(const ContourStack& stack, const Extent& extent) {
   const glm::dvec2 size = extent.high - extent.low;
+  const double height = spanOf(stack).height;
   const double radius = 0.5 * std::sqrt(glm::dot(size, size) + height * height);
-  const double budget = std::min(mostSamples, fewestSamples + samplesPerPoint * extent.points);
   double cell = std::max(std::min(finest * radius, stack.spacing), 0.5 * finest * radius);
-  // Thin structures need samples inside; the length of their outlines tells the mean thickness no
-  // better than their box, so the smaller side of the box stands for it.
-  cell = std::min(cell, 0.1 * std::min({size.x, size.y, height}));
-  cell = std::max({cell, 0.002 * radius, 0.01, 36.0 * extent.length / 6e7});
-  while (samplesAt(extent, stack, height, cell) > budget)
+  // A rind is as thick as its area is to half its outlines; it needs samples inside.
+  cell = std::min({cell, 0.1 * size.x, 0.1 * size.y, 0.1 * height});
+  if (extent.area > 0.0)
+    cell = std::min(cell, 0.7 * extent.area / extent.length);
+  return std::max({cell, 0.002 * radius, 0.01, 36.0 * extent.length / 6e7});
+}
+
+Sampling samplingOf(const ContourStack& stack, const Extent& extent, double samples) {
+  const auto [low, height] = spanOf(stack);
+  double cell = cellFor(stack, extent);
+  while (samplesAt(extent, stack, height, cell) > std::max(samples, fewestFor(stack)))
     cell *= 1.05;
   Sampling sampling;
   sampling.plane.cell = cell;
-  const glm::dvec2 cells = glm::ceil(size / cell);
+  const glm::dvec2 cells = glm::ceil((extent.high - extent.low) / cell);
   sampling.plane.columns = int(cells.x) + 5;
   sampling.plane.rows = int(cells.y) + 5;
   sampling.plane.origin =
       0.5 * (extent.low + extent.high) -
       0.5 * cell * glm::dvec2(sampling.plane.columns - 1, sampling.plane.rows - 1);
-  sampling.layers = int(std::ceil(height / cell)) + 1;
+  sampling.layers = int(layersFor(stack, height, cell));
   sampling.low = low;
   sampling.step = height / double(sampling.layers - 1);
   return sampling;
@@ -204,7 +264,12 @@ class StackField {
         sum[ending.pieces()[i]] += double(std::max(0.0f, -before->distances()[i]));
         weight[ending.pieces()[i]] += 1.0;
       }
-    std::vector<float> result(sum.size(), 0.35f * spacing);
+    std::vector<float> result(sum.size(), 0.0f);
+    for (std::size_t i = 0; i < ending.pieces().size(); ++i)
+      result[ending.pieces()[i]] = std::max(result[ending.pieces()[i]], -ending.distances()[i]);
+    // Edges are never sharp, but thin pieces keep their height.
+    for (float& rounding : result)
+      rounding = std::max(std::min(0.35f * spacing, 0.5f * rounding), 1e-3f);
     for (std::size_t i = 1; i < sum.size(); ++i)
       if (weight[i] > 0.0)
         result[i] = std::max(result[i], float(sum[i] / weight[i]));
@@ -312,9 +377,21 @@ class StackField {
 
 }  // namespace
 
-FieldBox fieldOf(const ContourStack& stack, const std::function<bool()>& goesOn) {
-  const std::optional<Sampling> sampling = samplingOf(stack);
-  return sampling ? StackField(stack, *sampling).make(goesOn) : FieldBox();
+double samplesFor(const ContourStack& stack) {
+  const Extent extent = extentOf(stack);
+  if (!(extent.length > 0.0))
+    return 0.0;
+  const double paid = samplesPerPoint * extent.points * std::min(1.0, extent.points / manyPoints);
+  const double budget = std::min(mostSamples, fewestFor(stack) + paid);
+  const double wanted = samplesAt(extent, stack, spanOf(stack).height, cellFor(stack, extent));
+  return std::min(budget, wanted);
+}
+
+FieldBox fieldOf(const ContourStack& stack, double samples, const std::function<bool()>& goesOn) {
+  const Extent extent = extentOf(stack);
+  if (!(extent.length > 0.0))
+    return {};
+  return StackField(stack, samplingOf(stack, extent, samples)).make(goesOn);
 }
 
 }  // namespace sline::model

@@ -26,8 +26,11 @@ struct FieldBox {
 /// overshoots. A piece of a slice that overlaps nothing in the next one ends there: half a spacing
 /// beyond, rounded as the piece shrank before, as a contour stands for the slab around it.
 ///
-/// Samples are as fine as the shape needs and its number of points justifies. `goesOn` is asked
-/// between slices; the values are empty where it says no.
-FieldBox fieldOf(const ContourStack& stack, const std::function<bool()>& goesOn);
+/// Samples are as fine as the shape needs, but no more than `samples`. `goesOn` is asked between
+/// slices; the values are empty where it says no.
+FieldBox fieldOf(const ContourStack& stack, double samples, const std::function<bool()>& goesOn);
+
+/// How many samples the shape needs, and its number of points justifies.
+double samplesFor(const ContourStack& stack);
 
 }  // namespace sline::model

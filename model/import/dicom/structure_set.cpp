@@ -9,6 +9,7 @@
 
 #include "model/import/dicom/contour_stack.h"
 #include "model/import/dicom/contour_surface.h"
+#include "model/import/dicom/stack_field.h"
 
 namespace sline::model {
 
@@ -31,6 +32,9 @@ constexpr Tag interpretedType{0x3006, 0x00a4};
 constexpr double farthest = 1e5;
 /// Where neither neighbours nor the file tell how thick a single slice is, mm.
 constexpr double assumedSpacing = 1.0;
+/// Of all regions together: what an RT workstation exports needs about a third of it.
+constexpr double mostSamples = 1.2e7;
+constexpr const char* enclosesNothing = "its contours enclose nothing; left out";
 
 struct Region {
   std::int64_t number = 0;
@@ -39,6 +43,7 @@ struct Region {
   std::optional<Colour> colour;
   std::vector<Contour> contours;
   double slab = 0.0;          ///< mm; 0: not given
+  ContourStacks stacks;       ///< of the contours, which then are gone
   std::size_t notClosed = 0;  ///< points and open lines
   std::size_t broken = 0;     ///< contours whose numbers make no polygon
 };
@@ -104,12 +109,17 @@ class StructureSetReader {
     if (const Status status = readContours(); !status)
       return status.error();
     const double spacing = commonSpacing();
+    double samples = 0.0;
     for (Region& region : m_regions) {
-      if (!m_options.goesOn())
-        return m_file.source().whole("was not read to its end");
-      if (const Status status = addSurface(region, spacing); !status)
+      stack(region, spacing);
+      for (const ContourStack& part : region.stacks.stacks)
+        samples += samplesFor(part);
+    }
+    const double share = std::min(1.0, mostSamples / std::max(samples, 1.0));
+    for (Region& region : m_regions) {
+      if (const Status status = addSurface(region, share); !status)
         return status.error();
-      region.contours = {};
+      region.stacks = {};
     }
     if (m_result.meshes.empty())
       return m_file.source().whole(nothingText(), "Export the structure set with its contours");
@@ -122,7 +132,7 @@ class StructureSetReader {
       return "the structure set names no region of interest";
     return "none of the structure set's " +
            counted(m_regions.size(), "region of interest", "regions of interest") +
-           " has a closed planar contour";
+           " has closed planar contours that enclose anything";
   }
   void warn(const Region& region, const std::string& reason) {
     m_result.warnings.push_back(m_file.source().warning("\"" + region.name + "\": " + reason));
@@ -213,30 +223,38 @@ class StructureSetReader {
     return most == m_regions.end() ? 0.0 : usualSpacing(most->contours);
   }
 
-  Status addSurface(const Region& region, double spacing) {
+  void stack(Region& region, double spacing) {
     if (region.broken > 0)
       warn(region, counted(region.broken, "contour has", "contours have") +
                        " no three points or numbers that are none; left out");
     if (region.contours.empty()) {
       warn(region, region.notClosed > 0 ? "holds points or open lines only; left out"
                                         : "has no contour; left out");
-      return Unit{};
+      return;
     }
     if (region.notClosed > 0)
       warn(region,
            counted(region.notClosed, "point or open line", "points or open lines") + " left out");
     const double single = region.slab > 0.0 ? region.slab : spacing;
-    const ContourStacks stacks = stacksOf(region.contours, single > 0.0 ? single : assumedSpacing);
-    tellOf(region, stacks);
+    region.stacks = stacksOf(region.contours, single > 0.0 ? single : assumedSpacing);
+    region.contours = {};
+    tellOf(region, region.stacks);
+    if (region.stacks.stacks.empty())
+      warn(region, enclosesNothing);
+  }
+
+  Status addSurface(const Region& region, double share) {
+    if (region.stacks.stacks.empty())
+      return Unit{};
     RawMesh mesh;
-    for (const ContourStack& stack : stacks.stacks)
-      if (!append(mesh, surfaceOf(stack, m_options)))
+    for (const ContourStack& part : region.stacks.stacks)
+      if (!append(mesh, surfaceOf(part, share * samplesFor(part), m_options)))
         return m_file.source().whole("makes a surface of more points than the limit allows",
                                      "Leave out structures");
     if (!m_options.goesOn())
       return m_file.source().whole("was not read to its end");
     if (mesh.triangles.empty()) {
-      warn(region, "its contours enclose nothing; left out");
+      warn(region, enclosesNothing);
       return Unit{};
     }
     mesh.name = region.name;

@@ -2,10 +2,10 @@
 // DICOM files spoiled at random, with a fixed seed: the reader answers quickly, with sound surfaces
 // or an error, and takes little memory, whatever the bytes.
 #include <QDir>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QTest>
 #include <cmath>
+#include <ctime>
 #include <random>
 
 #include "tests/model/import/dicom/surface_facts.h"
@@ -17,7 +17,7 @@ using namespace sline::test;
 namespace {
 
 constexpr int mutationsPerFile = 250;
-constexpr qint64 longestMs = 5000;
+constexpr double mostSeconds = 5.0;  ///< of the processor's time, all threads together
 constexpr long mostGrowthKib = 600L * 1024;
 
 // AddressSanitizer keeps freed memory back, so peaks say nothing there.
@@ -154,10 +154,10 @@ void TestMutatedDicom::mutations() {
   const long before = peakKib();
   int refused = 0;
   for (int i = 0; i < mutationsPerFile; ++i) {
-    QElapsedTimer timer;
-    timer.start();
+    const std::clock_t start = std::clock();
     const auto read = readDicomBytes(folder, mutate(bytes));
-    QVERIFY2(timer.elapsed() < longestMs, qPrintable(QString("mutation %1").arg(i)));
+    const double took = double(std::clock() - start) / CLOCKS_PER_SEC;
+    QVERIFY2(took < mostSeconds, qPrintable(QString("mutation %1").arg(i)));
     if (read) {
       QVERIFY2(isSound(*read), qPrintable(QString("mutation %1").arg(i)));
     } else {

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files of at most a megabyte that are written to ask for as much work and memory as they can.
+#include <QFile>
+#include <QTest>
+#include <ctime>
+#include <random>
+
+#include "tests/model/import/dicom/surface_facts.h"
+#include "tests/model/import/dicom/written_dicom.h"
+
+using namespace sline;
+using namespace sline::test;
+
+namespace {
+
+constexpr double mostSeconds = 5.0;  ///< of the processor's time, all threads together
+constexpr long mostKib = 2L * 1024 * 1024;
+
+// The sanitizers make everything several times slower and larger.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool measures = false;
+#else
+constexpr bool measures = true;
+#endif
+
+/// The most memory this process held since the mark was put back.
+void resetPeak() {
+  QFile marks("/proc/self/clear_refs");
+  if (marks.open(QIODevice::WriteOnly))
+    marks.write("5");
+}
+long peakKib() {
+  QFile status("/proc/self/status");
+  if (!status.open(QIODevice::ReadOnly))
+    return 0;
+  for (const QByteArray& line : status.readAll().split('\n'))
+    if (line.startsWith("VmHWM:"))
+      return line.mid(6).trimmed().split(' ').front().toLong();
+  return 0;
+}
+
+using Contours = std::vector<std::vector<glm::dvec3>>;
+
+std::vector<glm::dvec3> triangle(double z, double size) {
+  return {{0, 0, z}, {size, 0, z}, {0, size, z}};
+}
+
+QByteArray contours(const Contours& all) {
+  return dicomFile(structureSet({{"Greedy", "ORGAN", {}, all}}), {Syntax::implicitLittle});
+}
+
+WrittenSegmentation frames(int columns, int rows, int count) {
+  WrittenSegmentation written;
+  written.columns = columns;
+  written.rows = rows;
+  written.segments = {{1, "Greedy", "Organ", {}}};
+  for (int z = 0; z < count; ++z)
+    written.frames.push_back(
+        {1, {0, 0, 2.0 * z}, std::vector<std::uint8_t>(std::size_t(columns) * std::size_t(rows))});
+  return written;
+}
+
+QByteArray regions() {
+  std::vector<WrittenRegion> many;
+  for (int i = 0; i < 3000; ++i)
+    many.push_back({"R", "ORGAN", {}, {triangle(0, 9), triangle(3, 9)}});
+  return dicomFile(structureSet(many), {Syntax::implicitLittle});
+}
+
+QByteArray stacks() {
+  Contours pairs;
+  for (int i = 0; i < 4500; ++i)
+    for (const double above : {0.0, 0.2})
+      pairs.push_back(triangle(20.0 * i + above, 10));
+  return contours(pairs);
+}
+
+QByteArray comb() {
+  std::vector<glm::dvec3> teeth;
+  for (int i = 0; i < 40000; ++i)
+    teeth.emplace_back(0.01 * i, i % 2 == 0 ? 0.0 : 400.0, 0.0);
+  return contours({teeth});
+}
+
+QByteArray tower() {
+  Contours slices;
+  for (int i = 0; i < 9000; ++i)
+    slices.push_back(triangle(0.1 * i, i % 2 == 0 ? 1.0 : 300.0));
+  return contours(slices);
+}
+
+QByteArray islands() {
+  Contours scattered;
+  std::mt19937 random(3);
+  for (int i = 0; i < 9000; ++i) {
+    const auto at = [&] { return double(random() % 20000) / 100.0; };
+    const glm::dvec3 p(at(), at(), double(random() % 60));
+    scattered.push_back({p, p + glm::dvec3(3, 0, 0), p + glm::dvec3(0, 3, 0)});
+  }
+  return contours(scattered);
+}
+
+QByteArray giants() {
+  return contours({triangle(0, 99999), triangle(0.06, 0.01), triangle(90000, 1)});
+}
+
+QByteArray noise() {
+  WrittenSegmentation written = frames(256, 256, 120);
+  std::mt19937 random(3);
+  for (WrittenFrame& frame : written.frames)
+    for (std::uint8_t& pixel : frame.pixels)
+      pixel = random() % 2;
+  return dicomFile(segmentation(written));
+}
+
+QByteArray runs() {
+  WrittenSegmentation written = frames(8192, 8192, 1);
+  written.runLength = true;
+  written.fractional = true;
+  std::fill(written.frames[0].pixels.begin(), written.frames[0].pixels.end(), 255);
+  return dicomFile(segmentation(written), {Syntax::runLength});
+}
+
+QByteArray deflatedMasks() {
+  WrittenSegmentation written = frames(2048, 2048, 30);
+  for (WrittenFrame& frame : written.frames)
+    std::fill(frame.pixels.begin(), frame.pixels.end(), 1);
+  return dicomFile(segmentation(written), {Syntax::deflated});
+}
+
+QByteArray deflatedNothing() {
+  WrittenSegmentation written = frames(4096, 4096, 60);
+  written.frames[0].pixels[0] = 1;
+  return dicomFile(segmentation(written), {Syntax::deflated});
+}
+
+QByteArray layers() {
+  WrittenSegmentation written = frames(512, 512, 1);
+  written.segments.clear();
+  std::fill(written.frames[0].pixels.begin(), written.frames[0].pixels.end(), 1);
+  for (std::uint16_t number = 1; number <= 400; ++number) {
+    written.segments.push_back({number, "L", "Organ", {}});
+    written.frames.push_back(written.frames[0]);
+    written.frames.back().segment = number;
+    written.frames.back().position.z = 2.0 * (number % 300);
+  }
+  return dicomFile(segmentation(written), {Syntax::deflated});
+}
+
+using Maker = QByteArray (*)();
+
+}  // namespace
+
+Q_DECLARE_METATYPE(Maker)
+
+class TestGreedyDicom : public QObject {
+  Q_OBJECT
+ private slots:
+  void answersSoon_data();
+  void answersSoon();
+};
+
+void TestGreedyDicom::answersSoon_data() {
+  QTest::addColumn<Maker>("make");
+  QTest::newRow("thousands of regions") << Maker(regions);
+  QTest::newRow("thousands of stacks") << Maker(stacks);
+  QTest::newRow("a comb") << Maker(comb);
+  QTest::newRow("a tower of slices") << Maker(tower);
+  QTest::newRow("scattered islands") << Maker(islands);
+  QTest::newRow("giants and specks") << Maker(giants);
+  QTest::newRow("noise") << Maker(noise);
+  QTest::newRow("long runs") << Maker(runs);
+  QTest::newRow("deflated masks") << Maker(deflatedMasks);
+  QTest::newRow("deflated nothing") << Maker(deflatedNothing);
+  QTest::newRow("many segments") << Maker(layers);
+}
+
+void TestGreedyDicom::answersSoon() {
+  QFETCH(Maker, make);
+  const QByteArray bytes = make();
+  QVERIFY2(bytes.size() < 1'100'000, qPrintable(QString::number(bytes.size())));
+  const QTemporaryDir folder;
+  resetPeak();
+  const std::clock_t start = std::clock();
+  const auto read = readDicomBytes(folder, bytes);
+  const double took = double(std::clock() - start) / CLOCKS_PER_SEC;
+  const long peak = peakKib();
+  qInfo("%lld kB: %.1f s, peak %ld MB, %s", qlonglong(bytes.size() / 1024), took, peak / 1024,
+        read.ok() ? "read" : read.error().reason.c_str());
+  if (!measures)
+    return;
+  QVERIFY(took < mostSeconds);
+  QVERIFY(peak < mostKib);
+}
+
+QTEST_GUILESS_MAIN(TestGreedyDicom)
+#include "test_greedy_dicom.moc"
