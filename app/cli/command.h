@@ -48,8 +48,9 @@ void addCommand(CLI::App& program, Exit& exit,
 }
 
 inline constexpr const char* inputHelp =
-    "Mesh files (obj, stl, ply, off, vtk, vtp, gltf, glb), folders of them, 3D Slicer scenes "
-    "(mrml), scene files (sline)";
+    "Mesh files (obj, stl, ply, off, vtk, vtp, gltf, glb), molecules (pdb, ent, cif, mmcif), "
+    "folders "
+    "of them, 3D Slicer scenes (mrml), scene files (sline)";
 inline constexpr const char* frameHelp =
     "How the files' coordinates map to the patient: LPS or RAS overrides what the files say or "
     "their names suggest, `file` leaves coordinates as they are";

@@ -89,7 +89,8 @@ void declareImport(CLI::App& command, ImportFlags& flags) {
       "command takes it as an input; other inputs beside it are added below its own structures.\n\n"
       "  sline import pelvis/ --plan\n"
       "  sline import pelvis/ -o pelvis.sline --frame LPS\n"
-      "  sline import pelvis.sline tumour.stl -o together.sline");
+      "  sline import pelvis.sline tumour.stl -o together.sline\n"
+      "  sline import 2src.pdb -o kinase.sline");
 }
 
 }  // namespace
