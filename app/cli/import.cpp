@@ -100,7 +100,8 @@ void declareImport(CLI::App& command, ImportFlags& flags) {
       "  sline import pelvis/ --plan\n"
       "  sline import pelvis/ -o pelvis.sline --frame LPS\n"
       "  sline import pelvis/ -o small.sline --decimate-mm 0.05\n"
-      "  sline import pelvis.sline tumour.stl -o together.sline");
+      "  sline import pelvis.sline tumour.stl -o together.sline\n"
+      "  sline import 2src.pdb -o kinase.sline");
 }
 
 }  // namespace
