@@ -233,7 +233,7 @@ class Surfacer {
         std::clamp(std::sqrt(trianglesPerSquare * accessible.roughArea() / ligandTriangles),
                    finestOfLigand, coarsest);
     RawMesh* raw =
-        add(ligand.code + " surface", excludedSurface(*accessible, {}, spacing, m_options.goesOn),
+        add(ligand.code + " surface", excludedSurface(accessible, {}, spacing, m_options.goesOn),
             MoleculePart::Role::bonds);
     if (!raw)
       return;
