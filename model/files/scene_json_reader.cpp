@@ -127,6 +127,8 @@ Provenance provenanceFrom(JsonObject& object) {
   count("refinement_steps", p.refinementSteps);
   count("repaired_faces", p.repairedFaces);
   number("displacement_mm", p.displacementMm);
+  count("decimated_from", p.decimatedFrom);
+  number("decimation_mm", p.decimationMm);
   text("part", p.part);
   if (const auto print = object.take("fingerprint")) {
     JsonObject inner(*print);

@@ -93,6 +93,10 @@ Ordered provenanceOf(const Provenance& p) {
                   {"refinement_steps", p.refinementSteps},
                   {"repaired_faces", p.repairedFaces},
                   {"displacement_mm", jsonNumber(p.displacementMm)}};
+  if (p.decimatedFrom != 0) {
+    json["decimated_from"] = p.decimatedFrom;
+    json["decimation_mm"] = jsonNumber(p.decimationMm);
+  }
   if (!p.part.empty())
     json["part"] = p.part;
   if (p.fingerprint)

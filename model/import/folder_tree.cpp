@@ -105,16 +105,51 @@ class Builder {
   Branch branchOf(std::size_t index) const {
     const ImportSource& source = m_sources.sources[index];
     std::vector<std::size_t> members;
+    std::vector<std::size_t> molecules;
     for (std::size_t i = 0; i < m_parts.size(); ++i)
       if (fileOf(i).source == index)
-        members.push_back(i);
+        (m_parts[i].raw.molecule ? molecules : members).push_back(i);
     if (source.kind == ImportSource::Kind::slicer)
       return slicerBranch(index, members);
     Branch top = source.kind == ImportSource::Kind::folder ? folderBranch(source, members)
                                                            : byFileGroupsOrNames(members);
     if (source.kind == ImportSource::Kind::folder)
       top.name = folderName(source.path);
+    // Folders of medical images are named after patients; the scene is not to know them.
+    if (const auto kept =
+            std::find_if(members.begin(), members.end(),
+                         [&](std::size_t part) { return !m_parts[part].raw.origin.empty(); });
+        kept != members.end())
+      top.name = m_parts[*kept].raw.origin;
+    addMolecules(molecules, top);
     return top;
+  }
+
+  /// Each entry has a group of its own, and in it those that its reader made.
+  void addMolecules(const std::vector<std::size_t>& members, Branch& top) const {
+    std::vector<Branch> entries;
+    const Backbone* last = nullptr;
+    for (const std::size_t part : members) {
+      const RawMesh& raw = m_parts[part].raw;
+      if (raw.molecule->backbone.get() != last)
+        entries.emplace_back();
+      last = raw.molecule->backbone.get();
+      Branch* at = &entries.back();
+      for (std::size_t i = 0; i < raw.groups.size(); ++i)
+        if (i > 0)
+          at = &at->child(raw.groups[i]);
+        else
+          at->name = raw.groups[i];
+      at->parts.push_back(part);
+    }
+    std::vector<std::string> names;
+    for (const Branch& entry : entries)
+      names.push_back(entry.name);
+    makeUnique(names);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      entries[i].name = names[i];
+      top.groups.push_back(std::move(entries[i]));
+    }
   }
 
   Branch slicerBranch(std::size_t index, const std::vector<std::size_t>& members) const {
@@ -259,6 +294,7 @@ class Builder {
         node.style.colour.reset();
       if (part.raw.opacity && part.raw.opacity->value() < 1.0f)
         node.style.opacity = part.raw.opacity;
+      node.style.visible = part.raw.visible;
     }
     m_built.nodesOfFile[part.file].push_back(m_built.scene.append(std::move(node)));
   }
@@ -266,6 +302,8 @@ class Builder {
   /// The table knows best; a colour in the file counts where the name is unknown and the colour is
   /// one that somebody chose rather than a program's grey.
   std::optional<Colour> colourOf(const Part& part) const {
+    if (part.raw.molecule)
+      return part.raw.colour;
     if (const auto match = m_table.match(part.name))
       return match->colour;
     if (!part.raw.colour)

@@ -13,6 +13,7 @@
 #include "model/import/anatomy_names.h"
 #include "model/import/folder_tree.h"
 #include "model/import/laterality.h"
+#include "model/import/overlay.h"
 #include "model/import/parts.h"
 #include "model/import/scene_inputs.h"
 #include "model/import/sources.h"
@@ -72,7 +73,7 @@ class FrameDecision {
       reason = "glTF: +y up, +x the patient's left";
     } else if (part.raw.frame) {
       part.frame = *part.raw.frame;
-      reason = "header: " + part.raw.frameReason;
+      reason = (part.raw.molecule ? "" : "header: ") + part.raw.frameReason;
     } else if (model) {
       part.frame = model->frame;
       reason = model->frameReason;
@@ -120,7 +121,8 @@ void ownUnit(Part& part, const ImportOptions& options, bool ofSlicer) {
   std::string& reason = part.provenance.unitReason;
   part.unit = part.frame == Frame::file ? 1.0f : part.raw.millimetresPerUnit;
   if (part.frame == Frame::file) {
-    reason = "coordinates left as they are";
+    const bool told = !part.raw.unitReason.empty() && part.raw.millimetresPerUnit == 1.0f;
+    reason = told ? part.raw.unitReason : "coordinates left as they are";
   } else if (options.unit) {
     part.unit = *options.unit;
     reason = "chosen by the user";
@@ -202,12 +204,17 @@ Result<Imported> importMeshes(std::span<const std::filesystem::path> inputs,
     return cancelled;
   if (parts.empty() && !haveFiducials(sources))
     return nothingRead(sources, report);
+  report.notes = overlayMolecules(parts, options.overlay);
   FrameDecision(parts, sources, options).run(report);
   decideUnits(parts, sources, options, report);
   smoothParts(parts, sources, options.smoothing, meter);
   if (meter.cancelled())
     return cancelled;
   placeParts(parts, sources, report.warnings);
+  if (options.decimateMm > 0.0f)
+    decimateParts(parts, options.decimateMm, meter);
+  if (meter.cancelled())
+    return cancelled;
   if (parts.empty() && !haveFiducials(sources))
     return nothingRead(sources, report);
   if (options.frame) {

@@ -10,6 +10,7 @@
 
 #include "model/base/parallel.h"
 #include "model/files/fingerprint.h"
+#include "model/geometry/simplification.h"
 #include "model/import/file_kinds.h"
 #include "model/import/laterality.h"
 #include "model/import/names.h"
@@ -71,7 +72,7 @@ Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& 
       break;
     Part part;
     part.file = index;
-    part.name = nameInFile(raw.name);
+    part.name = raw.molecule ? raw.name : nameInFile(raw.name);
     if (part.name.empty())
       part.name = readableName(stemOf(source.file));
     if (source.model) {
@@ -80,7 +81,7 @@ Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& 
         part.name = meshes.size() == 1 ? model.name : model.name + " " + part.name;
     }
     part.raw = std::move(raw);
-    part.provenance.file = shown;
+    part.provenance.file = part.raw.origin.empty() ? shown : part.raw.origin;
     part.provenance.fingerprint = fingerprint;
     if (meshes.size() > 1)
       part.provenance.part = names[i];
@@ -266,6 +267,24 @@ void placeParts(std::vector<Part>& parts, const Sources& sources,
           {part.provenance.file, "\"" + part.name + "\" was left out: " + mesh.error().text()});
   }
   std::erase_if(parts, [](const Part& part) { return !part.mesh; });
+}
+
+void decimateParts(std::vector<Part>& parts, float bound, ProgressMeter& meter) {
+  std::vector<std::size_t> order(parts.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return parts[a].mesh->triangleCount() > parts[b].mesh->triangleCount();
+  });
+  forFewAtATime(order, meter, [&](std::size_t i) {
+    Part& part = parts[i];
+    const std::size_t before = part.mesh->triangleCount();
+    Simplified fewer = simplified(part.mesh, bound, [&] { return meter.goesOn(part.name); });
+    if (fewer.mesh == part.mesh)
+      return;
+    part.mesh = std::move(fewer.mesh);
+    part.provenance.decimatedFrom = int(before);
+    part.provenance.decimationMm = fewer.error;
+  });
 }
 
 }  // namespace sline::model

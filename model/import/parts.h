@@ -72,4 +72,7 @@ Result<MeshPtr> placedMesh(RawMesh raw, Provenance& as);
 void placeParts(std::vector<Part>& parts, const Sources& sources,
                 std::vector<ImportWarning>& warnings);
 
+/// Fewer triangles within `bound` mm (geometry/simplification.h).
+void decimateParts(std::vector<Part>& parts, float bound, ProgressMeter& meter);
+
 }  // namespace sline::model

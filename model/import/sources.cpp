@@ -6,6 +6,7 @@
 #include <iterator>
 #include <set>
 
+#include "model/import/dicom/left_out.h"
 #include "model/import/file_kinds.h"
 
 namespace sline::model {
@@ -50,6 +51,8 @@ class Collector {
       addBundle(input);
     else if (isFiducialFile(input))
       addFiducials(input);
+    else if (m_looseImages.takes(input))
+      m_imageFile = input;
     else if (isSurfaceFile(input))
       addFile(input, looseFiles(), {});
     else
@@ -58,7 +61,13 @@ class Collector {
               .remedy = supportedKinds()});
   }
 
-  Sources take() && { return std::move(m_result); }
+  Sources take() && {
+    if (!m_looseImages.empty())
+      refuse({.file = m_looseImages.count() == 1 ? m_imageFile.string() : std::string(),
+              .reason = m_looseImages.text(),
+              .remedy = DicomLeftOut::remedy()});
+    return std::move(m_result);
+  }
 
  private:
   void refuse(Error error) {
@@ -88,6 +97,7 @@ class Collector {
 
   void addFolder(const fs::path& folder) {
     std::vector<fs::path> files;
+    DicomLeftOut images;
     std::error_code fault;
     // Links to folders are not followed, so that no circle of links is.
     fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
@@ -95,7 +105,8 @@ class Collector {
     for (const fs::recursive_directory_iterator end; !fault && entry != end;
          entry.increment(fault)) {
       std::error_code ignored;
-      if (entry->is_regular_file(ignored) && isSurfaceFile(entry->path()))
+      if (entry->is_regular_file(ignored) && !images.takes(entry->path()) &&
+          isSurfaceFile(entry->path()))
         files.push_back(entry->path());
     }
     if (fault)
@@ -103,16 +114,20 @@ class Collector {
           {folder.string(), "the folder could not be read to its end: " + fault.message()});
     if (files.empty()) {
       refuse({.file = folder.string(),
-              .reason = "the folder holds no mesh",
-              .remedy = supportedKinds()});
+              .reason = images.empty() ? "the folder holds no mesh" : images.text(),
+              .remedy = images.empty() ? supportedKinds() : DicomLeftOut::remedy()});
       return;
     }
+    if (!images.empty())
+      m_result.warnings.push_back({folder.string(), images.text() + ". " + DicomLeftOut::remedy()});
     std::sort(files.begin(), files.end());
     m_result.sources.push_back({ImportSource::Kind::folder, folder, std::nullopt});
     for (const fs::path& file : files) {
       std::vector<std::string> folders;
-      for (const fs::path& step : file.lexically_relative(folder).parent_path())
-        folders.push_back(step.string());
+      // Folders of medical images are called after patients and studies, not after anatomy.
+      if (!isDicomFile(file))
+        for (const fs::path& step : file.lexically_relative(folder).parent_path())
+          folders.push_back(step.string());
       addFile(file, m_result.sources.size() - 1, std::move(folders));
     }
   }
@@ -182,6 +197,8 @@ class Collector {
 
   ReadLimits m_limits;
   Sources m_result;
+  DicomLeftOut m_looseImages;
+  fs::path m_imageFile;  ///< the last of them
 };
 
 }  // namespace

@@ -39,6 +39,8 @@ struct Provenance {
   float displacementMm = 0;  ///< the farthest any vertex moved
   float mmPerUnit = 1;       ///< how long the file's unit was taken to be
   std::string unitReason;    ///< what decided it
+  int decimatedFrom = 0;     ///< triangles before decimation; 0: there was none
+  float decimationMm = 0;    ///< the farthest it took the surface from where it was, as measured
   std::string part;          ///< which of the file's surfaces; empty where it has no other
   std::optional<Fingerprint> fingerprint;  ///< of the file
   /// What a scene around the file did to it: the rows of an affine map of RAS millimetres.

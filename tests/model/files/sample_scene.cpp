@@ -21,7 +21,8 @@ Scene sampleScene() {
                   .fill = Fill::tint,
                   .visible = false,
                   .penWeight = 1.7f};
-  artery.provenance = {"a.ply", "LPS", "said so", 3, 2, 1, 0.25f, 1000.0f, "glTF: metres"};
+  artery.provenance = {"a.ply", "LPS",   "said so",      3,    2,     1,
+                       0.25f,   1000.0f, "glTF: metres", 4321, 0.125f};
   artery.provenance.part = "artery";
   artery.provenance.fingerprint = Fingerprint{12'345'678'901, 0xfedcba98u};
   artery.provenance.transform = {1, 0, 0, 0.1f, 0, -1, 0, 0, 0, 0, 1, -7};
