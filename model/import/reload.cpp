@@ -8,6 +8,7 @@
 
 #include "model/files/fingerprint.h"
 #include "model/geometry/nearest_point.h"
+#include "model/geometry/simplification.h"
 #include "model/import/file_kinds.h"
 #include "model/import/parts.h"
 #include "model/import/repair.h"
@@ -99,8 +100,21 @@ struct FileNow {
   std::vector<std::string> parts;  ///< the names of the meshes
 };
 
+/// Takes as many triangles away as before, no farther than it was seen to go then.
+MeshPtr decimatedAgain(MeshPtr mesh, Provenance& as, const ReadOptions& options) {
+  if (as.decimatedFrom == 0 || !(as.decimationMm > 0.0f))
+    return mesh;
+  const int before = int(mesh->triangleCount());
+  Simplified fewer = simplified(mesh, as.decimationMm, options.goesOn);
+  as.decimatedFrom = fewer.mesh == mesh ? 0 : before;
+  as.decimationMm = fewer.mesh == mesh ? 0.0f : fewer.error;
+  return std::move(fewer.mesh);
+}
+
 /// The same that import did to the surface before.
-Result<MeshPtr> brought(RawMesh raw, Provenance& as) {
+Result<MeshPtr> brought(RawMesh raw, Provenance& as, const ReadOptions& options) {
+  if (raw.molecule)
+    return Error{.reason = "a molecule may have been laid over another one; import both again"};
   as.repairedFaces = repair(raw.positions, raw.triangles).faces();
   if (raw.triangles.empty())
     return Error{.reason = "it has no face with area any more"};
@@ -120,7 +134,10 @@ Result<MeshPtr> brought(RawMesh raw, Provenance& as) {
     displacement = smoothed.displacement + refined.displacement;
   }
   as.displacementMm = displacement * as.mmPerUnit;
-  return placedMesh(std::move(raw), as);
+  Result<MeshPtr> mesh = placedMesh(std::move(raw), as);
+  if (!mesh)
+    return mesh;
+  return decimatedAgain(std::move(*mesh), as, options);
 }
 
 class Reloader {
@@ -238,7 +255,7 @@ class Reloader {
     taken[*k] = true;
     Provenance as = node.provenance;
     as.fingerprint = file.fingerprint;
-    Result<MeshPtr> mesh = brought(file.meshes[*k], as);
+    Result<MeshPtr> mesh = brought(file.meshes[*k], as, m_options);
     if (!mesh)
       return tell(alone, Fate::failed, mesh.error().reason);
     m_result.meshes.push_back({node.id, node.mesh, std::move(*mesh), std::move(as)});

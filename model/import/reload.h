@@ -44,10 +44,11 @@ struct Reloaded {
 
 /// Looks for each structure's file (Provenance::file) in the places, which are files or folders
 /// with all below them, and reads it again where its fingerprint is another: in the same frame and
-/// unit and with as many steps of smoothing and refinement as before. Ids, names, styles, sections
-/// and views stay; annotations on a surface go to the nearest point of the new one. Of a file with
-/// several surfaces each structure takes the one of its name. Where several files have the name,
-/// one that is what it was counts; else it is an error, as it is not known which is meant.
+/// unit, with as many steps of smoothing and refinement, and decimated as far as before. Ids,
+/// names, styles, sections and views stay; annotations on a surface go to the nearest point of the
+/// new one. Of a file with several surfaces each structure takes the one of its name. Where several
+/// files have the name, one that is what it was counts; else it is an error, as it is not known
+/// which is meant.
 Reloaded reload(const Scene& scene, std::span<const std::filesystem::path> places,
                 const ReadOptions& options = {});
 

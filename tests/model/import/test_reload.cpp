@@ -65,6 +65,7 @@ class ReloadTest : public QObject {
   void allButTheMeshStays();
   void readAsItWasBefore_data();
   void readAsItWasBefore();
+  void decimatedAsFar();
   void surfacesByName();
   void annotationsGoToTheNearestPoint();
   void whichFileIsMeant();
@@ -172,6 +173,23 @@ void ReloadTest::readAsItWasBefore() {
   QCOMPARE(told(again), file + " replaced");
   QVERIFY(*again.scene.nodes()[0].mesh == *scene.nodes()[0].mesh);
   QVERIFY(again.scene.nodes()[0].provenance == scene.nodes()[0].provenance);
+}
+
+void ReloadTest::decimatedAsFar() {
+  const QTemporaryDir folder;
+  const auto ball = [](const glm::vec3& p) { return glm::length(p - glm::vec3(12.0f)) < 9.0f; };
+  test::writeMesh(folder.filePath("liver.ply"), *test::voxelSurface(24, ball));
+  ImportOptions options;
+  options.decimateMm = 0.5f;
+  const Scene scene = imported(folder, options);
+  const Node before = scene.nodes().at(0);
+  QVERIFY(before.provenance.decimatedFrom > 0);
+  const Reloaded again = reload(forgotten(scene), std::array{path(folder)});
+  const Node after = again.scene.nodes().at(0);
+  QCOMPARE(after.provenance.decimatedFrom, before.provenance.decimatedFrom);
+  QVERIFY(after.provenance.decimationMm > 0.0f &&
+          after.provenance.decimationMm <= before.provenance.decimationMm);
+  QVERIFY(int(after.mesh->triangleCount()) < before.provenance.decimatedFrom);
 }
 
 void ReloadTest::surfacesByName() {
