@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numeric>
+#include <span>
 #include <tuple>
 
 namespace sline::model {
@@ -129,7 +130,7 @@ class CutMesher {
     for (std::size_t i = 0; i < m_ends.size(); ++i) {
       if (i == 0 || m_ends[i - 1].point != m_ends[i].point)
         m_points.push_back(std::uint32_t(i));
-      m_pointAt[2 * m_ends[i].cut + (m_ends[i].outside ? 1 : 0)] =
+      m_pointAt[2 * std::size_t(m_ends[i].cut) + (m_ends[i].outside ? 1 : 0)] =
           std::uint32_t(m_points.size() - 1);
     }
   }
@@ -184,7 +185,7 @@ class CutMesher {
       // Where the other end of a cut has moved already, that cut is the other's.
       const auto ends = endsOf(p);
       m_snapped[p] = char(std::none_of(ends.begin(), ends.end(), [&](const End& e) {
-        return m_snapped[m_pointAt[2 * e.cut + (e.outside ? 0 : 1)]] != 0;
+        return m_snapped[m_pointAt[2 * std::size_t(e.cut) + (e.outside ? 0 : 1)]] != 0;
       }));
     }
   }
@@ -197,8 +198,8 @@ class CutMesher {
     m_places.clear();
     m_owner.clear();
     for (std::uint32_t i = 0; i < count; ++i) {
-      const std::uint32_t in = m_pointAt[2 * i];
-      const std::uint32_t out = m_pointAt[2 * i + 1];
+      const std::uint32_t in = m_pointAt[2 * std::size_t(i)];
+      const std::uint32_t out = m_pointAt[2 * std::size_t(i) + 1];
       const std::uint32_t point = m_snapped[in] != 0 ? in : m_snapped[out] != 0 ? out : none;
       std::uint32_t& vertex = point == none ? m_vertexOf[i] : vertexOfPoint[point];
       if (vertex == none) {

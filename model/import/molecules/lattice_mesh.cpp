@@ -94,7 +94,8 @@ class Block {
   }
 
   Sample& at(int kind, int x, int y, int z) {
-    return m_samples[std::size_t(((kind * points + z) * points + y) * points + x)];
+    const std::size_t row = (std::size_t(kind) * points + std::size_t(z)) * points + std::size_t(y);
+    return m_samples[row * points + std::size_t(x)];
   }
 
   /// The four tetrahedra around each edge between a cube's centre and that of its lower neighbour.
@@ -172,7 +173,7 @@ class Block {
   double m_half;
   std::unique_ptr<LocalField> m_field;
   bool m_mixed = false;
-  std::array<Sample, 2 * points * points * points> m_samples;
+  std::array<Sample, std::size_t(2) * points * points * points> m_samples;
   std::vector<std::pair<const Sample*, const Sample*>> m_recent;
   CutSurface m_surface;
 };

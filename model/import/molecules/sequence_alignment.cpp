@@ -59,7 +59,7 @@ class Scores {
       return -1;
     return blosum62[std::max(i, k)][std::min(i, k)];
   }
-  std::array<std::int8_t, 128 * 128> m_table{};
+  std::array<std::int8_t, std::size_t(128) * 128> m_table{};
 };
 
 // Where the best way to a cell came from, one bit each.
