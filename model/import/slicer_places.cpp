@@ -71,28 +71,42 @@ std::optional<glm::dmat4> SlicerTransforms::ownMatrix(const XmlNode& transform) 
   return inverse ? glm::inverse(matrix) : matrix;
 }
 
-std::optional<glm::dmat4> SlicerTransforms::above(const XmlNode& node,
-                                                  const std::string& name) const {
-  glm::dmat4 total(1.0);
+const SlicerTransforms::World& SlicerTransforms::worldOf(const std::string& id) {
+  std::vector<std::string> unknown;
   std::set<std::string> seen;
-  std::string id = SlicerNodes::reference(node, "transform");
+  World world{glm::dmat4(1.0), {}};
+  for (std::string at = id; !at.empty();
+       at = SlicerNodes::reference(m_nodes.find(at), "transform")) {
+    if (const auto known = m_worlds.find(at); known != m_worlds.end()) {
+      world = known->second;
+      break;
+    }
+    const bool circle = !seen.insert(at).second;
+    if (circle || !m_nodes.find(at)) {
+      world = {std::nullopt, circle ? "transforms refer to each other in a circle (" + at + ")"
+                                    : "transform " + at + " is absent"};
+      break;
+    }
+    unknown.push_back(at);
+  }
+  for (auto at = unknown.rbegin(); at != unknown.rend(); ++at) {
+    if (world.matrix) {
+      const std::optional<glm::dmat4> own = ownMatrix(m_nodes.find(*at));
+      world.matrix = own ? std::optional(*world.matrix * *own) : std::nullopt;
+    }
+    m_worlds[*at] = world;
+  }
+  return m_worlds.try_emplace(id, world).first->second;
+}
+
+std::optional<glm::dmat4> SlicerTransforms::above(const XmlNode& node, const std::string& name) {
+  const std::string id = SlicerNodes::reference(node, "transform");
   if (id.empty())
     return std::nullopt;
-  for (; !id.empty(); id = SlicerNodes::reference(m_nodes.find(id), "transform")) {
-    const XmlNode transform = m_nodes.find(id);
-    if (!transform || !seen.insert(id).second) {
-      warn(transform
-               ? "transforms refer to each other in a circle (" + id + "); \"" + name +
-                     "\" stays untransformed"
-               : "transform " + id + " of \"" + name + "\" is absent; it stays untransformed");
-      return std::nullopt;
-    }
-    const std::optional<glm::dmat4> matrix = ownMatrix(transform);
-    if (!matrix)
-      return std::nullopt;
-    total = *matrix * total;
-  }
-  return total;
+  const World& world = worldOf(id);
+  if (!world.fault.empty())
+    warn(world.fault + "; \"" + name + "\" stays untransformed");
+  return world.matrix;
 }
 
 }  // namespace sline::model

@@ -7,6 +7,7 @@
 #include <glm/mat4x4.hpp>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "model/import/raw_mesh.h"
@@ -28,15 +29,24 @@ class SlicerTransforms {
 
   /// RAS → RAS, millimetres, of all transforms above the node; nothing where there are none or they
   /// cannot be used (with a warning). `name` is what the node is called in it.
-  std::optional<glm::dmat4> above(const XmlNode& node, const std::string& name) const;
+  std::optional<glm::dmat4> above(const XmlNode& node, const std::string& name);
 
  private:
+  /// Of a transform and all above it; absent where one cannot be used, and then `fault` says why
+  /// unless that was told already.
+  struct World {
+    std::optional<glm::dmat4> matrix;
+    std::string fault;
+  };
+  /// Each transform is looked at once, however much hangs below it.
+  const World& worldOf(const std::string& id);
   std::optional<glm::dmat4> ownMatrix(const XmlNode& transform) const;
   void warn(std::string reason) const { m_warnings.push_back({m_file, std::move(reason)}); }
 
   const SlicerNodes& m_nodes;
   std::string m_file;
   std::vector<ImportWarning>& m_warnings;
+  std::unordered_map<std::string, World> m_worlds;  ///< by id
 };
 
 }  // namespace sline::model

@@ -75,6 +75,7 @@ class SceneReader {
 
   SlicerScene read() {
     SlicerScene result;
+    m_transforms.emplace(m_nodes, m_file.filename().string(), result.warnings);
     const std::unordered_map<std::string, std::size_t> groupOfModel =
         readSlicerHierarchy({m_scene, m_nodes, m_file}, result);
     for (const XmlNode& node : m_scene.children("Model"))
@@ -106,6 +107,7 @@ class SceneReader {
   fs::path m_folder;
   XmlNode m_scene;
   SlicerNodes m_nodes;
+  std::optional<SlicerTransforms> m_transforms;
 };
 
 void SceneReader::readModel(const XmlNode& node,
@@ -138,8 +140,7 @@ void SceneReader::readModel(const XmlNode& node,
   if (!inherits)
     model.style = slicerStyle(m_nodes.referred(node, "display"));
   decideFrame(storage, model);
-  model.toWorld = SlicerTransforms(m_nodes, m_file.filename().string(), result.warnings)
-                      .above(node, model.name);
+  model.toWorld = m_transforms->above(node, model.name);
   result.models.push_back(std::move(model));
 }
 

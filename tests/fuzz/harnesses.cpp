@@ -2,7 +2,6 @@
 #include "tests/fuzz/harnesses.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "model/files/mesh_codec.h"
@@ -12,6 +11,7 @@
 #include "model/import/fiducials.h"
 #include "model/import/file_kinds.h"
 #include "model/import/import.h"
+#include "model/import/slicer_bundle.h"
 #include "model/import/slicer_scene.h"
 #include "tests/fuzz/input_folder.h"
 
@@ -69,6 +69,25 @@ std::string slicerScene(std::string_view bytes) {
   for (const model::SlicerModel& scene : read->models)
     if (scene.group && *scene.group >= read->groups.size())
       return "a model's group is out of range";
+  return {};
+}
+
+std::string slicerBundle(std::string_view bytes) {
+  static const InputFolder folder;
+  const Result<model::SlicerBundle> read = model::unpackBundle(folder.put(".mrb", bytes), {});
+  return read.ok() ? "" : faultOf(read.error());
+}
+
+template <Extension extension>
+std::string fiducials(std::string_view bytes) {
+  static const InputFolder folder;
+  const Result<model::Fiducials> read = model::readFiducials(folder.put(extension.text, bytes), {});
+  if (!read.ok())
+    return faultOf(read.error());
+  for (const model::Fiducial& fiducial : read->items)
+    for (const glm::dvec3& p : fiducial.places)
+      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+        return "a coordinate is not finite";
   return {};
 }
 
@@ -143,44 +162,33 @@ std::string wholeImport(std::string_view bytes) {
   return {};
 }
 
-/// Points and lines of 3D Slicer, by their file's ending.
-template <Extension extension>
-std::string fiducials(std::string_view bytes) {
-  static const InputFolder folder;
-  const Result<model::Fiducials> read =
-      model::readFiducials(folder.put(extension.text, bytes), model::ReadLimits{});
-  if (!read.ok())
-    return faultOf(read.error());
-  for (const model::Fiducial& item : read->items)
-    if (item.places.size() != model::anchorCount(item.kind))
-      return "as many places as its kind has not";
-  return {};
-}
-
-/// A bundle is unpacked, its scene read, and what it refers to as well.
-std::string slicerBundle(std::string_view bytes) {
-  static const InputFolder folder;
-  const std::filesystem::path inputs[] = {folder.put(".mrb", bytes)};
-  Result<model::Imported> imported = model::importInputs(inputs, {});
-  if (!imported.ok())
-    return faultOf(imported.error());
-  return savedTwice({.scene = std::move(imported->scene)});
-}
-
 // A reader that stands in the table of kinds needs its row here and a folder of seeds.
-constexpr std::array table = {
-    Harness{"obj", surfaces<".obj">},       Harness{"stl", surfaces<".stl">},
-    Harness{"ply", surfaces<".ply">},       Harness{"off", surfaces<".off">},
-    Harness{"vtk", surfaces<".vtk">},       Harness{"vtp", surfaces<".vtp">},
-    Harness{"gltf", surfaces<".gltf">},     Harness{"glb", surfaces<".glb">},
-    Harness{"3mf", surfaces<".3mf">},       Harness{"nii", surfaces<".nii">},
-    Harness{"nii_gz", surfaces<".nii.gz">}, Harness{"nrrd", surfaces<".nrrd">},
-    Harness{"mha", surfaces<".mha">},       Harness{"dcm", surfaces<".dcm">},
-    Harness{"pdb", surfaces<".pdb">},       Harness{"cif", surfaces<".cif">},
-    Harness{"mrml", slicerScene},           Harness{"mrb", slicerBundle},
-    Harness{"fcsv", fiducials<".fcsv">},    Harness{"mrk_json", fiducials<".mrk.json">},
-    Harness{"scene_file", sceneFile},       Harness{"scene_json", sceneJson},
-    Harness{"mesh_codec", meshCodec},       Harness{"import", wholeImport},
+constexpr Harness table[] = {
+    {"obj", surfaces<".obj">},
+    {"stl", surfaces<".stl">},
+    {"ply", surfaces<".ply">},
+    {"off", surfaces<".off">},
+    {"vtk", surfaces<".vtk">},
+    {"vtp", surfaces<".vtp">},
+    {"gltf", surfaces<".gltf">},
+    {"glb", surfaces<".glb">},
+    {"3mf", surfaces<".3mf">},
+    {"nii", surfaces<".nii">},
+    {"nii_gz", surfaces<".nii.gz">},
+    {"nrrd", surfaces<".nrrd">},
+    {"nhdr", surfaces<".nhdr">},
+    {"mha", surfaces<".mha">},
+    {"dcm", surfaces<".dcm">},
+    {"pdb", surfaces<".pdb">},
+    {"cif", surfaces<".cif">},
+    {"mrml", slicerScene},
+    {"mrb", slicerBundle},
+    {"fcsv", fiducials<".fcsv">},
+    {"markups", fiducials<".mrk.json">},
+    {"scene_file", sceneFile},
+    {"scene_json", sceneJson},
+    {"mesh_codec", meshCodec},
+    {"import", wholeImport},
 };
 }  // namespace
 
@@ -189,9 +197,9 @@ std::span<const Harness> harnesses() {
 }
 
 const Harness* harnessNamed(std::string_view name) {
-  const auto found = std::find_if(table.begin(), table.end(),
+  const auto found = std::find_if(std::begin(table), std::end(table),
                                   [&](const Harness& harness) { return harness.name == name; });
-  return found == table.end() ? nullptr : &*found;
+  return found == std::end(table) ? nullptr : &*found;
 }
 
 }  // namespace sline::fuzz

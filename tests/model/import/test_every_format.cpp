@@ -20,12 +20,17 @@ constexpr int some = -1;
 
 /// Comes in as that many structures and triangles; `told` is in a warning, or there is none.
 void loads(const char* file, int structures, int triangles, const char* told = "") {
-  QTest::newRow(file) << structures << triangles << QString(told);
+  QTest::newRow(file) << structures << triangles << 0 << QString(told);
+}
+
+/// Holds no surface, but that many annotations.
+void marks(const char* file, int annotations, const char* told = "") {
+  QTest::newRow(file) << 0 << 0 << annotations << QString(told);
 }
 
 /// Does not, and the message holds `told`.
 void refused(const char* file, const char* told) {
-  QTest::newRow(file) << 0 << 0 << QString(told);
+  QTest::newRow(file) << 0 << 0 << 0 << QString(told);
 }
 
 /// One surface in every encoding; test_same_mesh compares them vertex by vertex.
@@ -68,7 +73,7 @@ void meshRows() {
   loads("online3dviewer/properties.glb", 3, 36);
   loads("online3dviewer/rectangle_vertex_colors_float.off", 1, 2);
   loads("online3dviewer/rectangle_vertex_colors_int.off", 1, 2);
-  refused("online3dviewer/rhombicuboctahedron.3mf", "not supported");
+  loads("online3dviewer/rhombicuboctahedron.3mf", 1, 44);
   loads("online3dviewer/single_triangle_negative_indices.obj", 1, 1);
   loads("online3dviewer/single_triangle_no_normal.stl", 1, 1);
   loads("online3dviewer/single_triangle_with_comments.off", 1, 1);
@@ -86,48 +91,49 @@ void meshRows() {
 }
 
 void volumeRows() {
-  refused("nrrd/BallBinary30x30x30.nhdr", "not supported");
-  refused("nrrd/BallBinary30x30x30.nii.gz", "not supported");
-  refused("nrrd/BallBinary30x30x30.nrrd", "not supported");
+  loads("nrrd/BallBinary30x30x30.nhdr", 1, some);
+  loads("nrrd/BallBinary30x30x30.nii.gz", 1, some);
+  loads("nrrd/BallBinary30x30x30.nrrd", 1, some);
   refused("nrrd/BallBinary30x30x30.raw", "not supported");
-  refused("nrrd/BallBinary30x30x30_byteskip_minus_five.nhdr", "not supported");
-  refused("nrrd/BallBinary30x30x30_byteskip_minus_one.nhdr", "not supported");
-  refused("nrrd/BallBinary30x30x30_byteskip_minus_one_nifti.nhdr", "not supported");
-  refused("nrrd/BallBinary30x30x30_bz2.nrrd", "not supported");
-  refused("nrrd/BallBinary30x30x30_gz.nrrd", "not supported");
-  refused("nrrd/BallBinary30x30x30_gz_byteskip_minus_one.nrrd", "not supported");
-  refused("nrrd/BallBinary30x30x30_gz_lineskip.nrrd", "not supported");
-  refused("nrrd/BallBinary30x30x30_nifti.nhdr", "not supported");
-  refused("nrrd/test1d_ascii.nrrd", "not supported");
-  refused("nrrd/test2d_ascii.nrrd", "not supported");
-  refused("nrrd/test_customFields.nrrd", "not supported");
-  refused("nrrd/test_simple4d_raw.nrrd", "not supported");
-  refused("dicom/ct.0.dcm", "not supported");
-  refused("dicom/ct_image.dcm", "not supported");
-  refused("dicom/rtss.dcm", "not supported");
-  refused("dicom/seg_image_ct_binary.dcm", "not supported");
+  refused("nrrd/BallBinary30x30x30_byteskip_minus_five.nhdr",
+          "'-5' is neither a number of bytes nor -1");
+  loads("nrrd/BallBinary30x30x30_byteskip_minus_one.nhdr", 1, some);
+  loads("nrrd/BallBinary30x30x30_byteskip_minus_one_nifti.nhdr", 1, some);
+  loads("nrrd/BallBinary30x30x30_bz2.nrrd", 1, some);
+  loads("nrrd/BallBinary30x30x30_gz.nrrd", 1, some);
+  loads("nrrd/BallBinary30x30x30_gz_byteskip_minus_one.nrrd", 1, some);
+  loads("nrrd/BallBinary30x30x30_gz_lineskip.nrrd", 1, some);
+  loads("nrrd/BallBinary30x30x30_nifti.nhdr", 1, some, "header was passed over");
+  refused("nrrd/test1d_ascii.nrrd", "has 1 axis");
+  refused("nrrd/test2d_ascii.nrrd", "has 2 axes");
+  refused("nrrd/test_customFields.nrrd", "has 1 axis");
+  refused("nrrd/test_simple4d_raw.nrrd", "not whole numbers");
+  refused("dicom/ct.0.dcm", "1 CT image holds no segmentation");
+  refused("dicom/ct_image.dcm", "1 CT image holds no segmentation");
+  loads("dicom/rtss.dcm", 9, some, "left out");
+  loads("dicom/seg_image_ct_binary.dcm", 1, some);
 }
 
 void slicerRows() {
-  refused("slicer/AnnotationFiducialsTest.mrml", "holds no model");
+  marks("slicer/AnnotationFiducialsTest.mrml", 7, "AnnotationROI were left out");
   refused("slicer/NonLinearTransformScene.mrml", "holds no model");
   refused("slicer/TestData/ColorTest.ctbl", "not supported");
   refused("slicer/TestData/PentaHexa.vtk", "'UNSTRUCTURED_GRID', not POLYDATA");
   loads("slicer/TestData/cube.vtk", 1, 12);
   loads("slicer/TestData/cube.vtp", 1, 12);
-  refused("slicer/TestData/deform2x2x2_ras.nrrd", "not supported");
+  refused("slicer/TestData/deform2x2x2_ras.nrrd", "holds 'vector' in each voxel");
   loads("slicer/TestData/sphere.vtk", 1, 96);
   loads("slicer/TestData/sphere.vtp", 1, 96);
   loads("slicer/backward_compat_light_box_scene.mrml", 1, 12);
   loads("slicer/clipCube.mrml", 1, 12);
   refused("slicer/cube-utf8.mrml", "holds no model");
   loads("slicer/cube.mrml", 1, 12);
-  refused("slicer/cube_made_by_zipping.mrb", "not supported");
+  loads("slicer/cube_made_by_zipping.mrb", 1, 12);
   refused("slicer/helixMask3Labels.mrml", "holds no model");
   loads("slicer/hier_test.mrml", 1, 96);
   loads("slicer/modelHierarchy.mrml", 2, 108);
   refused("slicer/restoreSceneSnapshotCompareView.mrml", "holds no model");
-  refused("slicer/slicer3.fcsv", "not supported");
+  marks("slicer/slicer3.fcsv", 56);
   loads("slicer/vol_and_cube.mrml", 1, 12, "absent volumes");
   refused("slicer/volumetric_mesh.mrml", "'UNSTRUCTURED_GRID', not POLYDATA");
 }
@@ -161,6 +167,7 @@ class EveryFormatTest : public QObject {
   void formats_data() {
     QTest::addColumn<int>("structures");
     QTest::addColumn<int>("triangles");
+    QTest::addColumn<int>("annotations");
     QTest::addColumn<QString>("told");
     sameMeshRows();
     meshRows();
@@ -180,13 +187,14 @@ class EveryFormatTest : public QObject {
       QSKIP("the folder formats of the test data is absent");
     QFETCH(int, structures);
     QFETCH(int, triangles);
+    QFETCH(int, annotations);
     QFETCH(QString, told);
     QVERIFY2(m_there.remove(name), "the table has a file that is not there");
     const std::array inputs{std::filesystem::path(collection().filePath(name).toStdString())};
     model::ImportOptions options;
     options.smoothing.mode = model::Smoothing::Mode::off;
     const Result<model::Imported> imported = model::importInputs(inputs, options);
-    if (structures == 0) {
+    if (structures + annotations == 0) {
       QVERIFY2(!imported.ok(), "it came in");
       const Error& error = imported.error();
       QVERIFY2(error.text().find(told.toStdString()) != std::string::npos, error.text().c_str());
@@ -195,6 +203,7 @@ class EveryFormatTest : public QObject {
     }
     QVERIFY2(imported.ok(), imported.ok() ? "" : imported.error().text().c_str());
     QCOMPARE(int(imported->scene.structuresBelow(model::rootId).size()), structures);
+    QCOMPARE(int(imported->scene.annotations().size()), annotations);
     if (triangles == some)
       QVERIFY(triangleCount(imported->scene) > 0);
     else
