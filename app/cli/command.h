@@ -25,6 +25,7 @@ void addLines(CLI::App& program, Exit& exit);
 void addCurvature(CLI::App& program, Exit& exit);
 void addInfo(CLI::App& program, Exit& exit);
 void addImport(CLI::App& program, Exit& exit);
+void addReload(CLI::App& program, Exit& exit);
 void addDemo(CLI::App& program, Exit& exit);
 void addRamp(CLI::App& program, Exit& exit);
 void addSteadiness(CLI::App& program, Exit& exit);
@@ -48,11 +49,13 @@ void addCommand(CLI::App& program, Exit& exit,
 }
 
 inline constexpr const char* inputHelp =
-    "Mesh files (obj, stl, ply, off, vtk, vtp, gltf, glb), folders of them, 3D Slicer scenes "
-    "(mrml), scene files (sline)";
+    "Mesh files (obj, stl, ply, off, vtk, vtp, gltf, glb, 3mf), folders of them, 3D Slicer scenes "
+    "(mrml, mrb) and fiducials (fcsv, mrk.json), scene files (sline)";
 inline constexpr const char* frameHelp =
     "How the files' coordinates map to the patient: LPS or RAS overrides what the files say or "
     "their names suggest, `file` leaves coordinates as they are";
+inline constexpr const char* overlayHelp =
+    "Several molecules: auto lays them over the first by their backbones, off leaves them";
 inline constexpr const char* smoothHelp =
     "auto smooths surfaces that show the steps of a label map and refines coarse ones, off leaves "
     "all as they are, a number smooths all that many times";

@@ -4,7 +4,7 @@
 namespace sline::cli {
 
 Exit drawScene(const model::Scene& scene, const PictureOrder& order, Progress& progress) {
-  const Result<model::Scene> dressed = styled(scene, order);
+  const Result<model::Scene> dressed = styled(asSaved(scene, order), order);
   if (!dressed.ok())
     return complain(dressed.error(), Exit::wrongUse);
   const Result<model::Scene> cut = cutOpen(*dressed, order);

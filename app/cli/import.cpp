@@ -72,6 +72,9 @@ void declareImport(CLI::App& command, ImportFlags& flags) {
                                        "structure with what decided them, "
                                        "and what would be left out and why");
   command.add_flag("--json", flags.json, "The plan for programs: one JSON object")->needs(plan);
+  command.add_option("--overlay", flags.input.overlay, overlayHelp)
+      ->type_name("auto|off")
+      ->default_str("auto");
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
       ->default_str("auto");
@@ -80,12 +83,20 @@ void declareImport(CLI::App& command, ImportFlags& flags) {
       .add_option("--unit", flags.input.unit,
                   "How long the files' unit is; overrides what they say or their size suggests")
       ->type_name("mm|cm|m|inch");
+  command
+      .add_option("--decimate-mm", flags.input.decimateMm,
+                  "Fewer triangles: as few as can be with no part of a surface farther than this "
+                  "from where it was, measured both ways; 0: all of them")
+      ->type_name("MM")
+      ->check(CLI::Range(0.0, 100.0))
+      ->default_str("0");
   command.footer(
       "The scene file holds all of the scene, exactly: nothing is read from the inputs again. "
       "Every\n"
       "command takes it as an input; other inputs beside it are added below its own structures.\n\n"
       "  sline import pelvis/ --plan\n"
       "  sline import pelvis/ -o pelvis.sline --frame LPS\n"
+      "  sline import pelvis/ -o small.sline --decimate-mm 0.2\n"
       "  sline import pelvis.sline tumour.stl -o together.sline");
 }
 

@@ -8,6 +8,7 @@
 #include "app/cli/image_file.h"
 #include "app/cli/names.h"
 #include "model/edit/style.h"
+#include "model/edit/views.h"
 #include "model/geometry/plane_section.h"
 #include "render/gpu/headless/context.h"
 
@@ -163,10 +164,12 @@ Result<PictureOrder> understood(const PictureFlags& flags) {
   if (!hatching.ok())
     return hatching.error();
   order.hatching = *hatching;
-  const Result<glm::vec3> light = parseLight(flags.light);
-  if (!light.ok())
-    return light.error();
-  order.light = *light;
+  if (!flags.light.empty()) {
+    const Result<glm::vec3> light = parseLight(flags.light);
+    if (!light.ok())
+      return light.error();
+    order.light = *light;
+  }
   order.keyLight = flags.keyLight;
   order.blackAndWhite = flags.blackAndWhite;
   if (!flags.fill.empty()) {
@@ -200,6 +203,17 @@ Result<PictureOrder> understood(const PictureFlags& flags) {
   return order;
 }
 
+model::Scene asSaved(const model::Scene& scene, const PictureOrder& order) {
+  const model::View* saved = order.camera ? nullptr : savedView(scene, order.view);
+  if (!saved)
+    return scene;
+  model::ShownScene shown = model::shown(scene, *saved);
+  if (!shown.absent.empty())
+    warn("the view \"" + saved->name + "\" shows " + std::to_string(shown.absent.size()) +
+         " structures or groups that the scene no longer has");
+  return std::move(shown.scene);
+}
+
 Result<model::Scene> styled(const model::Scene& scene, const PictureOrder& order) {
   std::vector<Patch> patches;
   if (order.fill) {
@@ -224,14 +238,8 @@ Result<model::Scene> styled(const model::Scene& scene, const PictureOrder& order
 }
 
 Result<model::Scene> cutOpen(const model::Scene& scene, const PictureOrder& order) {
-  if (order.sections.sections.empty()) {
-    const model::View* saved = order.camera ? nullptr : savedView(scene, order.view);
-    if (!saved || !saved->sections)
-      return scene;
-    model::Scene cut = scene;
-    cut.setSections(*saved->sections);
-    return cut;
-  }
+  if (order.sections.sections.empty())
+    return scene;
   // Which half faces the camera does not depend on how it is fitted.
   const Result<model::Camera> camera = cameraFor(scene, order);
   if (!camera.ok())

@@ -25,8 +25,8 @@ struct PictureFlags {
   std::string fill;
   std::string background = "white";
   std::string hatching = "strokes";
-  std::string light = "upper-left";
-  bool keyLight = false;
+  std::string light;
+  std::optional<bool> keyLight;
   bool blackAndWhite = false;
   std::vector<std::string> gammas;
   std::vector<std::string> colours;
@@ -49,8 +49,8 @@ struct PictureOrder {
   int samples = 1;  ///< across a pixel
   render::Background background = render::Background::white;
   render::HatchingMethod hatching = render::HatchingMethod::strokes;
-  glm::vec3 light{0.0f};
-  bool keyLight = false;
+  std::optional<glm::vec3> light;  ///< absent: the scene's own
+  std::optional<bool> keyLight;    ///< likewise
   bool blackAndWhite = false;
   std::optional<model::Camera> camera;  ///< from a file; else `view`
   std::string view;
@@ -64,11 +64,14 @@ struct PictureOrder {
 
 /// An error is a wrong use, here and in the next two.
 Result<PictureOrder> understood(const PictureFlags& flags);
+/// The scene as the saved view that the order names shows it; unchanged where there is none. What
+/// is absent is warned of.
+model::Scene asSaved(const model::Scene& scene, const PictureOrder& order);
 /// The scene with styles and visibility as ordered. A group's value holds for all in it; what is
 /// said of a structure or an inner group wins over what is said of a group around it, whatever the
 /// order of the flags.
 Result<model::Scene> styled(const model::Scene& scene, const PictureOrder& order);
-/// The scene with the sections of the order, else with those of the saved view that it names.
+/// The scene with the sections of the order, where it has any.
 Result<model::Scene> cutOpen(const model::Scene& scene, const PictureOrder& order);
 /// The camera of the file; else the saved view of that name, else the anatomical view fitted to
 /// what sections leave of the visible structures.

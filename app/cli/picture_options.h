@@ -39,11 +39,12 @@ inline void addLookOptions(CLI::App& command, PictureFlags& flags) {
       ->capture_default_str();
   command
       .add_option("--light", flags.light,
-                  "Where the light is that hatching's shadows turn away from")
-      ->type_name("upper-left|above|upper-right")
-      ->capture_default_str();
-  command.add_flag("--key-light", flags.keyLight,
-                   "Shades with that light, too, besides the one at the eye");
+                  "Where the light is that hatching's shadows turn away from; else where the "
+                  "scene has it, or upper-left")
+      ->type_name("upper-left|above|upper-right");
+  command.add_flag("--key-light,!--no-key-light", flags.keyLight,
+                   "Shades with that light, too, besides the one at the eye, or not; else as the "
+                   "scene says");
   command
       .add_flag("--bw", flags.blackAndWhite,
                 "For print in black and white: black ink on white paper; what is shaded is hatched "
@@ -66,8 +67,9 @@ inline void addDrawingOptions(CLI::App& command, PictureFlags& flags) {
       ->capture_default_str();
   CLI::Option* view = command
                           .add_option("--view", flags.view,
+                                      "A saved view of the scene, shown as it was saved; else "
                                       "anterior, posterior, left, right, superior or inferior, "
-                                      "fitted to what is visible; or a saved view of the scene")
+                                      "fitted to what is visible")
                           ->type_name("NAME")
                           ->capture_default_str();
   command

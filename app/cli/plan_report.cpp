@@ -70,9 +70,11 @@ Json planJson(const model::ImportPlan& plan) {
   for (const model::Node& node : plan.scene.nodes())
     root["nodes"].push_back(nodeJson(node));
   root["bounds_mm"] = jsonBox(plan.scene.visibleBounds());
+  root["decimate_mm"] = jsonNumber(plan.options.decimateMm);
   root["left_out"] = Json::array();
   for (const model::ImportWarning& warning : plan.report.warnings)
     root["left_out"].push_back({{"file", warning.file}, {"reason", warning.reason}});
+  root["notes"] = plan.report.notes;
   return root;
 }
 
@@ -103,6 +105,11 @@ std::string planText(const model::ImportPlan& plan) {
   out << '\n'
       << decisions(plan.scene, "frame", frameDecision)
       << decisions(plan.scene, "one unit is", unitDecision);
+  if (plan.options.decimateMm > 0.0f)
+    out << "triangles will be made fewer, with no part of a surface moved by more than "
+        << jsonText(jsonNumber(plan.options.decimateMm)) << " mm\n";
+  for (const std::string& note : plan.report.notes)
+    out << note << '\n';
   for (const model::ImportWarning& warning : plan.report.warnings)
     out << "left out or mended: " << (warning.file.empty() ? "" : warning.file + ": ")
         << warning.reason << '\n';

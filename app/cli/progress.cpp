@@ -44,4 +44,8 @@ void warn(std::string_view message) {
   std::cerr << "sline: warning: " << message << '\n';
 }
 
+void tell(std::string_view message) {
+  std::cerr << "sline: " << message << '\n';
+}
+
 }  // namespace sline::cli

@@ -31,5 +31,7 @@ class Progress {
 
 /// "sline: warning: …" on standard error, in a pipe too.
 void warn(std::string_view message);
+/// The same for what is good to know.
+void tell(std::string_view message);
 
 }  // namespace sline::cli

@@ -31,6 +31,9 @@ Exit runRender(const RenderFlags& flags) {
 void declareRender(CLI::App& command, RenderFlags& flags) {
   command.add_option("INPUT", flags.input.inputs, inputHelp)->required();
   addPictureOptions(command, flags.picture);
+  command.add_option("--overlay", flags.input.overlay, overlayHelp)
+      ->type_name("auto|off")
+      ->default_str("auto");
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
       ->default_str("auto");

@@ -22,12 +22,18 @@ Result<model::ImportOptions> importOptions(const InputFlags& flags) {
                    .remedy = "Leave out one of --frame and --unit"};
     options.unit = *unit;
   }
+  if (!flags.overlay.empty() && flags.overlay != "auto" && flags.overlay != "off")
+    return Error{.reason = "--overlay " + flags.overlay + " is unknown",
+                 .remedy = "Give --overlay auto or --overlay off"};
+  if (flags.overlay == "off")
+    options.overlay = model::Overlay::off;
   if (!flags.smooth.empty()) {
     const auto smoothing = parseSmoothing(flags.smooth);
     if (!smoothing.ok())
       return smoothing.error();
     options.smoothing = *smoothing;
   }
+  options.decimateMm = float(flags.decimateMm);
   return options;
 }
 
@@ -44,6 +50,8 @@ Result<model::Imported> readInputs(const std::vector<std::string>& inputs,
     return imported;
   for (const model::ImportWarning& warning : imported->report.warnings)
     warn(warning.file.empty() ? warning.reason : warning.file + ": " + warning.reason);
+  for (const std::string& note : imported->report.notes)
+    tell(note);
   return imported;
 }
 

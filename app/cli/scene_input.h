@@ -17,6 +17,8 @@ struct InputFlags {
   std::string frame;
   std::string smooth;
   std::string unit;
+  double decimateMm = 0;  ///< 0: not at all
+  std::string overlay;
 };
 
 /// The importer's options; an error is a wrong use.

@@ -2,6 +2,7 @@
 #include "app/cli/scene_summary.h"
 
 #include <algorithm>
+#include <array>
 #include <iomanip>
 #include <iostream>
 
@@ -23,6 +24,16 @@ SceneSummary summaryOf(const model::Scene& scene) {
     summary.vertices += mesh.vertexCount();
     summary.bounds.add(mesh.bounds());
   }
+  summary.views = scene.views();
+  static constexpr std::array<const char*, 4> kinds{"label", "callout", "pin", "distance"};
+  for (const model::Annotation& annotation : scene.annotations()) {
+    AnnotationInfo info{
+        kinds[std::size_t(annotation.kind)], annotation.text, {}, annotation.visible};
+    for (const model::Anchor& anchor : annotation.anchors)
+      if (const auto place = scene.placeOf(anchor))
+        info.places.push_back(*place);
+    summary.annotations.push_back(std::move(info));
+  }
   return summary;
 }
 
@@ -41,8 +52,41 @@ Json summaryJson(const SceneSummary& summary, const std::string& frame) {
                                   {"vertices", structure.mesh->vertexCount()},
                                   {"closed", structure.closed},
                                   {"components", structure.components}});
+  root["views"] = Json::array();
+  for (const model::View& view : summary.views)
+    root["views"].push_back({{"name", view.name},
+                             {"looks", view.looks ? view.looks->size() : 0},
+                             {"sections", view.sections ? view.sections->size() : 0}});
+  root["annotations"] = Json::array();
+  for (const AnnotationInfo& annotation : summary.annotations) {
+    Json places = Json::array();
+    for (const glm::vec3& p : annotation.places)
+      places.push_back(jsonPoint(p));
+    root["annotations"].push_back({{"kind", annotation.kind},
+                                   {"text", annotation.text},
+                                   {"places_mm", std::move(places)},
+                                   {"visible", annotation.visible}});
+  }
   return root;
 }
+
+namespace {
+void printViewsAndAnnotations(const SceneSummary& summary) {
+  if (!summary.views.empty())
+    std::cout << "saved views:";
+  for (const model::View& view : summary.views)
+    std::cout << (&view == &summary.views.front() ? " " : ", ") << '"' << view.name << '"';
+  if (!summary.views.empty())
+    std::cout << '\n';
+  for (const AnnotationInfo& annotation : summary.annotations) {
+    std::cout << annotation.kind << " \"" << annotation.text << '"';
+    for (const glm::vec3& p : annotation.places)
+      std::cout << (&p == &annotation.places.front() ? " at (" : " to (") << p.x << ", " << p.y
+                << ", " << p.z << ')';
+    std::cout << (annotation.visible ? "\n" : ", hidden\n");
+  }
+}
+}  // namespace
 
 void printSummary(const SceneSummary& summary, const std::string& frame) {
   std::size_t widest = 9;
@@ -60,6 +104,7 @@ void printSummary(const SceneSummary& summary, const std::string& frame) {
   std::cout << summary.structures.size() << " structures, " << summary.triangles << " triangles, "
             << summary.vertices << " vertices, " << std::fixed << std::setprecision(1) << size.x
             << " × " << size.y << " × " << size.z << " mm; frame " << frame << '\n';
+  printViewsAndAnnotations(summary);
 }
 
 }  // namespace sline::cli

@@ -18,18 +18,28 @@ struct StructureInfo {
   std::size_t components = 0;
 };
 
+struct AnnotationInfo {
+  std::string kind;
+  std::string text;
+  std::vector<glm::vec3> places;  ///< LPS, millimetres
+  bool visible = true;
+};
+
 struct SceneSummary {
   std::size_t triangles = 0;
   std::size_t vertices = 0;
   model::Box bounds;
   std::vector<StructureInfo> structures;
+  std::vector<model::View> views;
+  std::vector<AnnotationInfo> annotations;
 };
 
 SceneSummary summaryOf(const model::Scene& scene);
 
-/// "triangles", "vertices", "bounds_mm", "frame", "structures".
+/// "triangles", "vertices", "bounds_mm", "frame", "structures", "views", "annotations".
 Json summaryJson(const SceneSummary& summary, const std::string& frame);
-/// One line per structure and one for all; `frame` as it shall be read there.
+/// One line per structure and one for all, then saved views and annotations; `frame` as it shall be
+/// read there.
 void printSummary(const SceneSummary& summary, const std::string& frame);
 
 }  // namespace sline::cli

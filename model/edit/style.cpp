@@ -32,16 +32,18 @@ Edited withNodes(const Scene& scene, std::span<const NodeId> ids, const Change& 
 
 }  // namespace
 
-Edited withStyle(const Scene& scene, std::span<const NodeId> ids, const Style& patch) {
-  return withNodes(scene, ids, [&patch](Node& node) {
-    patchField(node.style.colour, patch.colour);
-    patchField(node.style.inkColour, patch.inkColour);
-    patchField(node.style.gamma, patch.gamma);
-    patchField(node.style.opacity, patch.opacity);
-    patchField(node.style.fill, patch.fill);
-    patchField(node.style.visible, patch.visible);
-    patchField(node.style.penWeight, patch.penWeight);
-  });
+void patch(Style& style, const Style& patch) {
+  patchField(style.colour, patch.colour);
+  patchField(style.inkColour, patch.inkColour);
+  patchField(style.gamma, patch.gamma);
+  patchField(style.opacity, patch.opacity);
+  patchField(style.fill, patch.fill);
+  patchField(style.visible, patch.visible);
+  patchField(style.penWeight, patch.penWeight);
+}
+
+Edited withStyle(const Scene& scene, std::span<const NodeId> ids, const Style& given) {
+  return withNodes(scene, ids, [&given](Node& node) { patch(node.style, given); });
 }
 
 Edited withStyleReset(const Scene& scene, std::span<const NodeId> ids) {

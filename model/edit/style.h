@@ -14,8 +14,11 @@ struct Edited {
   bool changed = false;
 };
 
-/// Sets those fields of the nodes' own styles that `patch` answers; unknown ids are ignored.
-Edited withStyle(const Scene& scene, std::span<const NodeId> ids, const Style& patch);
+/// Sets those fields of the style that `patch` answers.
+void patch(Style& style, const Style& patch);
+
+/// The same for the nodes' own styles; unknown ids are ignored.
+Edited withStyle(const Scene& scene, std::span<const NodeId> ids, const Style& given);
 /// Clears the nodes' own styles, so that they inherit everything again.
 Edited withStyleReset(const Scene& scene, std::span<const NodeId> ids);
 /// Shows exactly the structures at or below the nodes: everything else is hidden, groups above the

@@ -29,6 +29,46 @@ Edited withNodesReplaced(const Scene& scene, std::vector<Node> nodes) {
   return edited;
 }
 
+bool pointsAt(const Annotation& annotation, const IdSet& nodes) {
+  const auto onOne = [&nodes](const Anchor& anchor) {
+    const auto* point = std::get_if<SurfacePoint>(&anchor);
+    return point && nodes.contains(point->structure.value);
+  };
+  return std::any_of(annotation.anchors.begin(), annotation.anchors.end(), onOne);
+}
+
+/// Takes what is said of the nodes out of sections, annotations and saved views.
+void forget(Scene& scene, const IdSet& gone) {
+  const auto cutsNothing = [&gone](const Section& section) {
+    return section.scope != rootId && gone.contains(section.scope.value);
+  };
+  std::vector<Section> sections = scene.sections();
+  std::erase_if(sections, cutsNothing);
+  scene.setSections(std::move(sections));
+
+  std::vector<Annotation> annotations;
+  IdSet unsaid;
+  for (const Annotation& annotation : scene.annotations())
+    if (pointsAt(annotation, gone))
+      unsaid.insert(annotation.id.value);
+    else
+      annotations.push_back(annotation);
+  scene.setAnnotations(std::move(annotations));
+
+  std::vector<View> views = scene.views();
+  for (View& view : views) {
+    if (view.sections)
+      std::erase_if(*view.sections, cutsNothing);
+    if (view.looks)
+      std::erase_if(*view.looks,
+                    [&gone](const Look& look) { return gone.contains(look.node.value); });
+    if (view.annotations)
+      std::erase_if(*view.annotations,
+                    [&unsaid](AnnotationId id) { return unsaid.contains(id.value); });
+  }
+  scene.setViews(std::move(views));
+}
+
 }  // namespace
 
 Edited renamed(const Scene& scene, NodeId id, const std::string& name) {
@@ -46,12 +86,8 @@ Edited removed(const Scene& scene, std::span<const NodeId> ids) {
   std::vector<Node> nodes = scene.nodes();
   std::erase_if(nodes, [&gone](const Node& node) { return gone.contains(node.id.value); });
   Edited edited = withNodesReplaced(scene, std::move(nodes));
-  std::vector<Section> sections = scene.sections();
-  const auto cutNothing = [&gone](const Section& section) {
-    return section.scope != rootId && gone.contains(section.scope.value);
-  };
-  if (edited.changed && std::erase_if(sections, cutNothing) > 0)
-    edited.scene.setSections(std::move(sections));
+  if (edited.changed)
+    forget(edited.scene, gone);
   return edited;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "model/files/scene_json.h"
@@ -12,6 +14,7 @@ namespace {
 constexpr std::size_t mostNodes = 100'000;
 constexpr std::size_t mostSections = 10'000;
 constexpr std::size_t mostViews = 10'000;
+constexpr std::size_t mostAnnotations = 100'000;
 constexpr std::size_t deepestNode = 256;
 /// Ids stay exact in programs that have no other numbers than doubles.
 constexpr std::int64_t largestId = std::int64_t(1) << 53;
@@ -31,6 +34,9 @@ class SceneReader {
   Node node(const JsonValue& value) const;
   Section section(const JsonValue& value) const;
   std::vector<Section> sections(const JsonValue& list) const;
+  Annotation annotation(const JsonValue& value) const;
+  std::vector<Annotation> annotations(const JsonValue& list, const std::vector<Node>& nodes) const;
+  std::vector<Look> looks(const JsonValue& list) const;
   Camera camera(JsonObject& object) const;
   View view(const JsonValue& value) const;
 
@@ -85,6 +91,18 @@ Style SceneReader::style(JsonObject& object) const {
   return style;
 }
 
+/// A list of exactly that many.
+template <std::size_t count>
+std::array<float, count> numbersOf(const JsonValue& list) {
+  std::array<float, count> numbers{};
+  if (!list.json().is_array() || list.json().size() != count)
+    list.fail("a list of " + std::to_string(count) + " numbers is expected here");
+  else
+    for (std::size_t i = 0; i < count; ++i)
+      numbers[i] = JsonValue(list.json()[i], list, i).number();
+  return numbers;
+}
+
 Provenance provenanceFrom(JsonObject& object) {
   Provenance p;
   const auto text = [&object](std::string_view key, std::string& target) {
@@ -109,6 +127,17 @@ Provenance provenanceFrom(JsonObject& object) {
   count("refinement_steps", p.refinementSteps);
   count("repaired_faces", p.repairedFaces);
   number("displacement_mm", p.displacementMm);
+  count("decimated_from", p.decimatedFrom);
+  number("decimation_mm", p.decimationMm);
+  text("part", p.part);
+  if (const auto print = object.take("fingerprint")) {
+    JsonObject inner(*print);
+    p.fingerprint = Fingerprint{std::uint64_t(inner.need("bytes").whole(0, largestId)),
+                                std::uint32_t(inner.need("crc32").whole(0, std::uint32_t(-1)))};
+    object.giveBack("fingerprint", inner.rest());
+  }
+  if (const auto transform = object.take("transform"))
+    p.transform = numbersOf<12>(*transform);
   return p;
 }
 
@@ -188,6 +217,108 @@ std::vector<Section> SceneReader::sections(const JsonValue& list) const {
   return all;
 }
 
+Anchor anchorFrom(JsonObject& object) {
+  if (const auto place = object.take("point_mm"))
+    return place->point();
+  SurfacePoint point;
+  point.structure.value = idOf(object.need("structure"));
+  point.triangle = std::uint32_t(object.need("triangle").whole(0, std::uint32_t(-1)));
+  point.weights = numbersOf<2>(object.need("weights"));
+  return point;
+}
+
+Annotation SceneReader::annotation(const JsonValue& value) const {
+  JsonObject object(value);
+  Annotation annotation;
+  annotation.id.value = idOf(object.need("id"));
+  annotation.kind =
+      choice<AnnotationKind>(object, "kind", annotationKindNames).value_or(AnnotationKind::label);
+  const auto place = [&](std::string_view key) {
+    const JsonValue anchor = object.need(key);
+    JsonObject inner(anchor);
+    annotation.anchors.push_back(anchorFrom(inner));
+    object.giveBack(key, inner.rest());
+  };
+  place("at");
+  if (anchorCount(annotation.kind) > 1)
+    place("to");
+  if (const auto text = object.take("text"))
+    annotation.text = text->text();
+  if (const auto texts = object.take("texts")) {
+    const JsonObject languages(*texts);  // notes what is no object
+    for (const auto& [language, text] : texts->json().items())
+      annotation.texts[language] = JsonValue(text, *texts, std::string_view(language)).text();
+  }
+  if (const auto colour = object.take("colour"))
+    annotation.colour = colour->colour();
+  if (const auto visible = object.take("visible"))
+    annotation.visible = visible->flag();
+  if (const auto locked = object.take("locked"))
+    annotation.locked = locked->flag();
+  annotation.unread = object.unread();
+  if (const auto fault = annotationFault(annotation))
+    value.fail(*fault);
+  return annotation;
+}
+
+std::vector<Annotation> SceneReader::annotations(const JsonValue& list,
+                                                 const std::vector<Node>& nodes) const {
+  std::map<NodeId, std::size_t> triangles;
+  for (const Node& node : nodes)
+    triangles[node.id] = node.mesh ? node.mesh->triangleCount() : 0;
+  const auto nowhere = [&triangles](const Anchor& anchor) {
+    const auto* point = std::get_if<SurfacePoint>(&anchor);
+    if (!point)
+      return false;
+    const auto structure = triangles.find(point->structure);
+    return structure == triangles.end() || point->triangle >= structure->second;
+  };
+  std::vector<Annotation> all;
+  std::set<AnnotationId> ids;
+  if (list.json().size() > mostAnnotations)
+    list.fail("there are more than " + std::to_string(mostAnnotations) + " annotations");
+  list.forEach([&](const JsonValue& value) {
+    all.push_back(annotation(value));
+    if (!ids.insert(all.back().id).second)
+      value.fail("another annotation has the same id");
+    if (std::any_of(all.back().anchors.begin(), all.back().anchors.end(), nowhere))
+      value.fail("it is on a triangle that no structure of the scene has");
+  });
+  return all;
+}
+
+std::vector<Look> SceneReader::looks(const JsonValue& list) const {
+  std::vector<Look> all;
+  std::set<NodeId> nodes;
+  list.forEach([&](const JsonValue& value) {
+    JsonObject object(value);
+    Look look;
+    look.node.value = idOf(object.need("node"));
+    if (const auto own = object.take("style")) {
+      JsonObject inner(*own);
+      look.style = style(inner);
+      object.giveBack("style", inner.rest());
+    }
+    look.unread = object.unread();
+    if (!nodes.insert(look.node).second)
+      value.fail("the view speaks of this node twice");
+    all.push_back(std::move(look));
+  });
+  return all;
+}
+
+KeyLight keyLightFrom(const JsonValue& value) {
+  JsonObject object(value);
+  KeyLight light;
+  light.towards = object.need("towards").point();
+  if (const auto shades = object.take("shades"))
+    light.shades = shades->flag();
+  light.unread = object.unread();
+  if (const auto fault = lightFault(light))
+    value.fail(*fault);
+  return light;
+}
+
 Camera SceneReader::camera(JsonObject& object) const {
   Camera camera;
   camera.projection =
@@ -214,6 +345,12 @@ View SceneReader::view(const JsonValue& value) const {
   object.giveBack("camera", inner.rest());
   if (const auto list = object.take("sections"))
     view.sections = sections(*list);
+  if (const auto list = object.take("looks"))
+    view.looks = looks(*list);
+  if (const auto list = object.take("annotations"))
+    list->forEach([&shown = view.annotations.emplace()](const JsonValue& id) {
+      shown.push_back(AnnotationId{idOf(id)});
+    });
   view.unread = object.unread();
   return view;
 }
@@ -258,6 +395,12 @@ Scene SceneReader::scene(const JsonValue& root) {
   std::vector<Section> cuts;
   if (const auto list = object.take("sections"))
     cuts = sections(*list);
+  std::vector<Annotation> notes;
+  if (const auto list = object.take("annotations"))
+    notes = annotations(*list, nodes);
+  std::optional<KeyLight> light;
+  if (const auto value = object.take("key_light"))
+    light = keyLightFrom(*value);
   std::vector<View> views;
   if (const auto list = object.take("views")) {
     if (list->json().size() > mostViews)
@@ -269,6 +412,8 @@ Scene SceneReader::scene(const JsonValue& root) {
     return scene;
   scene.setNodes(std::move(nodes));
   scene.setSections(std::move(cuts));
+  scene.setAnnotations(std::move(notes));
+  scene.setKeyLight(std::move(light));
   scene.setViews(std::move(views));
   scene.setUnread(object.unread());
   return scene;

@@ -84,15 +84,29 @@ Ordered styleOf(const Style& style) {
 }
 
 Ordered provenanceOf(const Provenance& p) {
-  return {{"file", p.file},
-          {"frame", p.frame},
-          {"frame_reason", p.frameReason},
-          {"mm_per_unit", jsonNumber(p.mmPerUnit)},
-          {"unit_reason", p.unitReason},
-          {"smoothing_steps", p.smoothingSteps},
-          {"refinement_steps", p.refinementSteps},
-          {"repaired_faces", p.repairedFaces},
-          {"displacement_mm", jsonNumber(p.displacementMm)}};
+  Ordered json = {{"file", p.file},
+                  {"frame", p.frame},
+                  {"frame_reason", p.frameReason},
+                  {"mm_per_unit", jsonNumber(p.mmPerUnit)},
+                  {"unit_reason", p.unitReason},
+                  {"smoothing_steps", p.smoothingSteps},
+                  {"refinement_steps", p.refinementSteps},
+                  {"repaired_faces", p.repairedFaces},
+                  {"displacement_mm", jsonNumber(p.displacementMm)}};
+  if (p.decimatedFrom != 0) {
+    json["decimated_from"] = p.decimatedFrom;
+    json["decimation_mm"] = jsonNumber(p.decimationMm);
+  }
+  if (!p.part.empty())
+    json["part"] = p.part;
+  if (p.fingerprint)
+    json["fingerprint"] = {{"bytes", p.fingerprint->bytes}, {"crc32", p.fingerprint->crc}};
+  if (p.transform) {
+    json["transform"] = Ordered::array();
+    for (const float number : *p.transform)
+      json["transform"].push_back(jsonNumber(number));
+  }
+  return json;
 }
 
 Ordered nodeOf(const Node& node, const std::map<MeshPtr, std::string>& names) {
@@ -129,6 +143,38 @@ Ordered sectionsOf(const std::vector<Section>& sections) {
   return list;
 }
 
+Ordered anchorOf(const Anchor& anchor) {
+  if (const auto* place = std::get_if<glm::vec3>(&anchor))
+    return {{"point_mm", pointOf(*place)}};
+  const SurfacePoint& point = std::get<SurfacePoint>(anchor);
+  return {{"structure", point.structure.value},
+          {"triangle", point.triangle},
+          {"weights", {jsonNumber(point.weights[0]), jsonNumber(point.weights[1])}}};
+}
+
+Ordered annotationOf(const Annotation& annotation) {
+  Ordered json = {{"id", annotation.id.value},
+                  {"kind", annotationKindNames[std::size_t(annotation.kind)]},
+                  {"at", anchorOf(annotation.anchors[0])}};
+  if (annotation.anchors.size() > 1)
+    json["to"] = anchorOf(annotation.anchors[1]);
+  json["text"] = annotation.text;
+  if (!annotation.texts.empty())
+    json["texts"] = annotation.texts;
+  if (annotation.colour)
+    json["colour"] = colourText(*annotation.colour);
+  json["visible"] = annotation.visible;
+  json["locked"] = annotation.locked;
+  addUnread(json, annotation.unread);
+  return json;
+}
+
+Ordered keyLightOf(const KeyLight& light) {
+  Ordered json = {{"towards", pointOf(light.towards)}, {"shades", light.shades}};
+  addUnread(json, light.unread);
+  return json;
+}
+
 Ordered cameraOf(const Camera& camera) {
   return {{"projection", projectionNames[std::size_t(camera.projection)]},
           {"eye_mm", pointOf(camera.eye)},
@@ -142,6 +188,18 @@ Ordered viewOf(const View& view) {
   Ordered json = {{"name", view.name}, {"camera", cameraOf(view.camera)}};
   if (view.sections)
     json["sections"] = sectionsOf(*view.sections);
+  if (view.looks) {
+    json["looks"] = Ordered::array();
+    for (const Look& look : *view.looks) {
+      json["looks"].push_back({{"node", look.node.value}, {"style", styleOf(look.style)}});
+      addUnread(json["looks"].back(), look.unread);
+    }
+  }
+  if (view.annotations) {
+    json["annotations"] = Ordered::array();
+    for (const AnnotationId id : *view.annotations)
+      json["annotations"].push_back(id.value);
+  }
   addUnread(json, view.unread);
   return json;
 }
@@ -163,9 +221,14 @@ std::string sceneJson(const Scene& scene) {
   for (const Node& node : scene.nodes())
     root["nodes"].push_back(nodeOf(node, names));
   root["sections"] = sectionsOf(scene.sections());
+  root["annotations"] = Ordered::array();
+  for (const Annotation& annotation : scene.annotations())
+    root["annotations"].push_back(annotationOf(annotation));
   root["views"] = Ordered::array();
   for (const View& view : scene.views())
     root["views"].push_back(viewOf(view));
+  if (scene.keyLight())
+    root["key_light"] = keyLightOf(*scene.keyLight());
   addUnread(root, scene.unread());
   return root.dump(1, ' ', false, Ordered::error_handler_t::replace) + "\n";
 }

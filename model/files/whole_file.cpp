@@ -94,6 +94,8 @@ Status writeBeside(const fs::path& named, const std::function<Status(const fs::p
   fs::remove(temporary, failure);
   Error error = written.error();
   error.file = named.string();
+  if (fs::exists(status))
+    error.reason += "; the file that was there is whole, as it was";
   return error;
 }
 

@@ -41,6 +41,32 @@ std::optional<Hit> intersect(const Ray& ray, const Mesh& mesh, std::uint32_t tri
   return Hit{.t = t, .triangle = triangle, .u = u, .v = v};
 }
 
+float squared(const glm::vec3& v) {
+  return glm::dot(v, v);
+}
+
+/// From the origin to the segment a … a + e.
+float squaredToSegment(const glm::vec3& a, const glm::vec3& e) {
+  const float length = squared(e);
+  const float t = length > 0.0f ? std::clamp(-glm::dot(a, e) / length, 0.0f, 1.0f) : 0.0f;
+  return squared(a + t * e);
+}
+
+/// From the origin to the triangle: to its plane where the foot lies inside, else to an edge.
+float squaredToTriangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+  const glm::vec3 n = glm::cross(b - a, c - a);
+  const float area = squared(n);
+  const bool inside = area > 0.0f && glm::dot(glm::cross(b - a, -a), n) >= 0.0f &&
+                      glm::dot(glm::cross(c - b, -b), n) >= 0.0f &&
+                      glm::dot(glm::cross(a - c, -c), n) >= 0.0f;
+  if (inside) {
+    const float height = glm::dot(a, n);
+    return height * height / area;
+  }
+  return std::min(
+      {squaredToSegment(a, b - a), squaredToSegment(b, c - b), squaredToSegment(c, a - c)});
+}
+
 std::size_t leafStart(std::size_t leaf, std::size_t leaves, std::size_t triangles) {
   return leaf * triangles / leaves;
 }
@@ -124,6 +150,47 @@ std::optional<Hit> Bvh::nearest(const Ray& ray) const {
     }
     return false;
   });
+  return best;
+}
+
+Closest Bvh::closest(const glm::vec3& point, float enough) const {
+  Closest best;
+  if (m_nodes.empty())
+    return best;
+  float bestSquared = std::numeric_limits<float>::infinity();
+  const auto gap = [&](std::size_t node) {
+    return squared(glm::max(glm::max(m_nodes[node].low - point, point - m_nodes[node].high), 0.0f));
+  };
+  std::array<std::pair<std::uint32_t, float>, 64> stack{};
+  std::size_t depth = 0;
+  stack[depth++] = {0, gap(0)};
+  while (depth > 0 && bestSquared > enough * enough) {
+    const auto [node, far] = stack[--depth];
+    if (!(far < bestSquared))
+      continue;
+    if (node < m_leafCount - 1) {
+      const std::uint32_t left = 2 * node + 1;
+      const std::pair<std::uint32_t, float> children[] = {std::pair(left, gap(left)),
+                                                          std::pair(left + 1, gap(left + 1))};
+      const bool leftFirst = children[0].second <= children[1].second;
+      stack[depth++] = children[leftFirst ? 1 : 0];
+      stack[depth++] = children[leftFirst ? 0 : 1];
+      continue;
+    }
+    const std::size_t leaf = node - (m_leafCount - 1);
+    const std::size_t end = leafStart(leaf + 1, m_leafCount, m_order.size());
+    for (std::size_t i = leafStart(leaf, m_leafCount, m_order.size()); i < end; ++i) {
+      const auto& [a, b, c] = m_mesh->triangles()[m_order[i]];
+      const auto positions = m_mesh->positions();
+      const float distance =
+          squaredToTriangle(positions[a] - point, positions[b] - point, positions[c] - point);
+      if (distance < bestSquared) {
+        bestSquared = distance;
+        best.triangle = m_order[i];
+      }
+    }
+  }
+  best.distance = std::sqrt(bestSquared);
   return best;
 }
 

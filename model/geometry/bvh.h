@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bounding-volume hierarchy for rays: a balanced binary tree over the spatial order, so that
-// building it is a few passes over the triangles.
+// A bounding-volume hierarchy for rays and distances: a balanced binary tree over the spatial
+// order, so that building it is a few passes over the triangles.
 #pragma once
 
 #include <cstdint>
@@ -26,6 +26,12 @@ struct Hit {
   float v = 0.0f;
 };
 
+/// The point of a surface nearest to another point.
+struct Closest {
+  float distance = std::numeric_limits<float>::infinity();
+  std::uint32_t triangle = 0;
+};
+
 class Bvh {
  public:
   Bvh(MeshPtr mesh, std::vector<std::uint32_t> order);
@@ -34,6 +40,9 @@ class Bvh {
   std::optional<Hit> nearest(const Ray& ray) const;
   /// True where anything lies on the ray.
   bool blocked(const Ray& ray) const;
+  /// Infinitely far where there is no triangle. Any triangle no farther than `enough` may be given
+  /// for the closest.
+  Closest closest(const glm::vec3& point, float enough = 0.0f) const;
 
  private:
   struct Bounds {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/import/file_kinds.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
+#include "model/import/dicom/dicom.h"
+#include "model/import/dicom/dicom_file.h"
+#include "model/import/molecules/molecules.h"
 #include "model/import/readers/readers.h"
 #include "model/import/readers/source.h"
 #include "model/import/readers/text_cursor.h"
@@ -27,12 +31,18 @@ constexpr std::array kinds = {FileKind{".obj", "OBJ", within<readObj>},
                               FileKind{".vtp", "VTP", within<readVtp>},
                               FileKind{".gltf", "glTF", within<readGltf>},
                               FileKind{".glb", "GLB", within<readGltf>},
+                              FileKind{".3mf", "3MF", within<readThreeMf>},
                               FileKind{".nii", "NIfTI", readNiftiSurfaces, true},
                               FileKind{".nii.gz", "packed NIfTI", readNiftiSurfaces, true},
                               FileKind{".nrrd", "NRRD", readNrrdSurfaces, true},
                               FileKind{".nhdr", "NRRD", readNrrdSurfaces, true},
                               FileKind{".mha", "MetaImage", readMetaImageSurfaces, true},
-                              FileKind{".mhd", "MetaImage", readMetaImageSurfaces, true}};
+                              FileKind{".mhd", "MetaImage", readMetaImageSurfaces, true},
+                              FileKind{".dcm", "DICOM", readDicom},
+                              FileKind{".pdb", "PDB", readPdb},
+                              FileKind{".ent", "PDB", readPdb},
+                              FileKind{".cif", "mmCIF", readMmcif},
+                              FileKind{".mmcif", "mmCIF", readMmcif}};
 
 bool endsLike(std::string_view name, std::string_view ending) {
   return name.size() > ending.size() &&
@@ -47,6 +57,9 @@ const FileKind* kindOf(const std::filesystem::path& file) {
     if (endsLike(name, kind.extension) &&
         (!found || kind.extension.size() > found->extension.size()))
       found = &kind;
+  if (!found && mayBeDicom(file))
+    found = &*std::find_if(kinds.begin(), kinds.end(),
+                           [](const FileKind& kind) { return kind.name == "DICOM"; });
   return found;
 }
 
@@ -78,6 +91,8 @@ std::string_view kindInContent(const std::filesystem::path& file) {
   for (const Row& row : rows)
     if (text.starts_with(row.beginning))
       return row.name;
+  if (text.size() > 132 && text.substr(128, 4) == "DICM")
+    return "DICOM";
   if (text.find("<VTKFile") != std::string_view::npos)
     return text.find("PolyData") != std::string_view::npos ? "VTP" : "VTK XML";
   if (text.find("<MRML") != std::string_view::npos)
@@ -116,10 +131,17 @@ bool isVolumeFile(const std::filesystem::path& file) {
   return kind && kind->volume;
 }
 
+bool isDicomFile(const std::filesystem::path& file) {
+  const FileKind* kind = kindOf(file);
+  return kind && kind->name == "DICOM";
+}
+
 std::string stemOf(const std::filesystem::path& file) {
   const FileKind* kind = kindOf(file);
   std::string name = file.filename().string();
-  return kind ? name.substr(0, name.size() - kind->extension.size()) : file.stem().string();
+  return kind && endsLike(name, kind->extension)
+             ? name.substr(0, name.size() - kind->extension.size())
+             : file.stem().string();
 }
 
 Result<RawMeshes> readSurfaces(const std::filesystem::path& file, const ReadOptions& options) {

@@ -24,9 +24,13 @@ std::span<const FileKind> fileKinds();
 /// ".obj, .stl, … or .glb"
 std::string surfaceExtensions();
 
-/// True for a name that ends like one of the kinds (case ignored).
+/// True for a name that ends like one of the kinds (case ignored), and for a file without such an
+/// ending whose content says DICOM, as that is how DICOM files are often called.
 bool isSurfaceFile(const std::filesystem::path& file);
+/// True for label volumes, those of a folder are read together.
 bool isVolumeFile(const std::filesystem::path& file);
+/// True for those of them that are DICOM.
+bool isDicomFile(const std::filesystem::path& file);
 /// The file's name without the ending that tells its kind: "liver" of "liver.nii.gz".
 std::string stemOf(const std::filesystem::path& file);
 

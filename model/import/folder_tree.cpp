@@ -21,6 +21,8 @@ struct Branch {
   Style style;
   std::vector<Branch> groups;
   std::vector<std::size_t> parts;
+  /// Source and group in its scene that this one is.
+  std::optional<std::pair<std::size_t, std::size_t>> origin = std::nullopt;
 
   Branch& child(const std::string& childName) {
     const auto found = std::find_if(groups.begin(), groups.end(),
@@ -73,19 +75,19 @@ class Builder {
   Builder(std::vector<Part> parts, const Sources& sources, const AnatomyTable& table)
       : m_parts(std::move(parts)), m_sources(sources), m_table(table) {}
 
-  Scene build() {
+  BuiltScene build() {
     nameParts();
+    m_built.nodesOfFile.resize(m_sources.files.size());
     std::vector<Branch> tops;
     for (std::size_t i = 0; i < m_sources.sources.size(); ++i)
       if (Branch top = branchOf(i); !top.groups.empty() || !top.parts.empty())
         tops.push_back(std::move(top));
-    Scene scene;
     for (const Branch& top : tops) {
       const bool wrap =
           tops.size() > 1 && !top.name.empty() && (top.groups.size() + top.parts.size() > 1);
-      add(scene, top, rootId, wrap);
+      add(top, rootId, wrap);
     }
-    return scene;
+    return std::move(m_built);
   }
 
  private:
@@ -103,24 +105,60 @@ class Builder {
   Branch branchOf(std::size_t index) const {
     const ImportSource& source = m_sources.sources[index];
     std::vector<std::size_t> members;
+    std::vector<std::size_t> molecules;
     for (std::size_t i = 0; i < m_parts.size(); ++i)
       if (fileOf(i).source == index)
-        members.push_back(i);
+        (m_parts[i].raw.molecule ? molecules : members).push_back(i);
     if (source.kind == ImportSource::Kind::slicer)
-      return slicerBranch(source, members);
+      return slicerBranch(index, members);
     Branch top = source.kind == ImportSource::Kind::folder ? folderBranch(source, members)
                                                            : byFileGroupsOrNames(members);
     if (source.kind == ImportSource::Kind::folder)
       top.name = folderName(source.path);
+    // Folders of medical images are named after patients; the scene is not to know them.
+    if (const auto kept =
+            std::find_if(members.begin(), members.end(),
+                         [&](std::size_t part) { return !m_parts[part].raw.origin.empty(); });
+        kept != members.end())
+      top.name = m_parts[*kept].raw.origin;
+    addMolecules(molecules, top);
     return top;
   }
 
-  Branch slicerBranch(const ImportSource& source, const std::vector<std::size_t>& members) const {
+  /// Each entry has a group of its own, and in it those that its reader made.
+  void addMolecules(const std::vector<std::size_t>& members, Branch& top) const {
+    std::vector<Branch> entries;
+    const Backbone* last = nullptr;
+    for (const std::size_t part : members) {
+      const RawMesh& raw = m_parts[part].raw;
+      if (raw.molecule->backbone.get() != last)
+        entries.emplace_back();
+      last = raw.molecule->backbone.get();
+      Branch* at = &entries.back();
+      for (std::size_t i = 0; i < raw.groups.size(); ++i)
+        if (i > 0)
+          at = &at->child(raw.groups[i]);
+        else
+          at->name = raw.groups[i];
+      at->parts.push_back(part);
+    }
+    std::vector<std::string> names;
+    for (const Branch& entry : entries)
+      names.push_back(entry.name);
+    makeUnique(names);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      entries[i].name = names[i];
+      top.groups.push_back(std::move(entries[i]));
+    }
+  }
+
+  Branch slicerBranch(std::size_t index, const std::vector<std::size_t>& members) const {
+    const ImportSource& source = m_sources.sources[index];
     const std::vector<SlicerGroup>& groups = source.scene->groups;
     std::vector<Branch> branches;
     branches.reserve(groups.size());
     for (const SlicerGroup& group : groups)
-      branches.push_back({group.name, group.style, {}, {}});
+      branches.push_back({group.name, group.style, {}, {}, std::pair(index, branches.size())});
     Branch top;
     top.name = readableName(source.path.stem().string());
     for (const std::size_t part : members) {
@@ -226,16 +264,18 @@ class Builder {
     return top;
   }
 
-  void add(Scene& scene, const Branch& branch, NodeId parent, bool asGroup) {
+  void add(const Branch& branch, NodeId parent, bool asGroup) {
     if (asGroup)
-      parent = scene.append({.parent = parent, .name = branch.name, .style = branch.style});
+      parent = m_built.scene.append({.parent = parent, .name = branch.name, .style = branch.style});
+    if (branch.origin)
+      m_built.groups[*branch.origin] = parent;
     for (const Branch& group : branch.groups)
-      add(scene, group, parent, true);
+      add(group, parent, true);
     for (const std::size_t part : branch.parts)
-      addPart(scene, m_parts[part], parent);
+      addPart(m_parts[part], parent);
   }
 
-  void addPart(Scene& scene, Part& part, NodeId parent) {
+  void addPart(Part& part, NodeId parent) {
     const SourceFile& file = m_sources.files[part.file];
     Node node;
     node.parent = parent;
@@ -246,18 +286,21 @@ class Builder {
       node.style = m_sources.sources[file.source].scene->models[*file.model].style;
     } else {
       node.style.colour = colourOf(part);
-      const Node* group = scene.find(parent);
+      const Node* group = m_built.scene.find(parent);
       if (group && group->style.colour && node.style.colour == group->style.colour)
         node.style.colour.reset();
       if (part.raw.opacity && part.raw.opacity->value() < 1.0f)
         node.style.opacity = part.raw.opacity;
+      node.style.visible = part.raw.visible;
     }
-    scene.append(std::move(node));
+    m_built.nodesOfFile[part.file].push_back(m_built.scene.append(std::move(node)));
   }
 
   /// The table knows best; a colour in the file counts where the name is unknown and the colour is
   /// one that somebody chose rather than a program's grey.
   std::optional<Colour> colourOf(const Part& part) const {
+    if (part.raw.molecule)
+      return part.raw.colour;
     if (const auto match = m_table.match(part.name))
       return match->colour;
     if (!part.raw.colour)
@@ -271,11 +314,12 @@ class Builder {
   std::vector<Part> m_parts;
   const Sources& m_sources;
   const AnatomyTable& m_table;
+  BuiltScene m_built;
 };
 
 }  // namespace
 
-Scene buildScene(std::vector<Part> parts, const Sources& sources, const AnatomyTable& table) {
+BuiltScene buildScene(std::vector<Part> parts, const Sources& sources, const AnatomyTable& table) {
   return Builder(std::move(parts), sources, table).build();
 }
 

@@ -2,6 +2,8 @@
 // Parts → scene: the tree of groups, names that differ, colours.
 #pragma once
 
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "model/import/anatomy_names.h"
@@ -9,9 +11,15 @@
 
 namespace sline::model {
 
+struct BuiltScene {
+  Scene scene;
+  std::map<std::pair<std::size_t, std::size_t>, NodeId> groups;  ///< by source and group in it
+  std::vector<std::vector<NodeId>> nodesOfFile;                  ///< as Sources::files
+};
+
 /// A scene keeps its own groups. A folder's groups are its sub-folders, else those of a part-of
 /// table, else the systems of the body by the structures' names; loose files are grouped like the
 /// latter, or by the groups inside them. Groups that hold one group only are left out.
-Scene buildScene(std::vector<Part> parts, const Sources& sources, const AnatomyTable& table);
+BuiltScene buildScene(std::vector<Part> parts, const Sources& sources, const AnatomyTable& table);
 
 }  // namespace sline::model

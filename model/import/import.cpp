@@ -13,9 +13,11 @@
 #include "model/import/anatomy_names.h"
 #include "model/import/folder_tree.h"
 #include "model/import/laterality.h"
+#include "model/import/overlay.h"
 #include "model/import/parts.h"
 #include "model/import/scene_inputs.h"
 #include "model/import/sources.h"
+#include "model/import/views_and_annotations.h"
 
 namespace sline::model {
 
@@ -71,7 +73,7 @@ class FrameDecision {
       reason = "glTF: +y up, +x the patient's left";
     } else if (part.raw.frame) {
       part.frame = *part.raw.frame;
-      reason = "header: " + part.raw.frameReason;
+      reason = (part.raw.molecule ? "" : "header: ") + part.raw.frameReason;
     } else if (model) {
       part.frame = model->frame;
       reason = model->frameReason;
@@ -119,7 +121,8 @@ void ownUnit(Part& part, const ImportOptions& options, bool ofSlicer) {
   std::string& reason = part.provenance.unitReason;
   part.unit = part.frame == Frame::file ? 1.0f : part.raw.millimetresPerUnit;
   if (part.frame == Frame::file) {
-    reason = "coordinates left as they are";
+    const bool told = !part.raw.unitReason.empty() && part.raw.millimetresPerUnit == 1.0f;
+    reason = told ? part.raw.unitReason : "coordinates left as they are";
   } else if (options.unit) {
     part.unit = *options.unit;
     reason = "chosen by the user";
@@ -199,21 +202,27 @@ Result<Imported> importMeshes(std::span<const std::filesystem::path> inputs,
   std::vector<Part> parts = loadParts(sources, options, meter, report.warnings);
   if (meter.cancelled())
     return cancelled;
-  if (parts.empty())
+  if (parts.empty() && !haveFiducials(sources))
     return nothingRead(sources, report);
+  report.notes = overlayMolecules(parts, options.overlay);
   FrameDecision(parts, sources, options).run(report);
   decideUnits(parts, sources, options, report);
   smoothParts(parts, sources, options.smoothing, meter);
   if (meter.cancelled())
     return cancelled;
   placeParts(parts, sources, report.warnings);
-  if (parts.empty())
+  if (options.decimateMm > 0.0f)
+    decimateParts(parts, options.decimateMm, meter);
+  if (meter.cancelled())
+    return cancelled;
+  if (parts.empty() && !haveFiducials(sources))
     return nothingRead(sources, report);
   if (options.frame) {
     report.frame = *options.frame;
     report.frameReason = "chosen by the user";
   }
-  imported.scene = buildScene(std::move(parts), sources, table);
+  imported.scene =
+      withViewsAndAnnotations(buildScene(std::move(parts), sources, table), sources, options.frame);
   // Hundreds of files' intermediate copies are free now; the system may have them back.
 #if defined(__GLIBC__)
   malloc_trim(0);

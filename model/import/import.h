@@ -18,11 +18,17 @@
 
 namespace sline::model {
 
+/// What becomes of several molecules: `automatic` lays all over the first where nothing but
+/// molecules is imported; `off` leaves each where its file has it.
+enum class Overlay { automatic, off };
+
 struct ImportOptions {
   std::optional<Frame> frame;  ///< overrides header and vote
   std::optional<float> unit;   ///< millimetres per unit: overrides what files say and their size
   Smoothing smoothing;
   bool repair = true;
+  float decimateMm = 0.0f;  ///< > 0: fewer triangles, no part of a surface moved by more than this
+  Overlay overlay = Overlay::automatic;
   ReadLimits limits;
 };
 
@@ -33,6 +39,8 @@ struct ImportReport {
   Frame frame = Frame::lps;  ///< of the inputs that had no header of their own
   std::string frameReason;   ///< "header", "vote: 20 of 22 left/right names", …
   std::vector<ImportWarning> warnings;
+  std::vector<std::string>
+      notes;  ///< what was done that is no loss: molecules laid over each other
 };
 
 struct Imported {

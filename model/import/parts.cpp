@@ -12,6 +12,8 @@
 #include <utility>
 
 #include "model/base/parallel.h"
+#include "model/files/fingerprint.h"
+#include "model/geometry/simplification.h"
 #include "model/import/file_kinds.h"
 #include "model/import/laterality.h"
 #include "model/import/names.h"
@@ -55,6 +57,37 @@ Result<RawMeshes> readTogether(const SourceFile& source, const ReadOptions& opti
   return readVolumeSet(files, options);
 }
 
+std::optional<Fingerprint> printOf(const std::filesystem::path& file) {
+  const Result<Fingerprint> print = fingerprintOfFile(file);
+  return print ? std::optional(*print) : std::nullopt;
+}
+
+/// What tells each surface from the others of its file; empty where there are no others.
+std::vector<std::string> partsOfFiles(const std::vector<RawMesh>& meshes) {
+  std::map<std::string, int> counts;
+  for (const RawMesh& mesh : meshes)
+    ++counts[mesh.file];
+  std::vector<std::string> names = partNames(meshes);
+  for (std::size_t i = 0; i < meshes.size(); ++i)
+    if (counts[meshes[i].file] == 1)
+      names[i].clear();
+  return names;
+}
+
+/// Where a surface came from: its file, or one of those read with it.
+void sayOrigin(Part& part, const SourceFile& source,
+               const std::optional<Fingerprint>& fingerprint) {
+  const RawMesh& raw = part.raw;
+  part.provenance.fingerprint = fingerprint;
+  part.provenance.file = source.file.filename().string();
+  if (!raw.origin.empty())
+    part.provenance.file = raw.origin;
+  if (raw.file.empty())
+    return;
+  part.provenance.file = raw.file;
+  part.provenance.fingerprint = printOf(source.file.parent_path() / raw.file);
+}
+
 Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& options,
                 ProgressMeter& meter) {
   Loaded loaded;
@@ -71,12 +104,15 @@ Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& 
   }
   loaded.warnings = std::move(read->warnings);
   std::vector<RawMesh>& meshes = read->meshes;
-  for (RawMesh& raw : meshes) {
+  const std::optional<Fingerprint> fingerprint = printOf(source.file);
+  const std::vector<std::string> names = partsOfFiles(meshes);
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    RawMesh& raw = meshes[i];
     if (!meter.goesOn(shown))
       break;
     Part part;
     part.file = index;
-    part.name = nameInFile(raw.name);
+    part.name = raw.molecule ? raw.name : nameInFile(raw.name);
     if (part.name.empty())
       part.name = readableName(stemOf(source.file));
     if (source.model) {
@@ -84,7 +120,8 @@ Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& 
       part.name = meshes.size() == 1 ? model.name : model.name + " " + part.name;
     }
     part.raw = std::move(raw);
-    part.provenance.file = part.raw.file.empty() ? shown : part.raw.file;
+    sayOrigin(part, source, fingerprint);
+    part.provenance.part = names[i];
     if (options.repair)
       mend(part, shown, loaded.warnings);
     if (!meter.goesOn(shown))
@@ -133,11 +170,30 @@ void leaveOutTwins(std::vector<Part>& parts, const Sources& sources,
                                     " left out that the folder also holds as surfaces"});
 }
 
+std::optional<glm::dmat4> matrixOf(const Provenance& as) {
+  if (!as.transform)
+    return std::nullopt;
+  glm::dmat4 matrix(1.0);
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column)
+      matrix[column][row] = double((*as.transform)[std::size_t(row) * 4 + std::size_t(column)]);
+  return matrix;
+}
+
+std::array<float, 12> rowsOf(const glm::dmat4& matrix) {
+  std::array<float, 12> rows{};
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column)
+      rows[std::size_t(row) * 4 + std::size_t(column)] = float(matrix[column][row]);
+  return rows;
+}
+
 /// File coordinates → millimetres LPS.
-glm::vec3 placed(const glm::vec3& p, const Part& part, const std::optional<glm::dmat4>& toWorld) {
-  glm::vec3 q = part.raw.yUp ? uprightToLps(p) : p;
-  q *= part.unit;
-  if (part.frame == Frame::ras)
+glm::vec3 placed(const glm::vec3& p, const Provenance& as, bool yUp,
+                 const std::optional<glm::dmat4>& toWorld) {
+  glm::vec3 q = yUp ? uprightToLps(p) : p;
+  q *= as.mmPerUnit;
+  if (as.frame == frameName(Frame::ras))
     q = halfTurn(q);
   if (!toWorld)
     return q;
@@ -229,36 +285,69 @@ void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothi
   });
 }
 
+Result<MeshPtr> placedMesh(RawMesh raw, Provenance& as) {
+  if (as.frame != frameName(Frame::file)) {
+    const std::optional<glm::dmat4> toWorld = matrixOf(as);
+    for (glm::vec3& p : raw.positions)
+      p = placed(p, as, raw.yUp, toWorld);
+    const double scale = toWorld ? glm::determinant(glm::dmat3(*toWorld)) : 1.0;
+    as.displacementMm *= float(std::cbrt(std::abs(scale)));
+    if (scale < 0.0)
+      for (Triangle& t : raw.triangles)
+        std::swap(t[1], t[2]);
+  }
+  Result<Mesh> mesh = Mesh::create(std::move(raw.positions), std::move(raw.triangles));
+  if (!mesh)
+    return mesh.error();
+  return MeshPtr(std::make_shared<const Mesh>(std::move(*mesh)));
+}
+
+std::vector<std::string> partNames(const std::vector<RawMesh>& meshes) {
+  std::vector<std::string> names;
+  names.reserve(meshes.size());
+  for (const RawMesh& mesh : meshes) {
+    std::string name = nameInFile(mesh.name);
+    names.push_back(name.empty() ? "surface" : std::move(name));
+  }
+  makeUnique(names);
+  return names;
+}
+
 void placeParts(std::vector<Part>& parts, const Sources& sources,
                 std::vector<ImportWarning>& warnings) {
   for (Part& part : parts) {
     const SourceFile& source = sources.files[part.file];
-    std::optional<glm::dmat4> toWorld;
-    if (source.model)
-      toWorld = sources.sources[source.source].scene->models[*source.model].toWorld;
     part.provenance.frame = frameName(part.frame);
     part.provenance.mmPerUnit = part.unit;
-    if (part.frame != Frame::file) {
-      for (glm::vec3& p : part.raw.positions)
-        p = placed(p, part, toWorld);
-      if (toWorld) {
-        const double scale = glm::determinant(glm::dmat3(*toWorld));
-        part.provenance.displacementMm *= float(std::cbrt(std::abs(scale)));
-        if (scale < 0.0)
-          for (Triangle& t : part.raw.triangles)
-            std::swap(t[1], t[2]);
-      }
-    }
-    Result<Mesh> mesh = Mesh::create(std::move(part.raw.positions), std::move(part.raw.triangles));
+    if (source.model)
+      if (const auto& toWorld = sources.sources[source.source].scene->models[*source.model].toWorld)
+        part.provenance.transform = rowsOf(*toWorld);
+    Result<MeshPtr> mesh = placedMesh(std::move(part.raw), part.provenance);
     if (mesh)
-      part.mesh = std::make_shared<const Mesh>(std::move(*mesh));
+      part.mesh = std::move(*mesh);
     else
       warnings.push_back(
           {part.provenance.file, "\"" + part.name + "\" was left out: " + mesh.error().text()});
-    part.raw.positions = {};
-    part.raw.triangles = {};
   }
   std::erase_if(parts, [](const Part& part) { return !part.mesh; });
+}
+
+void decimateParts(std::vector<Part>& parts, float bound, ProgressMeter& meter) {
+  std::vector<std::size_t> order(parts.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return parts[a].mesh->triangleCount() > parts[b].mesh->triangleCount();
+  });
+  forFewAtATime(order, meter, [&](std::size_t i) {
+    Part& part = parts[i];
+    const std::size_t before = part.mesh->triangleCount();
+    Simplified fewer = simplified(part.mesh, bound, [&] { return meter.goesOn(part.name); });
+    if (fewer.mesh == part.mesh)
+      return;
+    part.mesh = std::move(fewer.mesh);
+    part.provenance.decimatedFrom = int(before);
+    part.provenance.decimationMm = fewer.error;
+  });
 }
 
 }  // namespace sline::model

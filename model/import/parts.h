@@ -61,8 +61,18 @@ std::vector<Part> loadParts(const Sources& sources, const ImportOptions& options
 void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothing& smoothing,
                  ProgressMeter& meter);
 
+/// Surfaces of one file under names that tell them apart, by which they are found again later.
+std::vector<std::string> partNames(const std::vector<RawMesh>& meshes);
+
+/// The surface in millimetres LPS, by the frame, unit and transform that are told of it. Its
+/// displacement is scaled with it.
+Result<MeshPtr> placedMesh(RawMesh raw, Provenance& as);
+
 /// Brings each part to millimetres LPS by its frame, unit and transform, and makes its mesh.
 void placeParts(std::vector<Part>& parts, const Sources& sources,
                 std::vector<ImportWarning>& warnings);
+
+/// Fewer triangles within `bound` mm (geometry/simplification.h).
+void decimateParts(std::vector<Part>& parts, float bound, ProgressMeter& meter);
 
 }  // namespace sline::model

@@ -7,6 +7,7 @@ Result<ImportPlan> planImport(std::span<const std::filesystem::path> inputs,
                               const ImportOptions& options, const ImportProgress& progress) {
   ImportOptions quick = options;
   quick.smoothing.mode = Smoothing::Mode::off;
+  quick.decimateMm = 0.0f;
   Result<Imported> imported = importInputs(inputs, quick, progress);
   if (!imported.ok())
     return imported.error();

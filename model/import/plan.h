@@ -11,7 +11,8 @@
 namespace sline::model {
 
 /// A value that can be shown, changed and carried out: the tree with each structure's frame and
-/// unit and what decided them (Provenance), surfaces as repaired but not yet smoothed, and in the
+/// unit and what decided them (Provenance), surfaces as repaired but not yet smoothed or
+/// decimated, and in the
 /// report what would be left out and why. Who changes `options` or `inputs` plans again to see the
 /// rest.
 struct ImportPlan {

@@ -12,6 +12,7 @@
 #include "model/base/result.h"
 #include "model/base/units.h"
 #include "model/geometry/mesh.h"
+#include "model/import/molecules/backbone.h"
 #include "model/import/read_options.h"
 
 namespace sline::model {
@@ -21,8 +22,9 @@ namespace sline::model {
 enum class Frame { lps, ras, file };
 
 struct RawMesh {
-  std::string name;                  ///< the group's or node's name in the file; may be empty
-  std::vector<std::string> groups;   ///< enclosing named groups in the file, outermost first
+  std::string name;                 ///< the group's or node's name in the file; may be empty
+  std::vector<std::string> groups;  ///< enclosing named groups in the file, outermost first
+  std::string origin;               ///< told in place of the file's name, which may say whose it is
   std::vector<glm::vec3> positions;  ///< in the file's own coordinates and unit
   std::vector<Triangle> triangles;   ///< polygons and strips already cut into triangles
   std::optional<Colour> colour;      ///< where the file gives the surface one colour
@@ -35,7 +37,10 @@ struct RawMesh {
   bool yUp = false;                 ///< glTF: +y up, +x patient left, +z to the front
   std::string file;                 ///< its own file's name where several were read together
   bool smooth = false;              ///< made smooth by its reader: not smoothed or refined again
-  float displacement = 0.0f;        ///< the farthest that reader moved a vertex, in the file's unit
+  std::optional<bool> visible;      ///< where the reader would rather hide it at first
+  std::optional<MoleculePart> molecule;  ///< cut from a molecule: named, grouped and coloured by
+                                         ///< its reader, not by anatomy
+  float displacement = 0.0f;  ///< the farthest that reader moved a vertex, in the file's unit
 };
 
 /// Something left out or mended on the way in; the rest of the file was read.

@@ -34,6 +34,38 @@ Section moved(Section section, const NewIds& ids) {
   return section;
 }
 
+/// On what is not in the scene: nothing, as with a scope.
+NodeId movedId(NodeId id, const NewIds& ids) {
+  const auto found = ids.find(id);
+  return found == ids.end() ? NodeId{} : found->second;
+}
+
+Annotation moved(Annotation annotation, const NewIds& ids) {
+  for (Anchor& anchor : annotation.anchors)
+    if (auto* point = std::get_if<SurfacePoint>(&anchor))
+      point->structure = movedId(point->structure, ids);
+  return annotation;
+}
+
+View moved(View view, const NewIds& ids, const std::map<AnnotationId, AnnotationId>& noteIds) {
+  if (view.sections)
+    for (Section& section : *view.sections)
+      section = moved(section, ids);
+  if (view.looks) {
+    for (Look& look : *view.looks)
+      look.node = movedId(look.node, ids);
+    std::erase_if(*view.looks, [](const Look& look) { return look.node == rootId; });
+  }
+  if (view.annotations) {
+    std::vector<AnnotationId> shown;
+    for (const AnnotationId old : *view.annotations)
+      if (const auto found = noteIds.find(old); found != noteIds.end())
+        shown.push_back(found->second);
+    view.annotations = std::move(shown);
+  }
+  return view;
+}
+
 void append(Scene& to, const Scene& added) {
   NewIds ids{{rootId, rootId}};
   for (Node node : added.nodes()) {
@@ -43,14 +75,15 @@ void append(Scene& to, const Scene& added) {
   }
   for (const Section& section : added.sections())
     to.appendSection(moved(section, ids));
+  std::map<AnnotationId, AnnotationId> noteIds;
+  for (const Annotation& annotation : added.annotations())
+    noteIds[annotation.id] = to.appendAnnotation(moved(annotation, ids));
   std::vector<View> views = to.views();
-  for (View view : added.views()) {
-    if (view.sections)
-      for (Section& section : *view.sections)
-        section = moved(section, ids);
-    views.push_back(std::move(view));
-  }
+  for (const View& view : added.views())
+    views.push_back(moved(view, ids, noteIds));
   to.setViews(std::move(views));
+  if (!to.keyLight())
+    to.setKeyLight(added.keyLight());
   if (to.unread().empty())
     to.setUnread(added.unread());
 }

@@ -14,7 +14,8 @@ namespace sline::model {
 Result<Imported> openScenes(std::span<const std::filesystem::path> files,
                             const ImportOptions& options);
 
-/// Adds nodes, sections and views under ids that are free in `to`; its own keep theirs.
+/// Adds nodes, sections, annotations and views under ids that are free in `to`; its own keep
+/// theirs. Its key light goes before the other's.
 void append(Imported& to, Imported added);
 
 }  // namespace sline::model

@@ -100,9 +100,9 @@ class Tree {
          found = m_items.byId.find(id)) {
       if (!seen.insert(id).second) {
         if (m_warned.insert(id).second)
-          m_result.warnings.push_back(
-              {m_document.file, "hierarchy nodes refer to each other in a circle (" + id +
-                                    "); what they hold stands at the top"});
+          m_result.warnings.push_back({m_document.file.filename().string(),
+                                       "hierarchy nodes refer to each other in a circle (" + id +
+                                           "); what they hold stands at the top"});
         return {};
       }
       ids.push_back(id);
@@ -123,7 +123,7 @@ class Tree {
       const auto known = m_groups.find(step);
       if (known == m_groups.end()) {
         m_groups.emplace(step, m_result.groups.size());
-        m_result.groups.push_back({nameOf(item), group, item.style});
+        m_result.groups.push_back({step, nameOf(item), group, item.style});
       }
       group = m_groups.at(step);
     }

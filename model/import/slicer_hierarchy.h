@@ -14,7 +14,7 @@ namespace sline::model {
 struct SlicerDocument {
   XmlNode scene;
   const SlicerNodes& nodes;
-  std::string file;  ///< for warnings
+  std::filesystem::path file;
 };
 
 /// Appends the scene's groups (those with a model somewhere below) and returns the group of each

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <charconv>
 #include <fstream>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
-#include <set>
 
 #include "model/import/file_kinds.h"
 #include "model/import/names.h"
+#include "model/import/slicer_annotations.h"
 #include "model/import/slicer_hierarchy.h"
 #include "model/import/slicer_nodes.h"
+#include "model/import/slicer_places.h"
+#include "model/import/slicer_views.h"
 
 namespace sline::model {
 
@@ -72,9 +72,11 @@ class SceneReader {
   SlicerScene read() {
     SlicerScene result;
     const std::unordered_map<std::string, std::size_t> groupOfModel =
-        readSlicerHierarchy({m_scene, m_nodes, m_file.filename().string()}, result);
+        readSlicerHierarchy({m_scene, m_nodes, m_file}, result);
     for (const XmlNode& node : m_scene.children("Model"))
       readModel(node, groupOfModel, result);
+    readSlicerFiducials({m_scene, m_nodes, m_file}, result);
+    readSlicerViews({m_scene, m_nodes, m_file}, result);
     warnOfVolumes(result);
     return result;
   }
@@ -85,10 +87,7 @@ class SceneReader {
   }
   void readModel(const XmlNode& node, const std::unordered_map<std::string, std::size_t>& groups,
                  SlicerScene& result);
-  std::optional<fs::path> locate(const std::string& written, SlicerScene& result) const;
   void decideFrame(const XmlNode& storage, SlicerModel& model) const;
-  void applyTransforms(const XmlNode& node, SlicerModel& model, SlicerScene& result) const;
-  std::optional<glm::dmat4> ownMatrix(const XmlNode& transform, SlicerScene& result) const;
   void warnOfVolumes(SlicerScene& result) const;
 
   fs::path m_file;
@@ -111,10 +110,11 @@ void SceneReader::readModel(const XmlNode& node,
     return;
   }
   ++result.named;
-  const std::optional<fs::path> file = locate(written, result);
+  const std::optional<fs::path> file = fileOfSlicer(m_file, written, result.warnings);
   if (!file)
     return;
   SlicerModel model;
+  model.id = node.attribute("id").value();
   if (isSurfaceFile(name))
     name = stemOf(name);
   model.name = readableName(name.empty() ? file->stem().string() : name);
@@ -126,31 +126,9 @@ void SceneReader::readModel(const XmlNode& node,
   if (!inherits)
     model.style = slicerStyle(m_nodes.referred(node, "display"));
   decideFrame(storage, model);
-  applyTransforms(node, model, result);
+  model.toWorld = SlicerTransforms(m_nodes, m_file.filename().string(), result.warnings)
+                      .above(node, model.name);
   result.models.push_back(std::move(model));
-}
-
-std::optional<fs::path> SceneReader::locate(const std::string& written, SlicerScene& result) const {
-  std::string slashes = written;
-  std::replace(slashes.begin(), slashes.end(), '\\', '/');
-  const std::string decoded = percentDecoded(slashes);
-  std::error_code fault;
-  for (const std::string& name : {slashes, decoded})
-    if (inside(name) && fs::is_regular_file(m_folder / name, fault))
-      return m_folder / fs::path(name).lexically_normal();
-  const bool escapes = !inside(decoded) || (decoded.size() > 1 && decoded[1] == ':');
-  for (const std::string& name : {slashes, decoded}) {
-    const fs::path base = fs::path(name).filename();
-    if (!escapes || base.empty() || base == "..")
-      continue;
-    for (const fs::path& place : {m_folder / base, m_folder / "Data" / base})
-      if (fs::is_regular_file(place, fault))
-        return place;
-  }
-  warn(result, written,
-       escapes ? "the scene refers to a place outside its folder; it was left out"
-               : "the file is absent; it was left out");
-  return std::nullopt;
 }
 
 void SceneReader::decideFrame(const XmlNode& storage, SlicerModel& model) const {
@@ -164,62 +142,6 @@ void SceneReader::decideFrame(const XmlNode& storage, SlicerModel& model) const 
   const bool before = !version || *version < 411;
   model.frame = before ? Frame::ras : Frame::lps;
   model.frameReason = before ? "scene of Slicer before 4.11" : "scene of Slicer 4.11 or later";
-}
-
-std::optional<glm::dmat4> SceneReader::ownMatrix(const XmlNode& transform,
-                                                 SlicerScene& result) const {
-  const std::string name = transform.attribute("name").value();
-  const std::string kind = transform.name();
-  const char* const toParent = transform.attribute("matrixTransformToParent").value();
-  const char* const fromParent = transform.attribute("matrixTransformFromParent").value();
-  const bool inverse = *toParent == '\0' && *fromParent != '\0';
-  if (*toParent == '\0' && *fromParent == '\0') {
-    warn(result, m_file.filename().string(),
-         "transform \"" + name + "\" is not a matrix in the scene (" + kind +
-             "); its models stay untransformed");
-    return std::nullopt;
-  }
-  const auto values = numbers(inverse ? fromParent : toParent, 16);
-  glm::dmat4 matrix(1.0);
-  for (int row = 0; values && row < 4; ++row)
-    for (int column = 0; column < 4; ++column)
-      matrix[column][row] = (*values)[std::size_t(row) * 4 + std::size_t(column)];
-  const double size = glm::determinant(glm::dmat3(matrix));
-  const bool affine =
-      matrix[0][3] == 0.0 && matrix[1][3] == 0.0 && matrix[2][3] == 0.0 && matrix[3][3] == 1.0;
-  if (!values || !affine || !(std::abs(size) > 1e-12)) {
-    warn(result, m_file.filename().string(),
-         "the matrix of transform \"" + name +
-             (values ? "\" is singular or not affine" : "\" is not 16 numbers") +
-             "; its models stay untransformed");
-    return std::nullopt;
-  }
-  return inverse ? glm::inverse(matrix) : matrix;
-}
-
-void SceneReader::applyTransforms(const XmlNode& node, SlicerModel& model,
-                                  SlicerScene& result) const {
-  glm::dmat4 total(1.0);
-  std::set<std::string> seen;
-  std::string id = SlicerNodes::reference(node, "transform");
-  if (id.empty())
-    return;
-  for (; !id.empty(); id = SlicerNodes::reference(m_nodes.find(id), "transform")) {
-    const XmlNode transform = m_nodes.find(id);
-    if (!transform || !seen.insert(id).second) {
-      warn(result, m_file.filename().string(),
-           transform ? "transforms refer to each other in a circle (" + id + "); \"" + model.name +
-                           "\" stays untransformed"
-                     : "transform " + id + " of \"" + model.name +
-                           "\" is absent; it stays untransformed");
-      return;
-    }
-    const std::optional<glm::dmat4> matrix = ownMatrix(transform, result);
-    if (!matrix)
-      return;
-    total = *matrix * total;
-  }
-  model.toWorld = total;
 }
 
 void SceneReader::warnOfVolumes(SlicerScene& result) const {

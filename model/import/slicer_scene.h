@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // 3D Slicer's scene file (.mrml, XML; Slicer 3, 4 and 5): which models it shows, where their files
-// are, their colours, places and hierarchy. Only the scene itself is read, not the copies of it
-// that its saved views hold.
+// are, their colours, places and hierarchy; its points and rulers; its camera and saved views.
 #pragma once
 
 #include <filesystem>
@@ -10,18 +9,22 @@
 #include <string>
 #include <vector>
 
+#include "model/import/fiducials.h"
 #include "model/import/raw_mesh.h"
+#include "model/scene/camera.h"
 #include "model/scene/style.h"
 
 namespace sline::model {
 
 struct SlicerGroup {
+  std::string id;  ///< of its node in the scene
   std::string name;
   std::optional<std::size_t> parent;  ///< index of an earlier group
   Style style;
 };
 
 struct SlicerModel {
+  std::string id;
   std::string name;
   std::filesystem::path file;  ///< exists
   std::optional<std::size_t> group;
@@ -31,10 +34,22 @@ struct SlicerModel {
   std::string frameReason;
 };
 
+/// A saved view, or with the camera alone what the scene was last seen from.
+struct SlicerView {
+  std::string name;
+  Camera camera;                ///< LPS, millimetres
+  std::vector<Style> groups;    ///< one for each of the scene's groups
+  std::vector<Style> models;    ///< likewise; empty with `groups`: it leaves them as they are
+  std::vector<bool> fiducials;  ///< which of the scene's fiducials are shown; likewise
+};
+
 struct SlicerScene {
   std::vector<SlicerGroup> groups;  ///< parents first
   std::vector<SlicerModel> models;  ///< in the scene's order
-  std::size_t named = 0;            ///< models with a file, whether or not it is there
+  std::vector<Fiducial> fiducials;
+  std::vector<std::string> fiducialIds;  ///< of the node that each of them is of
+  std::vector<SlicerView> views;
+  std::size_t named = 0;  ///< models with a file, whether or not it is there
   std::vector<ImportWarning> warnings;
 };
 

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
+#include "model/import/dicom/left_out.h"
 #include "model/import/file_kinds.h"
 
 namespace sline::model {
@@ -16,7 +19,8 @@ namespace fs = std::filesystem;
 
 std::string supportedKinds() {
   return "Give a file of surfaces (" + surfaceExtensions() +
-         "), a folder of them, a 3D Slicer scene (.mrml) or a scene file (.sline)";
+         "), a folder of them, a 3D Slicer scene (.mrml, .mrb) or its fiducials (" +
+         fiducialExtensions() + "), or a scene file (.sline)";
 }
 
 std::string lowerExtension(const fs::path& file) {
@@ -25,6 +29,10 @@ std::string lowerExtension(const fs::path& file) {
     c = char(std::tolower(static_cast<unsigned char>(c)));
   return extension;
 }
+
+/// How often a scene may have all of its files in it: a small one must not fill the memory by
+/// naming a large mesh again and again.
+constexpr std::uint64_t mostTimes = 4;
 
 class Collector {
  public:
@@ -40,7 +48,13 @@ class Collector {
     else if (fs::is_directory(status))
       addFolder(input);
     else if (lowerExtension(input) == ".mrml")
-      addScene(input);
+      addScene(input, nullptr);
+    else if (lowerExtension(input) == ".mrb")
+      addBundle(input);
+    else if (isFiducialFile(input))
+      addFiducials(input);
+    else if (m_looseImages.takes(input))
+      m_imageFile = input;
     else if (isSurfaceFile(input))
       addFile(input, looseFiles(), {});
     else
@@ -51,6 +65,10 @@ class Collector {
 
   Sources take() && {
     joinVolumes();
+    if (!m_looseImages.empty())
+      refuse({.file = m_looseImages.count() == 1 ? m_imageFile.string() : std::string(),
+              .reason = m_looseImages.text(),
+              .remedy = DicomLeftOut::remedy()});
     return std::move(m_result);
   }
 
@@ -103,6 +121,7 @@ class Collector {
 
   void addFolder(const fs::path& folder) {
     std::vector<fs::path> files;
+    DicomLeftOut images;
     std::error_code fault;
     // Links to folders are not followed, so that no circle of links is.
     fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
@@ -110,7 +129,8 @@ class Collector {
     for (const fs::recursive_directory_iterator end; !fault && entry != end;
          entry.increment(fault)) {
       std::error_code ignored;
-      if (entry->is_regular_file(ignored) && isSurfaceFile(entry->path()))
+      if (entry->is_regular_file(ignored) && !images.takes(entry->path()) &&
+          isSurfaceFile(entry->path()))
         files.push_back(entry->path());
     }
     if (fault)
@@ -118,29 +138,57 @@ class Collector {
           {folder.string(), "the folder could not be read to its end: " + fault.message()});
     if (files.empty()) {
       refuse({.file = folder.string(),
-              .reason = "the folder holds no mesh",
-              .remedy = supportedKinds()});
+              .reason = images.empty() ? "the folder holds no mesh" : images.text(),
+              .remedy = images.empty() ? supportedKinds() : DicomLeftOut::remedy()});
       return;
     }
+    if (!images.empty())
+      m_result.warnings.push_back({folder.string(), images.text() + ". " + DicomLeftOut::remedy()});
     std::sort(files.begin(), files.end());
     m_result.sources.push_back({ImportSource::Kind::folder, folder, std::nullopt});
     for (const fs::path& file : files) {
       std::vector<std::string> folders;
-      for (const fs::path& step : file.lexically_relative(folder).parent_path())
-        folders.push_back(step.string());
+      // Folders of medical images are called after patients and studies, not after anatomy.
+      if (!isDicomFile(file))
+        for (const fs::path& step : file.lexically_relative(folder).parent_path())
+          folders.push_back(step.string());
       addFile(file, m_result.sources.size() - 1, std::move(folders));
     }
   }
 
-  void addScene(const fs::path& input) {
-    Result<SlicerScene> scene = readSlicerScene(input, m_limits);
+  void addFiducials(const fs::path& input) {
+    Result<Fiducials> read = readFiducials(input, m_limits);
+    if (!read) {
+      refuse(read.error());
+      return;
+    }
+    auto& warnings = m_result.warnings;
+    warnings.insert(warnings.end(), read->warnings.begin(), read->warnings.end());
+    std::move(read->items.begin(), read->items.end(), std::back_inserter(m_result.fiducials));
+  }
+
+  void addBundle(const fs::path& input) {
+    Result<SlicerBundle> bundle = unpackBundle(input, m_limits);
+    if (!bundle)
+      refuse(bundle.error());
+    else
+      addScene(input, std::make_shared<const SlicerBundle>(std::move(*bundle)));
+  }
+
+  void addScene(const fs::path& input, std::shared_ptr<const SlicerBundle> bundle) {
+    Result<SlicerScene> scene = readSlicerScene(bundle ? bundle->scene : input, m_limits);
     if (!scene) {
-      refuse(scene.error());
+      Error error = scene.error();
+      if (bundle)
+        error.where = bundle->scene.filename().string() +
+                      (error.where.empty() ? std::string() : ", " + error.where);
+      error.file = input.string();
+      refuse(std::move(error));
       return;
     }
     auto& warnings = m_result.warnings;
     warnings.insert(warnings.end(), scene->warnings.begin(), scene->warnings.end());
-    if (scene->models.empty()) {
+    if (scene->models.empty() && scene->fiducials.empty()) {
       refuse({.file = input.string(),
               .reason = scene->named == 0 ? "the scene holds no model"
                                           : "none of the scene's " + std::to_string(scene->named) +
@@ -149,18 +197,41 @@ class Collector {
       return;
     }
     const std::size_t source = m_result.sources.size();
+    std::uint64_t allowed = 0;
+    std::set<fs::path> files;
+    for (const SlicerModel& model : scene->models)
+      if (std::error_code fault; files.insert(model.file).second)
+        allowed += mostTimes * fs::file_size(model.file, fault);
     for (std::size_t i = 0; i < scene->models.size(); ++i) {
       addFile(scene->models[i].file, source, {});
-      m_result.files.back().model = i;
+      SourceFile& added = m_result.files.back();
+      added.model = i;
+      if (added.bytes <= allowed) {
+        allowed -= added.bytes;
+        continue;
+      }
+      warnings.push_back(
+          {added.file.filename().string(), "the scene refers to its files too many times; \"" +
+                                               scene->models[i].name + "\" was left out"});
+      m_result.files.pop_back();
     }
-    m_result.sources.push_back({ImportSource::Kind::slicer, input, std::move(*scene)});
+    m_result.sources.push_back(
+        {ImportSource::Kind::slicer, input, std::move(*scene), std::move(bundle)});
   }
 
   ReadLimits m_limits;
   Sources m_result;
+  DicomLeftOut m_looseImages;
+  fs::path m_imageFile;  ///< the last of them
 };
 
 }  // namespace
+
+bool haveFiducials(const Sources& sources) {
+  return !sources.fiducials.empty() ||
+         std::any_of(sources.sources.begin(), sources.sources.end(),
+                     [](const ImportSource& s) { return s.scene && !s.scene->fiducials.empty(); });
+}
 
 Sources collectSources(std::span<const fs::path> inputs, const ReadLimits& limits) {
   Collector collector(limits);

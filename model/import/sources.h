@@ -3,20 +3,24 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "model/import/fiducials.h"
 #include "model/import/import.h"
+#include "model/import/slicer_bundle.h"
 #include "model/import/slicer_scene.h"
 
 namespace sline::model {
 
 struct ImportSource {
   enum class Kind { files, folder, slicer } kind = Kind::files;
-  std::filesystem::path path;        ///< of the folder or scene
-  std::optional<SlicerScene> scene;  ///< kind slicer
+  std::filesystem::path path;                            ///< of the folder or scene
+  std::optional<SlicerScene> scene;                      ///< kind slicer
+  std::shared_ptr<const SlicerBundle> bundle = nullptr;  ///< where the scene's files are, if there
 };
 
 struct SourceFile {
@@ -32,9 +36,13 @@ struct SourceFile {
 struct Sources {
   std::vector<ImportSource> sources;  ///< all mesh files named one by one are one source
   std::vector<SourceFile> files;
+  std::vector<Fiducial> fiducials;  ///< of files named one by one
   std::vector<ImportWarning> warnings;
   std::optional<Error> firstError;  ///< of an input that gave nothing
 };
+
+/// Whether there is a point or a line among them, in a scene or beside it.
+bool haveFiducials(const Sources& sources);
 
 /// Inputs that cannot be used become warnings; `firstError` tells about the first of them.
 Sources collectSources(std::span<const std::filesystem::path> inputs, const ReadLimits& limits);

@@ -167,6 +167,32 @@ void Scene::setSections(std::vector<Section> sections) {
   }
 }
 
+std::optional<glm::vec3> Scene::placeOf(const Anchor& anchor) const {
+  if (const auto* place = std::get_if<glm::vec3>(&anchor))
+    return *place;
+  const SurfacePoint& point = std::get<SurfacePoint>(anchor);
+  const Node* node = find(point.structure);
+  if (!node || node->isGroup() || point.triangle >= node->mesh->triangleCount())
+    return std::nullopt;
+  return placeOn(*node->mesh, point);
+}
+
+AnnotationId Scene::appendAnnotation(Annotation annotation) {
+  assert(!annotationFault(annotation));
+  annotation.id = AnnotationId{++m_lastAnnotationId};
+  m_annotations.push_back(std::move(annotation));
+  return m_annotations.back().id;
+}
+
+void Scene::setAnnotations(std::vector<Annotation> annotations) {
+  m_annotations = std::move(annotations);
+  [[maybe_unused]] IdSet seen;
+  for (const Annotation& annotation : m_annotations) {
+    assert(!annotationFault(annotation) && seen.insert(annotation.id.value).second);
+    m_lastAnnotationId = std::max(m_lastAnnotationId, annotation.id.value);
+  }
+}
+
 std::string normalisedName(std::string_view name) {
   std::string normal;
   for (const char c : name) {

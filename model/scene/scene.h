@@ -4,6 +4,7 @@
 // previous value; whoever draws or saves takes a copy and needs no lock.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,12 +12,21 @@
 #include <vector>
 
 #include "model/geometry/mesh.h"
+#include "model/scene/annotation.h"
 #include "model/scene/camera.h"
+#include "model/scene/light.h"
 #include "model/scene/node_id.h"
 #include "model/scene/section.h"
 #include "model/scene/style.h"
 
 namespace sline::model {
+
+/// Of a file's bytes, to see later whether it has changed.
+struct Fingerprint {
+  std::uint64_t bytes = 0;  ///< its length
+  std::uint32_t crc = 0;    ///< CRC-32 (IEEE 802.3)
+  bool operator==(const Fingerprint&) const = default;
+};
 
 /// Where a structure came from and what import did to it.
 struct Provenance {
@@ -29,6 +39,12 @@ struct Provenance {
   float displacementMm = 0;  ///< the farthest any vertex moved
   float mmPerUnit = 1;       ///< how long the file's unit was taken to be
   std::string unitReason;    ///< what decided it
+  int decimatedFrom = 0;     ///< triangles before decimation; 0: there was none
+  float decimationMm = 0;    ///< the farthest it took the surface from where it was, as measured
+  std::string part;          ///< which of the file's surfaces; empty where it has no other
+  std::optional<Fingerprint> fingerprint;  ///< of the file
+  /// What a scene around the file did to it: the rows of an affine map of RAS millimetres.
+  std::optional<std::array<float, 12>> transform;
   bool operator==(const Provenance&) const = default;
 };
 
@@ -46,12 +62,23 @@ struct Node {
   bool operator==(const Node&) const = default;
 };
 
-/// A saved view.
+/// How a view shows a node: what the style answers replaces what the node says itself, the rest
+/// stays.
+struct Look {
+  NodeId node;
+  Style style;
+  std::string unread;  ///< as Node::unread
+  bool operator==(const Look&) const = default;
+};
+
+/// A saved view. What is absent is left as the scene has it.
 struct View {
   std::string name;
   Camera camera;
-  std::optional<std::vector<Section>> sections;  ///< absent: the view leaves the scene's own
-  std::string unread;                            ///< as Node::unread
+  std::optional<std::vector<Section>> sections;
+  std::optional<std::vector<Look>> looks;                ///< at most one for a node
+  std::optional<std::vector<AnnotationId>> annotations;  ///< those shown, of all
+  std::string unread;                                    ///< as Node::unread
   bool operator==(const View&) const = default;
 };
 
@@ -61,6 +88,9 @@ class Scene {
   const std::vector<Node>& nodes() const { return m_nodes; }
   const std::vector<View>& views() const { return m_views; }
   const std::vector<Section>& sections() const { return m_sections; }
+  const std::vector<Annotation>& annotations() const { return m_annotations; }
+  /// Absent: whoever draws decides.
+  const std::optional<KeyLight>& keyLight() const { return m_keyLight; }
 
   /// Null where there is no such node (or for the root).
   const Node* find(NodeId id) const;
@@ -91,6 +121,13 @@ class Scene {
   SectionId appendSection(Section section);
   /// Replaces the sections; asserts that ids are unique and planes without fault.
   void setSections(std::vector<Section> sections);
+  /// Where it is: LPS, millimetres; absent where its structure or triangle is not in the scene.
+  std::optional<glm::vec3> placeOf(const Anchor& anchor) const;
+  /// Appends an annotation and gives it a fresh id.
+  AnnotationId appendAnnotation(Annotation annotation);
+  /// Replaces the annotations; asserts that ids are unique and annotations without fault.
+  void setAnnotations(std::vector<Annotation> annotations);
+  void setKeyLight(std::optional<KeyLight> light) { m_keyLight = std::move(light); }
   /// As Node::unread, of the file as a whole.
   const std::string& unread() const { return m_unread; }
   void setUnread(std::string unread) { m_unread = std::move(unread); }
@@ -101,9 +138,12 @@ class Scene {
   std::vector<Node> m_nodes;
   std::vector<View> m_views;
   std::vector<Section> m_sections;
+  std::vector<Annotation> m_annotations;
+  std::optional<KeyLight> m_keyLight;
   std::string m_unread;
   std::uint64_t m_lastId = 0;
   std::uint64_t m_lastSectionId = 0;
+  std::uint64_t m_lastAnnotationId = 0;
 };
 
 /// Lower case, '_' and '-' as spaces, runs of spaces as one: how names are compared.

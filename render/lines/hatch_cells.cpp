@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace sline::render {
 
@@ -32,46 +31,73 @@ class Descent {
   std::vector<LaidCell> cells(std::span<const std::uint32_t> clusters) {
     for (const std::uint32_t c : clusters) {
       const model::Sphere& bounds = m_layout.surface().clusters.items[c].bounds;
-      if (m_frustum.misses(bounds))
-        continue;
-      for (const LaidCell& cell : m_layout.cellsNear(m_layout.firstLevel(), bounds))
-        m_next[cell].push_back(c);
+      if (!m_frustum.misses(bounds))
+        m_seen.push_back(
+            {bounds, levelAt(m_scale.project(bounds.centre).distanceMm - bounds.radius)});
     }
-    while (!m_next.empty()) {
-      const std::map<LaidCell, std::vector<std::uint32_t>> level = std::move(m_next);
-      m_next.clear();
-      for (const auto& [cell, around] : level)
-        look(cell, around);
+    std::vector<LaidCell> next =
+        m_layout.cellsNear(m_layout.firstLevel(), m_layout.surface().boundingSphere);
+    for (int level = m_layout.firstLevel(); !next.empty(); ++level) {
+      std::sort(next.begin(), next.end());
+      next.erase(std::unique(next.begin(), next.end()), next.end());
+      m_candidates.clear();
+      for (const LaidCell& cell : next)
+        m_candidates.push_back({cell, m_layout.reached(cell)});
+      next.clear();
+      for (const Seen& seen : m_seen)
+        if (seen.level + 1.0f > float(level))
+          raise(level, seen);
+      for (const Candidate& candidate : m_candidates)
+        look(candidate, next);
     }
     return std::move(m_needed);
   }
 
  private:
-  void look(const LaidCell& cell, std::vector<std::uint32_t> around) {
-    const model::Box reached = m_layout.reached(cell);
-    if (m_frustum.misses({reached.centre(), 0.5f * glm::distance(reached.low, reached.high)}))
+  struct Seen {
+    model::Sphere bounds;  ///< of a cluster
+    float level;           ///< the finest that shows on it
+  };
+  struct Candidate {
+    LaidCell cell;
+    model::Box reached;
+    float level = -std::numeric_limits<float>::infinity();  ///< the finest of the clusters reached
+  };
+
+  /// Tells the candidates that reach the cluster how fine strokes on it are.
+  void raise(int level, const Seen& seen) {
+    const auto tell = [&seen](Candidate& candidate) {
+      if (seen.level > candidate.level && touches(seen.bounds, candidate.reached))
+        candidate.level = seen.level;
+    };
+    const CellRange near = m_layout.rangeNear(level, seen.bounds);
+    // A cluster around the eye has strokes so fine that it has more cells than are looked at.
+    if (near.count() >= double(m_candidates.size())) {
+      std::for_each(m_candidates.begin(), m_candidates.end(), tell);
       return;
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
-    const float boxDepth = depthOf(m_scale, reached);
-    bool needed = false;
-    std::vector<std::uint32_t> finer;
-    for (const std::uint32_t c : around) {
-      const model::Sphere& bounds = m_layout.surface().clusters.items[c].bounds;
-      if (!touches(bounds, reached))
-        continue;
-      const float depth =
-          std::max(boxDepth, m_scale.project(bounds.centre).distanceMm - bounds.radius);
-      const float level = levelAt(depth);
-      needed = needed || level + 1.0f > float(cell.level);
-      if (level > float(cell.level))
-        finer.push_back(c);
     }
-    if (needed)
-      m_needed.push_back(cell);
-    if (cell.level < finestHatchLevel && !finer.empty())
-      for (const LaidCell& child : m_layout.cellsWithin(cell.level + 1, m_layout.home(cell)))
-        m_next[child].insert(m_next[child].end(), finer.begin(), finer.end());
+    near.forEach([&](const LaidCell& cell) {
+      const auto at = std::lower_bound(
+          m_candidates.begin(), m_candidates.end(), cell,
+          [](const Candidate& candidate, const LaidCell& c) { return candidate.cell < c; });
+      if (at != m_candidates.end() && at->cell == cell)
+        tell(*at);
+    });
+  }
+
+  void look(const Candidate& candidate, std::vector<LaidCell>& next) {
+    const model::Box& reached = candidate.reached;
+    const int level = candidate.cell.level;
+    if (candidate.level + 1.0f <= float(level) ||
+        m_frustum.misses({reached.centre(), 0.5f * glm::distance(reached.low, reached.high)}))
+      return;
+    const float shown = std::min(candidate.level, levelAt(depthOf(m_scale, reached)));
+    if (shown + 1.0f > float(level))
+      m_needed.push_back(candidate.cell);
+    if (level >= finestHatchLevel || shown <= float(level))
+      return;
+    m_layout.rangeWithin(level + 1, m_layout.home(candidate.cell))
+        .forEach([&next](const LaidCell& cell) { next.push_back(cell); });
   }
 
   float levelAt(float depth) const {
@@ -83,7 +109,8 @@ class Descent {
   const ViewScale& m_scale;
   const Frustum& m_frustum;
   float m_spacing;
-  std::map<LaidCell, std::vector<std::uint32_t>> m_next;
+  std::vector<Seen> m_seen;
+  std::vector<Candidate> m_candidates;  ///< of the level that is looked at, ascending
   std::vector<LaidCell> m_needed;
 };
 }  // namespace

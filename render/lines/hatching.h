@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "model/scene/camera.h"
+#include "model/scene/light.h"
 #include "render/lines/stroke_layout.h"
 
 namespace sline::render {
@@ -39,9 +40,7 @@ struct Hatching {
 inline constexpr float hatchSpacing = 7.5f;
 inline constexpr float longestHatchStroke = 140.0f;
 
-/// Over the draughtsman's left shoulder, as plates of anatomy are lit; unit, in the camera's frame
-/// (right, up, back).
-inline constexpr glm::vec3 upperLeftLight{-0.538f, 0.606f, 0.586f};
+using model::upperLeftLight;
 
 struct HatchingRequest {
   float entered = 1.0f;              ///< T_H, 0 … 1; the amount of ink grows with it evenly

@@ -259,20 +259,26 @@ model::Box StrokeLayout::reached(const LaidCell& cell) const {
   return grown(home(cell), reach(cell.level));
 }
 
-std::vector<LaidCell> StrokeLayout::cellsWithin(int level, const model::Box& box) const {
+CellRange StrokeLayout::rangeWithin(int level, const model::Box& box) const {
   const glm::vec3 origin = m_surface->boundingSphere.centre;
-  const glm::vec3 low = glm::floor((box.low - origin) / side(level) + 0.5f);
-  const glm::vec3 high = glm::floor((box.high - origin) / side(level) + 0.5f);
+  return {level, glm::floor((box.low - origin) / side(level) + 0.5f),
+          glm::floor((box.high - origin) / side(level) + 0.5f)};
+}
+
+std::vector<LaidCell> StrokeLayout::cellsWithin(int level, const model::Box& box) const {
   std::vector<LaidCell> cells;
-  for (float z = low.z; z <= high.z; z += 1.0f)
-    for (float y = low.y; y <= high.y; y += 1.0f)
-      for (float x = low.x; x <= high.x; x += 1.0f)
-        cells.push_back({level, std::int32_t(x), std::int32_t(y), std::int32_t(z)});
+  rangeWithin(level, box).forEach([&cells](const LaidCell& cell) { cells.push_back(cell); });
   return cells;
 }
 
+CellRange StrokeLayout::rangeNear(int level, const model::Sphere& sphere) const {
+  return rangeWithin(level, grown({sphere.centre, sphere.centre}, sphere.radius + reach(level)));
+}
+
 std::vector<LaidCell> StrokeLayout::cellsNear(int level, const model::Sphere& sphere) const {
-  return cellsWithin(level, grown({sphere.centre, sphere.centre}, sphere.radius + reach(level)));
+  std::vector<LaidCell> cells;
+  rangeNear(level, sphere).forEach([&cells](const LaidCell& cell) { cells.push_back(cell); });
+  return cells;
 }
 
 SurfacePoint StrokeLayout::at(const LaidPoint& point) const {

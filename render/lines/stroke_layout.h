@@ -55,6 +55,25 @@ struct LaidCell {
   auto operator<=>(const LaidCell&) const = default;
 };
 
+/// The cells of one level from `low` to `high` along each axis, both included.
+struct CellRange {
+  int level = 0;
+  glm::vec3 low{0.0f};  ///< whole numbers; floats, which hold what would not fit a cell
+  glm::vec3 high{-1.0f};
+
+  double count() const {
+    const glm::dvec3 n = glm::max(glm::dvec3(high) - glm::dvec3(low) + 1.0, glm::dvec3(0.0));
+    return n.x * n.y * n.z;
+  }
+  template <class Body>
+  void forEach(const Body& body) const {
+    for (float z = low.z; z <= high.z; z += 1.0f)
+      for (float y = low.y; y <= high.y; y += 1.0f)
+        for (float x = low.x; x <= high.x; x += 1.0f)
+          body(LaidCell{level, std::int32_t(x), std::int32_t(y), std::int32_t(z)});
+  }
+};
+
 bool touches(const model::Sphere& sphere, const model::Box& box);
 
 /// May be asked by several threads.
@@ -74,8 +93,10 @@ class StrokeLayout {
   model::Box home(const LaidCell& cell) const;
   model::Box reached(const LaidCell& cell) const;
   /// The cells of a level that have something of the box.
+  CellRange rangeWithin(int level, const model::Box& box) const;
   std::vector<LaidCell> cellsWithin(int level, const model::Box& box) const;
   /// Those from which strokes may reach into the sphere.
+  CellRange rangeNear(int level, const model::Sphere& sphere) const;
   std::vector<LaidCell> cellsNear(int level, const model::Sphere& sphere) const;
   /// To be called before a view asks for its cells: what no view has asked for lately is forgotten
   /// where there is much of it, and laid again, the same, should it be needed.

@@ -67,15 +67,22 @@ float outlineError(const model::Surface& surface, const PictureView& view) {
   return std::min(sagitta * pixelsPerMillimetre(surface, view), 2.0f);
 }
 
+bool isContour(const passes::InkSegment& segment) {
+  return segment.contour > 0.0f;
+}
+
 class StrokeMaker {
  public:
   StrokeMaker(const model::Surface& surface, const PictureView& view, const gpu::Rect& area)
       : m_surface(surface), m_view(view), m_area(area) {}
 
   std::vector<passes::InkSegment> take() {
-    // By depth, so that where strokes of a layer cross the nearest depth is written last; stable,
-    // so that equal depths keep the surface's own order.
+    // Contours last, being another kind to draw; each kind by depth, so that where strokes of a
+    // layer cross the nearest depth is written last; stable, so that equal depths keep the
+    // surface's own order.
     std::stable_sort(m_strokes.begin(), m_strokes.end(), [](const auto& a, const auto& b) {
+      if (isContour(a) != isContour(b))
+        return isContour(b);
       return a.depthA + a.depthB > b.depthA + b.depthB;
     });
     return std::move(m_strokes);
@@ -329,6 +336,10 @@ std::vector<passes::InkSegment> edges(const model::Surface& surface, const Pictu
   for (const Segment& s : lines.contours)
     maker.contour(s, 1.0f, 1.0f, 1.0f);
   return maker.take();
+}
+
+std::size_t firstContour(std::span<const passes::InkSegment> strokes) {
+  return std::size_t(std::find_if(strokes.begin(), strokes.end(), isContour) - strokes.begin());
 }
 
 gpu::Rect strokeBounds(const passes::InkSegment& s) {

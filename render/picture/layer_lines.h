@@ -3,6 +3,7 @@
 // §7).
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "model/scene/style.h"
@@ -50,10 +51,13 @@ struct ContourProbes {
 ContourProbes contourProbes(const model::Surface& surface, const PictureView& view,
                             const model::ResolvedStyle& style);
 
-/// The strokes within `area`, farthest first.
+/// The strokes within `area`: lines on the surface, then contours, each farthest first.
 std::vector<passes::InkSegment> strokes(const model::Surface& surface, const PictureView& view,
                                         const model::ResolvedStyle& style,
                                         const StructureLines& drawn, const gpu::Rect& area);
+
+/// Where the contours begin among such strokes.
+std::size_t firstContour(std::span<const passes::InkSegment> strokes);
 
 /// The contours within `area` as strokes of one pixel that soften a fill's edge, farthest first.
 std::vector<passes::InkSegment> edges(const model::Surface& surface, const PictureView& view,

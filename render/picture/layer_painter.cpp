@@ -265,7 +265,8 @@ void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
       draw.first = all.size();
       draw.count = layers[i].edges[k].size();
       const passes::SurfaceFill fill = shownFill(input, shown);
-      draw.edge = glm::vec4(fill.colour, fill.complete * fill.opacity);
+      draw.kind = passes::InkKind::edges;
+      draw.paint = glm::vec4(fill.colour, fill.complete * fill.opacity);
       draw.key = keyLight(input);
       append(layers[i].edges[k]);
       edges.push_back(draw);
@@ -273,9 +274,13 @@ void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
   for (const std::size_t i : changed) {
     passes::InkDraw draw = inkDraw(input, layers[i], layers[i].members.front());
     draw.first = all.size();
-    draw.count = layers[i].strokes.size();
-    append(layers[i].strokes);
+    draw.count = firstContour(layers[i].strokes);
     strokes.push_back(draw);
+    draw.kind = passes::InkKind::contours;
+    draw.first += draw.count;
+    draw.count = layers[i].strokes.size() - draw.count;
+    strokes.push_back(draw);
+    append(layers[i].strokes);
   }
   m_inkPass->upload(all);
   DrawQueue queue;

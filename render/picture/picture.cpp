@@ -187,6 +187,7 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
     s.printedHatching = showsPrintedHatching(s.style, settings);
     bounds.add(s.mesh->bounds());
   }
+  const model::KeyLight own = scene.keyLight().value_or(model::KeyLight());
   Stopwatch stopwatch;
   const PictureView view(camera, bounds, settings.width, settings.height);
   std::map<model::NodeId, StructureLines> lines;
@@ -195,8 +196,8 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
   Status done = paint({.view = view,
                        .shown = visible,
                        .background = settings.background,
-                       .light = settings.light,
-                       .keyLight = settings.keyLight,
+                       .light = settings.light.value_or(own.towards),
+                       .keyLight = settings.keyLight.value_or(own.shades),
                        .parts = settings.parts,
                        .lines = whole ? nullptr : &lines,
                        .unwanted = output.unwanted},

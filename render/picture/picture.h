@@ -41,9 +41,10 @@ struct PictureSettings {
   Background background = Background::white;
   HatchingMethod hatching = HatchingMethod::strokes;
   /// Towards the light that hatching's shadows turn away from, in the camera's frame (right, up,
-  /// back).
-  glm::vec3 light = upperLeftLight;
-  bool keyLight = false;  ///< shading has that light, too, besides the headlight
+  /// back); absent: the scene's own, else from the upper left.
+  std::optional<glm::vec3> light;
+  /// Shading has that light, too, besides the headlight; absent: as the scene says, else not.
+  std::optional<bool> keyLight;
   PictureParts parts;
 };
 

@@ -3,8 +3,10 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+#include <optional>
 
 #include "tests/cli/sline_process.h"
 #include "tests/support/shapes.h"
@@ -20,6 +22,23 @@ QByteArray contentOf(const QString& name) {
 QJsonObject objectOf(const QStringList& arguments) {
   const Finished finished = runSline(arguments);
   return finished.code == 0 ? QJsonDocument::fromJson(finished.out).object() : QJsonObject();
+}
+
+/// Runs a shell's script where it may mount what it likes and nobody else sees it. Absent where the
+/// system does not grant that.
+std::optional<Finished> runWithOwnMounts(const QString& script, const QStringList& arguments) {
+  QProcess process;
+  process.start("unshare",
+                QStringList{"--map-root-user", "--mount", "sh", "-c",
+                            "mount -t tmpfs -o size=64k none /mnt || exit 77\n" + script, "sh"} +
+                    arguments);
+  if (!process.waitForStarted() || !process.waitForFinished(120000) ||
+      process.exitStatus() != QProcess::NormalExit)
+    return std::nullopt;
+  Finished finished{process.exitCode(), process.readAllStandardOutput(),
+                    process.readAllStandardError()};
+  const bool granted = finished.code != 77 && !finished.err.contains("unshare");
+  return granted ? std::optional(finished) : std::nullopt;
 }
 
 }  // namespace
@@ -38,6 +57,9 @@ class ImportTest : public QObject {
   void wrongUse_data();
   void wrongUse();
   void brokenFileIsNamed();
+  void diskTroubles_data();
+  void diskTroubles();
+  void fewerTriangles();
 
  private:
   QString at(const QString& name) const { return m_folder.filePath(name); }
@@ -121,7 +143,7 @@ void ImportTest::planAsText() {
 void ImportTest::planAsJson() {
   const QJsonObject plan =
       objectOf({"import", m_meshes, "--plan", "--json", "--unit", "cm", "-o", at("never.sline")});
-  QCOMPARE(plan.keys(), QStringList({"bounds_mm", "inputs", "left_out", "nodes"}));
+  QCOMPARE(plan.keys(), QStringList({"bounds_mm", "decimate_mm", "inputs", "left_out", "nodes"}));
   const QJsonArray nodes = plan["nodes"].toArray();
   QCOMPARE(nodes.size(), 5);
   QVERIFY(!nodes[0].toObject().contains("file"));
@@ -144,6 +166,8 @@ void ImportTest::wrongUse_data() {
   QTest::newRow("another kind") << QStringList{"-o", at("a.stl")} << QByteArray(".sline");
   QTest::newRow("JSON without plan") << QStringList{"-o", out, "--json"} << QByteArray("--plan");
   QTest::newRow("unit") << QStringList{"-o", out, "--unit", "mile"} << QByteArray("inch");
+  QTest::newRow("bound below nothing")
+      << QStringList{"-o", out, "--decimate-mm", "-1"} << QByteArray("--decimate-mm");
   QTest::newRow("unit of nothing")
       << QStringList{"-o", out, "--unit", "m", "--frame", "file"} << QByteArray("--frame file");
 }
@@ -163,6 +187,48 @@ void ImportTest::brokenFileIsNamed() {
   QCOMPARE(finished.code, 1);
   QVERIFY2(finished.err.contains("cut.sline") && finished.err.contains("ZIP"),
            finished.err.constData());
+}
+
+void ImportTest::diskTroubles_data() {
+  QTest::addColumn<QString>("trouble");
+  QTest::addColumn<QByteArray>("says");
+  QTest::newRow("full disk") << "true" << QByteArray("No space left on device");
+  QTest::newRow("read-only disk") << "mount -o remount,ro none /mnt"
+                                  << QByteArray("Read-only file system");
+}
+
+void ImportTest::diskTroubles() {
+  QFETCH(QString, trouble);
+  QFETCH(QByteArray, says);
+  const QString small = at("small.sline");
+  QCOMPARE(runSline({"import", m_meshes + "/Vessels/renal vein.obj", "-o", small}).code, 0);
+  QVERIFY(QFileInfo(small).size() < 60000 && QFileInfo(m_scene).size() > 70000);
+  const auto finished = runWithOwnMounts("cp \"$2\" /mnt/a.sline && " + trouble +
+                                             " || exit 77\n"
+                                             "\"$1\" import \"$3\" -o /mnt/a.sline; code=$?\n"
+                                             "cmp \"$2\" /mnt/a.sline && ls -A /mnt && exit $code",
+                                         {SLINE_PROGRAM, small, m_scene});
+  if (!finished)
+    QSKIP("this system lets nobody mount");
+  QCOMPARE(finished->code, 1);
+  QCOMPARE(finished->out, QByteArray("a.sline\n"));  // as it was, and nothing beside it
+  QVERIFY2(finished->err.contains("/mnt/a.sline") && finished->err.contains(says),
+           finished->err.constData());
+}
+
+void ImportTest::fewerTriangles() {
+  const QStringList off{"--smooth", "off"};
+  const QString fewer = at("fewer.sline");
+  const Finished finished =
+      runSline(QStringList{"import", m_meshes, "-o", fewer, "--decimate-mm", "0.5"} + off);
+  QVERIFY2(finished.code == 0, finished.err.constData());
+  const QJsonObject plan = objectOf({"import", fewer, "--plan", "--json"});
+  for (const QJsonValue& node : plan["nodes"].toArray())
+    if (node["name"].toString() == "kidney")
+      QVERIFY(node["triangles"].toInt() > 100 && node["triangles"].toInt() < 2000);
+  const Finished planned = runSline({"import", m_meshes, "--plan", "--decimate-mm", "0.5"});
+  QVERIFY2(planned.out.contains("5120 triangles") && planned.out.contains("more than 0.5 mm"),
+           planned.out.constData());
 }
 
 }  // namespace sline::test

@@ -49,8 +49,8 @@ void InfoTest::jsonHasItsShape() {
   const QJsonObject root = info({writeSample(folder.path())});
   QStringList keys = root.keys();
   keys.sort();
-  QCOMPARE(keys,
-           QStringList({"bounds_mm", "frame", "structures", "triangles", "vertices", "warnings"}));
+  QCOMPARE(keys, QStringList({"annotations", "bounds_mm", "frame", "structures", "triangles",
+                              "vertices", "views", "warnings"}));
   QCOMPARE(root["structures"].toArray().size(), 3);
   QCOMPARE(root["triangles"].toInt(), 5120 + 2 * 1280);
   QCOMPARE(root["vertices"].toInt(), 2562 + 2 * 642);

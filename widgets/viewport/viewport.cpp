@@ -133,7 +133,7 @@ void Viewport::refresh() {
                          .settings = {.width = scaled(size.width, m_askedScale),
                                       .height = scaled(size.height, m_askedScale),
                                       .background = m_background,
-                                      .keyLight = m_keyLight},
+                                      .keyLight = keyLight()},
                          .scale = m_askedScale,
                          .moving = m_moving};
   m_thread->ask(std::move(request));
@@ -234,6 +234,11 @@ void Viewport::setBackground(render::Background background) {
   styleLetters();
   refresh();
   emit backgroundChanged();
+}
+
+bool Viewport::keyLight() const {
+  const auto& own = m_session.scene().keyLight();
+  return own ? own->shades : m_keyLight;
 }
 
 void Viewport::setKeyLight(bool on) {

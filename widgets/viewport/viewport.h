@@ -35,8 +35,9 @@ class Viewport : public QOpenGLWidget {
   void fitAll();
   render::Background background() const { return m_background; }
   void setBackground(render::Background background);
-  /// A light from the upper left besides the headlight, on what is shaded.
-  bool keyLight() const { return m_keyLight; }
+  /// Whether what is shaded has the key light besides the headlight: as the scene says, else as it
+  /// was set here.
+  bool keyLight() const;
   void setKeyLight(bool on);
 
   /// True where the picture on screen is of the document and the camera as they are, in full size.

@@ -23,6 +23,7 @@
 
 #include "model/edit/emphasis.h"
 #include "model/edit/tree.h"
+#include "model/edit/views.h"
 #include "model/edit/visibility.h"
 #include "model/import/file_kinds.h"
 #include "widgets/gamma/gamma_panel.h"
@@ -219,7 +220,7 @@ void MainWindow::makeViewMenu() {
   m_sections = new SectionActions(m_session, *m_viewport, m_actions, this);
   QAction& keyLight = m_actions[QStringLiteral("keyLight")];
   keyLight.setCheckable(true);
-  connect(&keyLight, &QAction::toggled, m_viewport, &Viewport::setKeyLight);
+  connect(&keyLight, &QAction::triggered, this, &MainWindow::lightKey);
   view->addAction(&keyLight);
   QMenu* background = view->addMenu(tr("&Background"));
   auto* group = new QActionGroup(this);
@@ -252,9 +253,25 @@ void MainWindow::makeHelpMenu() {
 void MainWindow::listSavedViews() {
   m_savedViews->clear();
   for (const model::View& view : m_session.scene().views())
-    m_savedViews->addAction(QString::fromStdString(view.name), this,
-                            [this, camera = view.camera] { m_viewport->setCamera(camera); });
+    m_savedViews->addAction(QString::fromStdString(view.name), this, [this, view] {
+      m_viewport->setCamera(view.camera);
+      model::Scene shown = model::shown(m_session.scene(), view).scene;
+      const bool changed = !(shown == m_session.scene());
+      m_session.apply(tr("View “%1”").arg(QString::fromStdString(view.name)),
+                      {std::move(shown), changed});
+    });
   m_savedViews->setEnabled(!m_savedViews->isEmpty());
+}
+
+void MainWindow::lightKey(bool on) {
+  // New scenes have it too.
+  m_settings.setValue(QLatin1String(keyLightKey), on);
+  m_viewport->setKeyLight(on);
+  if (m_session.document().opening == 0)
+    return;
+  model::KeyLight light = m_session.scene().keyLight().value_or(model::KeyLight());
+  light.shades = on;
+  m_session.apply(tr("Key light"), model::withKeyLight(m_session.scene(), light));
 }
 
 void MainWindow::makeTools() {
@@ -393,8 +410,8 @@ void MainWindow::restore() {
   for (const BackgroundRow& row : backgroundRows())
     if (background == QLatin1String(row.id))
       m_viewport->setBackground(row.background);
-  m_actions[QStringLiteral("keyLight")].setChecked(
-      m_settings.value(QLatin1String(keyLightKey)).toBool());
+  m_viewport->setKeyLight(m_settings.value(QLatin1String(keyLightKey)).toBool());
+  m_actions[QStringLiteral("keyLight")].setChecked(m_viewport->keyLight());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -403,7 +420,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   for (const BackgroundRow& row : backgroundRows())
     if (row.background == m_viewport->background())
       m_settings.setValue(QLatin1String(backgroundKey), QLatin1String(row.id));
-  m_settings.setValue(QLatin1String(keyLightKey), m_viewport->keyLight());
   m_session.cancelJob();
   QMainWindow::closeEvent(event);
 }
@@ -464,8 +480,10 @@ void MainWindow::documentChange(const Document& before, const Document& now) {
   if (before.opening != now.opening || now.opening == 0) {
     setWindowTitle(now.title.isEmpty() ? tr("Sline") : tr("%1 – Sline").arg(now.title));
     m_summary->setText(now.opening == 0 ? QString() : summaryOf(now.scene));
-    listSavedViews();
   }
+  if (before.opening != now.opening || before.scene.views() != now.scene.views())
+    listSavedViews();
+  m_actions[QStringLiteral("keyLight")].setChecked(m_viewport->keyLight());
   updateActions();
 }
 

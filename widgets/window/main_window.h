@@ -49,6 +49,7 @@ class MainWindow : public QMainWindow {
   void makeViewMenu();
   void makeHelpMenu();
   void listSavedViews();
+  void lightKey(bool on);
   void makeTools();
   void connectSession();
   void connectActions();

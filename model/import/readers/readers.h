@@ -18,5 +18,6 @@ Result<RawMeshes> readOff(const std::filesystem::path& file, const ReadLimits& l
 Result<RawMeshes> readLegacyVtk(const std::filesystem::path& file, const ReadLimits& limits);
 Result<RawMeshes> readVtp(const std::filesystem::path& file, const ReadLimits& limits);
 Result<RawMeshes> readGltf(const std::filesystem::path& file, const ReadLimits& limits);
+Result<RawMeshes> readThreeMf(const std::filesystem::path& file, const ReadLimits& limits);
 
 }  // namespace sline::model

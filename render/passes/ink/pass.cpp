@@ -9,22 +9,31 @@ namespace sline::render::passes {
 
 namespace {
 
-gpu::ProgramRecipe recipe() {
+gpu::ProgramRecipe recipe(InkKind kind) {
   using gpu::UniformType;
-  return {.name = "ink",
-          .vertexFile = "ink.vert.glsl",
-          .fragmentFile = "ink.frag.glsl",
-          .uniforms = {{"layer", UniformType::vec4},
-                       {"surfaceDepth", UniformType::texture},
-                       {"slot", UniformType::ivec4},
-                       {"toAtlas", UniformType::ivec2},
-                       {"projection", UniformType::vec4},
-                       {"probe", UniformType::real},
-                       {"reach", UniformType::vec2},
-                       {"sheet", UniformType::real},
-                       {"edges", UniformType::integer},
-                       {"paint", UniformType::vec4},
-                       {"key", UniformType::vec3}}};
+  gpu::ProgramRecipe recipe{.name = "lines on surfaces",
+                            .vertexFile = "ink.vert.glsl",
+                            .fragmentFile = "surface_line.frag.glsl",
+                            .uniforms = {{"layer", UniformType::vec4},
+                                         {"surfaceDepth", UniformType::texture},
+                                         {"slot", UniformType::ivec4},
+                                         {"toAtlas", UniformType::ivec2},
+                                         {"projection", UniformType::vec4}}};
+  if (kind == InkKind::surfaceLines)
+    return recipe;
+  recipe.uniforms.push_back({"reach", UniformType::vec2});
+  recipe.uniforms.push_back({"sheet", UniformType::real});
+  if (kind == InkKind::contours) {
+    recipe.name = "contours";
+    recipe.fragmentFile = "contour.frag.glsl";
+    recipe.uniforms.push_back({"probe", UniformType::real});
+  } else {
+    recipe.name = "edges of fills";
+    recipe.fragmentFile = "edge.frag.glsl";
+    recipe.uniforms.push_back({"paint", UniformType::vec4});
+    recipe.uniforms.push_back({"key", UniformType::vec3});
+  }
+  return recipe;
 }
 
 std::vector<gpu::Stream> streams(const gpu::Buffer& buffer) {
@@ -45,11 +54,13 @@ InkPass::InkPass()
       m_geometry(streams(m_segments), nullptr, "ink") {}
 
 Result<std::unique_ptr<InkPass>> InkPass::create(gpu::Dialect dialect) {
-  auto program = gpu::Program::create(shaderFiles(), dialect, recipe());
-  if (!program)
-    return program.error();
   std::unique_ptr<InkPass> pass(new InkPass);
-  pass->m_program = std::move(*program);
+  for (const InkKind kind : {InkKind::surfaceLines, InkKind::contours, InkKind::edges}) {
+    auto program = gpu::Program::create(shaderFiles(), dialect, recipe(kind));
+    if (!program)
+      return program.error();
+    pass->m_programs[std::size_t(kind)] = std::move(*program);
+  }
   return pass;
 }
 
@@ -61,28 +72,34 @@ void InkPass::draw(gpu::Device& device, const gpu::Target& target, const gpu::Te
                    const InkDraw& draw) {
   if (draw.count == 0)
     return;
-  m_program->set("layer", glm::vec4(float(draw.layer.x), float(draw.layer.y),
-                                    float(draw.layer.width), float(draw.layer.height)));
-  m_program->set("surfaceDepth", surfaceDepth);
-  m_program->set("slot",
-                 glm::ivec4(draw.slot.x, draw.slot.y, draw.slot.right() - 1, draw.slot.top() - 1));
-  m_program->set("toAtlas", glm::ivec2(draw.slot.x - draw.layer.x, draw.slot.y - draw.layer.y));
-  m_program->set("projection", draw.projection);
-  m_program->set("probe", draw.probe);
-  m_program->set("reach", draw.reach);
-  m_program->set("sheet", draw.sheet);
-  m_program->set("edges", draw.edge ? 1 : 0);
-  m_program->set("paint", draw.edge.value_or(glm::vec4(0.0f)));
-  m_program->set("key", draw.key);
+  gpu::Program& program = *m_programs[std::size_t(draw.kind)];
+  program.set("layer", glm::vec4(float(draw.layer.x), float(draw.layer.y), float(draw.layer.width),
+                                 float(draw.layer.height)));
+  program.set("surfaceDepth", surfaceDepth);
+  program.set("slot",
+              glm::ivec4(draw.slot.x, draw.slot.y, draw.slot.right() - 1, draw.slot.top() - 1));
+  program.set("toAtlas", glm::ivec2(draw.slot.x - draw.layer.x, draw.slot.y - draw.layer.y));
+  program.set("projection", draw.projection);
+  if (draw.kind != InkKind::surfaceLines) {
+    program.set("reach", draw.reach);
+    program.set("sheet", draw.sheet);
+  }
+  if (draw.kind == InkKind::contours)
+    program.set("probe", draw.probe);
+  if (draw.kind == InkKind::edges) {
+    program.set("paint", draw.paint);
+    program.set("key", draw.key);
+  }
   m_geometry.startInstancesAt(draw.first);
   // Segments come farthest first, so the depth that stays is the nearest line's although every
   // coverage counts.
-  const gpu::DrawState state{.viewport = draw.slot,
-                             .scissor = draw.slot,
-                             .depth = gpu::DepthTest::always,
-                             .writeDepth = true,
-                             .blend = draw.edge ? gpu::Blend::over : gpu::Blend::maximum};
-  device.quads({target, *m_program, m_geometry, state}, draw.count);
+  const gpu::DrawState state{
+      .viewport = draw.slot,
+      .scissor = draw.slot,
+      .depth = gpu::DepthTest::always,
+      .writeDepth = true,
+      .blend = draw.kind == InkKind::edges ? gpu::Blend::over : gpu::Blend::maximum};
+  device.quads({target, program, m_geometry, state}, draw.count);
 }
 
 }  // namespace sline::render::passes

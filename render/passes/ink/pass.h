@@ -4,11 +4,11 @@
 // soften the edges of fills that have lost their lines (Γ > 4).
 #pragma once
 
+#include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
-#include <optional>
 
 #include "render/gpu/device.h"
 
@@ -34,15 +34,20 @@ struct InkSegment {
   float opacityB = 1.0f;
 };
 
+/// The kinds of segments, by `InkSegment::contour` and by what they draw: ink, or the soft edges of
+/// a fill along its contours.
+enum class InkKind { surfaceLines, contours, edges };
+
 struct InkDraw {
-  std::size_t first = 0;  ///< in the segments last uploaded, farthest first
+  InkKind kind = InkKind::surfaceLines;  ///< of all its segments
+  std::size_t first = 0;                 ///< in the segments last uploaded, farthest first
   std::size_t count = 0;
   gpu::Rect layer;  ///< as in SurfaceDraw
   gpu::Rect slot;
   glm::vec4 projection{0.0f};  ///< projection matrix [2][2], [3][2], [2][3], [3][3]
   float probe = 3.0f;          ///< px outside a contour at which its own mask makes it an inner one
-  glm::vec2 reach{1.0f, 4.0f};    ///< px outside a contour at which the surface has fallen away
-  std::optional<glm::vec4> edge;  ///< a fill's colour and opacity: draws edges instead of ink
+  glm::vec2 reach{1.0f, 4.0f};  ///< px outside a contour at which the surface has fallen away
+  glm::vec4 paint{0.0f};        ///< a fill's colour and opacity, for edges
   glm::vec3 key{0.0f};  ///< the surfaces' key light in the camera's frame, for edges; 0: none
   float sheet = 0.0f;   ///< mm in front of a contour within which its own sheet may lie (see .glsl)
 };
@@ -58,7 +63,7 @@ class InkPass {
 
  private:
   InkPass();
-  std::unique_ptr<gpu::Program> m_program;
+  std::array<std::unique_ptr<gpu::Program>, 3> m_programs;  ///< by InkKind
   gpu::Buffer m_segments;
   gpu::Geometry m_geometry;
 };

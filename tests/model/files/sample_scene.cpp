@@ -21,8 +21,12 @@ Scene sampleScene() {
                   .fill = Fill::tint,
                   .visible = false,
                   .penWeight = 1.7f};
-  artery.provenance = {"a.ply", "LPS", "said so", 3, 2, 1, 0.25f, 1000.0f, "glTF: metres"};
-  scene.append(artery);
+  artery.provenance = {"a.ply", "LPS",   "said so",      3,    2,     1,
+                       0.25f,   1000.0f, "glTF: metres", 4321, 0.125f};
+  artery.provenance.part = "artery";
+  artery.provenance.fingerprint = Fingerprint{12'345'678'901, 0xfedcba98u};
+  artery.provenance.transform = {1, 0, 0, 0.1f, 0, -1, 0, 0, 0, 0, 1, -7};
+  const NodeId one = scene.append(artery);
   scene.append({.name = "its twin", .style = {.visible = true}, .mesh = artery.mesh});
   scene.append({.name = "loose", .style = {.fill = Fill::veil}, .mesh = torus(9, 2, 12, 8)});
   const Section half{.id = {5},
@@ -40,7 +44,23 @@ Scene sampleScene() {
                       .heightMm = 333.25f};
   scene.setViews({{.name = "Overview", .camera = camera},
                   {.name = "Cut", .sections = std::vector<Section>{half}},
-                  {.name = "Whole", .sections = std::vector<Section>{}}});
+                  {.name = "Whole", .sections = std::vector<Section>{}},
+                  {.name = "Bare",
+                   .looks = std::vector<Look>{{.node = one, .style = {.visible = true}},
+                                              {.node = vessels, .style = {.fill = Fill::paper}}},
+                   .annotations = std::vector<AnnotationId>{AnnotationId{4}}}});
+  scene.setAnnotations({{.id = {4},
+                         .kind = AnnotationKind::callout,
+                         .anchors = {SurfacePoint{one, 17, {0.25f, 0.5f}}},
+                         .text = "Artery",
+                         .texts = {{"de", "Schlagader"}, {"la", "Arteria"}},
+                         .colour = Colour{9, 99, 199}},
+                        {.id = {2},
+                         .kind = AnnotationKind::distance,
+                         .anchors = {glm::vec3(1, 2.5f, -3), SurfacePoint{one, 0, {0, 1}}},
+                         .visible = false,
+                         .locked = true}});
+  scene.setKeyLight(KeyLight{.towards = {0, 0.6f, 0.8f}, .shades = true});
   return scene;
 }
 
@@ -57,6 +77,10 @@ std::string difference(const Scene& a, const Scene& b) {
     return "views";
   if (a.sections() != b.sections())
     return "sections";
+  if (a.annotations() != b.annotations())
+    return "annotations";
+  if (a.keyLight() != b.keyLight())
+    return "key light";
   if (a.unread() != b.unread())
     return "unread: " + a.unread() + " / " + b.unread();
   if (a.nodes().size() != b.nodes().size())

@@ -26,7 +26,7 @@ std::string newerFile() {
   const std::string file = sampleFile();
   Json root = Json::parse(test::memberOf(file, "scene.json"));
   root["schema"] = sceneSchema + 1;
-  root["annotations"] = {{{"text", "liver"}, {"picture", "pictures/1.png"}}};
+  root["narrations"] = {{{"text", "liver"}, {"picture", "pictures/1.png"}}};
   return test::withMember(test::withMember(file, "scene.json", root.dump()), "pictures/1.png",
                           "a picture");
 }

@@ -67,12 +67,20 @@ void SceneJsonTest::keysStandInTheOrderDescribed() {
       keys << QString::fromStdString(key);
     return keys.join(' ');
   };
-  QCOMPARE(keysOf(root), QString("format schema frame unit nodes sections views"));
+  QCOMPARE(keysOf(root),
+           QString("format schema frame unit nodes sections annotations views key_light"));
   QCOMPARE(keysOf(root["nodes"][2]), QString("id parent name mesh style provenance"));
   QCOMPARE(keysOf(root["nodes"][2]["style"]),
            QString("colour ink_colour gamma opacity fill visible pen_weight"));
   QCOMPARE(keysOf(root["sections"][0]), QString("id name normal offset_mm scope enabled hatched"));
+  QCOMPARE(keysOf(root["nodes"][2]["provenance"]),
+           QString("file frame frame_reason mm_per_unit unit_reason smoothing_steps "
+                   "refinement_steps repaired_faces displacement_mm part fingerprint transform"));
   QCOMPARE(keysOf(root["views"][1]), QString("name camera sections"));
+  QCOMPARE(keysOf(root["views"][3]), QString("name camera looks annotations"));
+  QCOMPARE(keysOf(root["annotations"][0]), QString("id kind at text texts colour visible locked"));
+  QCOMPARE(keysOf(root["annotations"][1]), QString("id kind at to text visible locked"));
+  QCOMPARE(keysOf(root["annotations"][0]["at"]), QString("structure triangle weights"));
   // A mesh that two structures share is named twice and written once.
   QCOMPARE(root["nodes"][2]["mesh"]["file"].dump(), root["nodes"][3]["mesh"]["file"].dump());
 }
@@ -84,7 +92,10 @@ void SceneJsonTest::unknownKeysAreKeptEverywhere() {
   for (Json* object :
        {&json, &json["nodes"][0], &json["nodes"][2], &json["nodes"][2]["mesh"],
         &json["nodes"][2]["style"], &json["nodes"][2]["provenance"], &json["sections"][0],
-        &json["views"][0], &json["views"][0]["camera"], &json["views"][1]["sections"][0]})
+        &json["views"][0], &json["views"][0]["camera"], &json["views"][1]["sections"][0],
+        &json["views"][3]["looks"][0], &json["views"][3]["looks"][0]["style"],
+        &json["annotations"][0], &json["annotations"][0]["at"], &json["annotations"][1]["to"],
+        &json["nodes"][2]["provenance"]["fingerprint"], &json["key_light"]})
     (*object)["from the future"] = extra;
   json["nodes"][1]["style"] = {{"from the future", extra}};  // a style with nothing known in it
   const auto again = sceneFromJson(json, meshesOf(scene));
@@ -240,6 +251,70 @@ void SceneJsonTest::refuses_data() {
   row(
       "a view's section", [](Json& j) { j["views"][1]["sections"][0]["offset_mm"] = nullptr; },
       "views[1].sections[0].offset_mm", "a number");
+  row(
+      "an unknown kind", [](Json& j) { j["annotations"][0]["kind"] = "balloon"; },
+      "annotations[0].kind", "\"label\"");
+  row(
+      "an annotation twice", [](Json& j) { j["annotations"][1]["id"] = 4; }, "annotations[1]",
+      "same id");
+  row(
+      "an annotation nowhere", [](Json& j) { j["annotations"][0].erase("at"); }, "annotations[0]",
+      "\"at\" is missing");
+  row(
+      "a distance to nowhere", [](Json& j) { j["annotations"][1].erase("to"); }, "annotations[1]",
+      "\"to\" is missing");
+  row(
+      "on no structure", [](Json& j) { j["annotations"][0]["at"]["structure"] = 77; },
+      "annotations[0]", "no structure");
+  row(
+      "on a group", [](Json& j) { j["annotations"][0]["at"]["structure"] = 1; }, "annotations[0]",
+      "no structure");
+  row(
+      "on a triangle too many", [](Json& j) { j["annotations"][0]["at"]["triangle"] = 1'000'000; },
+      "annotations[0]", "no structure");
+  row(
+      "beside its triangle",
+      [](Json& j) {
+        j["annotations"][0]["at"]["weights"] = {0.75, 0.5};
+      },
+      "annotations[0]", "none in a triangle");
+  row(
+      "three weights",
+      [](Json& j) {
+        j["annotations"][0]["at"]["weights"] = {0, 0, 1};
+      },
+      "annotations[0].at.weights", "2 numbers");
+  row(
+      "a number as text", [](Json& j) { j["annotations"][0]["texts"]["la"] = 1; },
+      "annotations[0].texts.la", "a text");
+  row(
+      "texts in a list", [](Json& j) { j["annotations"][0]["texts"] = {"Arteria"}; },
+      "annotations[0].texts", "an object");
+  row(
+      "a look twice", [](Json& j) { j["views"][3]["looks"][1]["node"] = 3; }, "views[3].looks[1]",
+      "twice");
+  row(
+      "a look at nothing", [](Json& j) { j["views"][3]["looks"][0].erase("node"); },
+      "views[3].looks[0]", "\"node\" is missing");
+  row(
+      "a name among ids", [](Json& j) { j["views"][3]["annotations"][0] = "Artery"; },
+      "views[3].annotations[0]", "whole number");
+  row(
+      "a light from nowhere",
+      [](Json& j) {
+        j["key_light"]["towards"] = {0, 0, 0};
+      },
+      "key_light", "unit vector");
+  row(
+      "a checksum too long",
+      [](Json& j) { j["nodes"][2]["provenance"]["fingerprint"]["crc32"] = 1LL << 32; },
+      "nodes[2].provenance.fingerprint.crc32", "whole number");
+  row(
+      "a transform of two",
+      [](Json& j) {
+        j["nodes"][2]["provenance"]["transform"] = {1, 0};
+      },
+      "nodes[2].provenance.transform", "12 numbers");
 }
 
 void SceneJsonTest::refuses() {

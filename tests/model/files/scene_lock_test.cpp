@@ -119,6 +119,7 @@ void SceneLockTest::fullDiskLeavesTheOldFile() {
   QVERIFY(!full.ok());
   QCOMPARE(full.error().file, file.string());
   QVERIFY2(full.error().reason.find("cannot be written") != std::string::npos &&
+               full.error().reason.find("is whole") != std::string::npos &&
                full.error().remedy.find("space") != std::string::npos,
            full.error().text().c_str());
   QCOMPARE(*readText(file, 1 << 20), before);

@@ -82,6 +82,27 @@ class BvhTest : public QObject {
     const model::Bvh bvh(empty, {});
     QVERIFY(!bvh.nearest({}).has_value());
     QVERIFY(!bvh.blocked({.direction = glm::vec3(0.0f)}));
+    QVERIFY(std::isinf(bvh.closest({1, 2, 3}).distance));
+  }
+
+  void closestOnSphere() {
+    // Seen from the centre's side and from outside the foot is in a face, on an edge or a corner.
+    const auto mesh = test::sphere(10, 4);
+    const model::Bvh bvh(mesh, model::spatialOrder(*mesh));
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> at(-20.0f, 20.0f);
+    for (int i = 0; i < 500; ++i) {
+      const glm::vec3 point(at(random), at(random), at(random));
+      const model::Closest closest = bvh.closest(point);
+      QVERIFY(std::abs(closest.distance - std::abs(glm::length(point) - 10.0f)) < 0.03f);
+      const auto& [a, b, c] = mesh->triangles()[closest.triangle];
+      const glm::vec3 middle =
+          (mesh->positions()[a] + mesh->positions()[b] + mesh->positions()[c]) / 3.0f;
+      QVERIFY(glm::distance(glm::normalize(middle), glm::normalize(point)) < 0.1f ||
+              glm::length(point) < 2.0f);
+    }
+    const model::Closest corner = bvh.closest(1.5f * mesh->positions()[7]);
+    QVERIFY(std::abs(corner.distance - 5.0f) < 1e-4f);
   }
 };
 

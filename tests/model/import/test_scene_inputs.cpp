@@ -82,8 +82,15 @@ void SceneInputsTest::twoSceneFilesAreOne() {
   // The second file's sections cut its own structures, its groups hold them.
   QVERIFY(both.sections()[0].scope == both.nodes()[0].id);
   QVERIFY(both.sections()[1].scope == both.nodes()[count].id);
-  QVERIFY(both.views().back().sections == one.views().back().sections);
+  QVERIFY(both.views().back().annotations->front() != one.views().back().annotations->front());
   QVERIFY(both.views()[one.views().size() + 1].sections->front().scope == both.nodes()[count].id);
+  const View& bare = both.views()[one.views().size() + 3];
+  QVERIFY(bare.looks->at(0).node == both.nodes()[count + 2].id);
+  QVERIFY(bare.annotations->at(0) == both.annotations()[2].id);
+  QVERIFY(std::get<SurfacePoint>(both.annotations()[2].anchors[0]).structure ==
+          both.nodes()[count + 2].id);
+  QCOMPARE(both.annotations().size(), std::size_t(4));
+  QVERIFY(both.keyLight() == one.keyLight());
   QVERIFY(both.nodes()[count + 1].parent == both.nodes()[count].id);
   QVERIFY(sceneFileBytes({.scene = both}).ok());
 }

@@ -40,6 +40,7 @@ class TestForeignFiles : public QObject {
     row("online3dviewer/single_triangle_with_comments.off", 1, 3, 1);
     row("online3dviewer/single_triangle_with_comments.ply", 1, 3, 1);
     row("online3dviewer/single_triangle_with_comments.stl", 1, 3, 1, "MeshName");
+    row("online3dviewer/rhombicuboctahedron.3mf", 1, 24, 44, "Rhombicuboctahedron (color)");
     // 4 + 12 + 8 + 36 + 20: the Platonic solids as triangles
     row("online3dviewer/solids.obj", 5, 50, 80, "Tetrahedron");
     row("online3dviewer/stl_ascii.stl", 1, 304, 572, "Untitled-5427e5af");
@@ -82,9 +83,8 @@ class TestForeignFiles : public QObject {
     QTest::newRow("online3dviewer/CubeHierarchy.gltf")
         << "'CubeHierarchy.bin', which cannot be read";
     QTest::newRow("online3dviewer/lines_in_meshes.obj") << "only lines or points";
-    QTest::newRow("online3dviewer/rhombicuboctahedron.3mf") << "content looks like a ZIP archive";
     QTest::newRow("slicer/TestData/PentaHexa.vtk") << "'UNSTRUCTURED_GRID', not POLYDATA";
-    QTest::newRow("slicer/TestData/deform2x2x2_ras.nrrd") << "content looks like NRRD";
+    QTest::newRow("slicer/TestData/deform2x2x2_ras.nrrd") << "which is no label";
     QTest::newRow("slicer/TestData/ColorTest.ctbl") << "'.ctbl' are not supported";
     QTest::newRow("slicer/cube.mrml") << "content looks like a 3D Slicer scene";
     QTest::newRow("nrrd") << "is a folder";

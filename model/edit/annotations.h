@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Edits of annotations: Scene → Scene (see model/edit/style.h for `Edited`).
+#pragma once
+
+#include <span>
+
+#include "model/edit/style.h"
+
+namespace sline::model {
+
+/// Adds the annotation under a fresh id, last of all. A faulty one, or one on a surface that is not
+/// in the scene, changes nothing.
+Edited withAnnotation(const Scene& scene, const Annotation& annotation);
+/// Gives the annotation of that id all of `annotation` but its id; refuses what `withAnnotation`
+/// refuses.
+Edited withAnnotationChanged(const Scene& scene, AnnotationId id, const Annotation& annotation);
+/// Removes them, from saved views too.
+Edited withoutAnnotations(const Scene& scene, std::span<const AnnotationId> ids);
+
+}  // namespace sline::model

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/import/dicom/contour_surface.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellArrayIterator.h>
+#include <vtkFloatArray.h>
+#include <vtkFlyingEdges3D.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <utility>
+
+#include "model/import/dicom/stack_field.h"
+#include "model/import/half_edges.h"
+#include "model/import/vertex_rings.h"
+#include "model/import/windowed_sinc.h"
+
+namespace sline::model {
+
+namespace {
+
+constexpr int iterations = 40;
+/// Waves shorter than this many spacings of slices are their jitter, not the organ's form.
+constexpr double shortestWave = 8.0;
+constexpr double farthestMove = 0.75;  ///< times the spacing
+
+/// The pass band 1 − cos(2π·edge/wave) that keeps longer waves.
+SincFilter filterFor(float edge, double spacing) {
+  const double share = std::clamp(double(edge) / (shortestWave * spacing), 0.02, 0.075);
+  return {iterations, float(1.0 - std::cos(2.0 * std::numbers::pi * share))};
+}
+
+/// The surface 0 in (u, v, n), about the middle of the box.
+void isosurface(const FieldBox& box, RawMesh& mesh) {
+  vtkNew<vtkFloatArray> values;
+  // Flying edges only reads; the box outlives it.
+  values->SetArray(const_cast<float*>(box.values.data()), vtkIdType(box.values.size()), 1);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(box.size.x, box.size.y, box.size.z);
+  const glm::dvec3 half = 0.5 * box.step * glm::dvec3(box.size - 1);
+  image->SetOrigin(-half.x, -half.y, -half.z);
+  image->SetSpacing(box.step.x, box.step.y, box.step.z);
+  image->GetPointData()->SetScalars(values);
+  vtkNew<vtkFlyingEdges3D> contour;
+  contour->SetInputData(image);
+  contour->SetValue(0, 0.0);
+  contour->ComputeNormalsOff();
+  contour->ComputeScalarsOff();
+  contour->Update();
+  vtkPolyData* out = contour->GetOutput();
+  for (vtkIdType i = 0; i < out->GetNumberOfPoints(); ++i) {
+    std::array<double, 3> p{};
+    out->GetPoint(i, p.data());
+    mesh.positions.emplace_back(p[0], p[1], p[2]);
+  }
+  const auto cells = vtk::TakeSmartPointer(out->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell()) {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    cells->GetCurrentCell(count, ids);
+    mesh.triangles.push_back({std::uint32_t(ids[0]), std::uint32_t(ids[1]), std::uint32_t(ids[2])});
+  }
+}
+
+double signedVolume(const RawMesh& mesh) {
+  double volume = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles)
+    volume += double(glm::dot(mesh.positions[a], glm::cross(mesh.positions[b], mesh.positions[c])));
+  return volume;
+}
+
+void smoothLightly(RawMesh& mesh, const Smoothing& smoothing, double spacing) {
+  const HalfEdges edges(mesh.positions.size(), mesh.triangles);
+  const VertexRings rings(mesh.positions.size(), mesh.triangles, edges);
+  SincFilter filter = filterFor(rings.meanEdge(mesh.positions), spacing);
+  if (smoothing.mode == Smoothing::Mode::steps)
+    filter.iterations = std::clamp(smoothing.steps, 1, 200);
+  const double farthest = farthestMove * spacing;
+  const std::vector<glm::vec3> filtered = windowedSinc(mesh.positions, rings, filter);
+  for (std::size_t v = 0; v < filtered.size(); ++v) {
+    glm::vec3 way = filtered[v] - mesh.positions[v];
+    const float length = glm::length(way);
+    if (!(length > 0.0f))
+      continue;
+    if (length > float(farthest))
+      way *= float(farthest) / length;
+    mesh.positions[v] += way;
+    mesh.displacement = std::max(mesh.displacement, std::min(length, float(farthest)));
+  }
+}
+
+}  // namespace
+
+RawMesh surfaceOf(const ContourStack& stack, const ReadOptions& options) {
+  RawMesh mesh;
+  const FieldBox box = fieldOf(stack, options.goesOn);
+  if (box.values.empty())
+    return mesh;
+  isosurface(box, mesh);
+  if (mesh.triangles.empty())
+    return mesh;
+  if (signedVolume(mesh) < 0.0)
+    for (Triangle& t : mesh.triangles)
+      std::swap(t[1], t[2]);
+  if (options.smoothing.mode != Smoothing::Mode::off)
+    smoothLightly(mesh, options.smoothing, stack.spacing);
+  const glm::dvec3 centre = box.origin + 0.5 * box.step * glm::dvec3(box.size - 1);
+  for (glm::vec3& p : mesh.positions)
+    p = glm::vec3(stack.axes * (centre + glm::dvec3(p)));
+  mesh.smooth = true;
+  return mesh;
+}
+
+}  // namespace sline::model

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// DICOM segmentations (PS3.3 §A.51): one structure per segment.
+#pragma once
+
+#include "model/import/dicom/dicom_file.h"
+#include "model/import/read_options.h"
+#include "model/import/volumes/label_volume.h"
+
+namespace sline::model {
+
+/// Frames may come in any order; where a segment has no frame it is empty. Segments that overlap
+/// come in volumes of their own. Warnings: frames that lie unevenly or belong to no segment.
+Result<LabelVolumes> segmentationVolumes(const DicomFile& file, const ReadOptions& options);
+
+/// Their surfaces, as label_surfaces.h makes them.
+Result<RawMeshes> segmentationSurfaces(const DicomFile& file, const ReadOptions& options);
+
+}  // namespace sline::model

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/import/dicom/structure_set.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "model/import/dicom/contour_stack.h"
+#include "model/import/dicom/contour_surface.h"
+
+namespace sline::model {
+
+namespace {
+
+constexpr Tag structureSetRois{0x3006, 0x0020};
+constexpr Tag roiNumber{0x3006, 0x0022};
+constexpr Tag roiName{0x3006, 0x0026};
+constexpr Tag displayColour{0x3006, 0x002a};
+constexpr Tag roiContours{0x3006, 0x0039};
+constexpr Tag contourSequence{0x3006, 0x0040};
+constexpr Tag geometricType{0x3006, 0x0042};
+constexpr Tag slabThickness{0x3006, 0x0044};
+constexpr Tag contourData{0x3006, 0x0050};
+constexpr Tag observations{0x3006, 0x0080};
+constexpr Tag referencedRoi{0x3006, 0x0084};
+constexpr Tag interpretedType{0x3006, 0x00a4};
+
+/// Nobody is drawn farther from the scanner's origin, mm.
+constexpr double farthest = 1e5;
+/// Where neither neighbours nor the file tell how thick a single slice is, mm.
+constexpr double assumedSpacing = 1.0;
+
+struct Region {
+  std::int64_t number = 0;
+  std::string name;
+  std::vector<std::string> groups;
+  std::optional<Colour> colour;
+  std::vector<Contour> contours;
+  double slab = 0.0;          ///< mm; 0: not given
+  std::size_t notClosed = 0;  ///< points and open lines
+  std::size_t broken = 0;     ///< contours whose numbers make no polygon
+};
+
+/// RT ROI Interpreted Type (PS3.3 §C.8.8.8) → the group that a reader of plans looks for it in.
+std::string groupOf(std::string_view type) {
+  struct Row {
+    std::string_view type;
+    const char* group;
+  };
+  constexpr std::array rows = {Row{"GTV", "Targets"},
+                               Row{"CTV", "Targets"},
+                               Row{"PTV", "Targets"},
+                               Row{"ITV", "Targets"},
+                               Row{"TREATED_VOLUME", "Targets"},
+                               Row{"IRRAD_VOLUME", "Targets"},
+                               Row{"ORGAN", "Organs at risk"},
+                               Row{"AVOIDANCE", "Organs at risk"},
+                               Row{"CAVITY", "Organs at risk"},
+                               Row{"EXTERNAL", "External"},
+                               Row{"SUPPORT", "Devices"},
+                               Row{"FIXATION", "Devices"},
+                               Row{"BOLUS", "Devices"},
+                               Row{"BRACHY_CHANNEL", "Devices"},
+                               Row{"BRACHY_ACCESSORY", "Devices"},
+                               Row{"BRACHY_SRC_APP", "Devices"},
+                               Row{"BRACHY_CHNL_SHLD", "Devices"},
+                               Row{"MARKER", "Markers"},
+                               Row{"REGISTRATION", "Markers"},
+                               Row{"ISOCENTER", "Markers"}};
+  const auto row =
+      std::find_if(rows.begin(), rows.end(), [&](const Row& r) { return r.type == type; });
+  return row == rows.end() ? std::string() : row->group;
+}
+
+std::optional<Colour> colourIn(const DataSet& set) {
+  const auto values = set.decimals(displayColour);
+  if (!values || values->size() != 3)
+    return std::nullopt;
+  std::array<std::uint8_t, 3> channels{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if ((*values)[i] < 0.0 || (*values)[i] > 255.0)
+      return std::nullopt;
+    channels[i] = std::uint8_t(std::lround((*values)[i]));
+  }
+  return Colour{channels[0], channels[1], channels[2]};
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+class StructureSetReader {
+ public:
+  StructureSetReader(const DicomFile& file, const ReadOptions& options)
+      : m_file(file), m_options(options) {}
+
+  Result<RawMeshes> read() {
+    if (const Status status = readNames(); !status)
+      return status.error();
+    if (const Status status = readTypes(); !status)
+      return status.error();
+    if (const Status status = readContours(); !status)
+      return status.error();
+    const double spacing = commonSpacing();
+    for (Region& region : m_regions) {
+      if (!m_options.goesOn())
+        return m_file.source().whole("was not read to its end");
+      if (const Status status = addSurface(region, spacing); !status)
+        return status.error();
+      region.contours = {};
+    }
+    if (m_result.meshes.empty())
+      return m_file.source().whole(nothingText(), "Export the structure set with its contours");
+    return std::move(m_result);
+  }
+
+ private:
+  std::string nothingText() const {
+    if (m_regions.empty())
+      return "the structure set names no region of interest";
+    return "none of the structure set's " +
+           counted(m_regions.size(), "region of interest", "regions of interest") +
+           " has a closed planar contour";
+  }
+  void warn(const Region& region, const std::string& reason) {
+    m_result.warnings.push_back(m_file.source().warning("\"" + region.name + "\": " + reason));
+  }
+
+  Status readNames() {
+    const Result<std::vector<DataSet>> items = m_file.data().items(structureSetRois);
+    if (!items)
+      return items.error();
+    for (const DataSet& item : *items) {
+      const std::optional<std::int64_t> number = item.integer(roiNumber);
+      if (!number || m_byNumber.contains(*number))
+        continue;
+      Region region;
+      region.number = *number;
+      region.name = m_file.utf8(item.text(roiName));
+      if (region.name.empty())
+        region.name = "Structure " + std::to_string(*number);
+      m_byNumber[*number] = m_regions.size();
+      m_regions.push_back(std::move(region));
+    }
+    return Unit{};
+  }
+
+  Region* regionOf(const DataSet& item) {
+    const std::optional<std::int64_t> number = item.integer(referencedRoi);
+    const auto found = number ? m_byNumber.find(*number) : m_byNumber.end();
+    return found == m_byNumber.end() ? nullptr : &m_regions[found->second];
+  }
+
+  Status readTypes() {
+    const Result<std::vector<DataSet>> items = m_file.data().items(observations);
+    if (!items)
+      return items.error();
+    for (const DataSet& item : *items)
+      if (Region* region = regionOf(item))
+        if (std::string group = groupOf(item.text(interpretedType)); !group.empty())
+          region->groups = {std::move(group)};
+    return Unit{};
+  }
+
+  Status readContours() {
+    const Result<std::vector<DataSet>> items = m_file.data().items(roiContours);
+    if (!items)
+      return items.error();
+    for (const DataSet& item : *items) {
+      Region* region = regionOf(item);
+      if (!region)
+        continue;
+      region->colour = colourIn(item);
+      const Result<std::vector<DataSet>> contours = item.items(contourSequence);
+      if (!contours)
+        return contours.error();
+      for (const DataSet& contour : *contours)
+        addContour(*region, contour);
+    }
+    return Unit{};
+  }
+
+  static void addContour(Region& region, const DataSet& item) {
+    const std::string_view type = item.text(geometricType);
+    if (type != "CLOSED_PLANAR" && type != "CLOSEDPLANAR_XOR") {
+      ++region.notClosed;
+      return;
+    }
+    if (const auto slab = item.decimals(slabThickness); slab && slab->front() > 0.0)
+      region.slab = std::min(slab->front(), 1000.0);
+    const auto numbers = item.decimals(contourData);
+    const bool sound = numbers && numbers->size() >= 9 && numbers->size() % 3 == 0 &&
+                       std::all_of(numbers->begin(), numbers->end(),
+                                   [](double x) { return std::abs(x) <= farthest; });
+    if (!sound) {
+      ++region.broken;
+      return;
+    }
+    Contour contour;
+    contour.reserve(numbers->size() / 3);
+    for (std::size_t i = 0; i < numbers->size(); i += 3)
+      contour.emplace_back((*numbers)[i], (*numbers)[i + 1], (*numbers)[i + 2]);
+    region.contours.push_back(std::move(contour));
+  }
+
+  /// Of the region with the most contours: the slices of one image series lie alike.
+  double commonSpacing() const {
+    const auto most = std::max_element(
+        m_regions.begin(), m_regions.end(),
+        [](const Region& a, const Region& b) { return a.contours.size() < b.contours.size(); });
+    return most == m_regions.end() ? 0.0 : usualSpacing(most->contours);
+  }
+
+  Status addSurface(const Region& region, double spacing) {
+    if (region.broken > 0)
+      warn(region, counted(region.broken, "contour has", "contours have") +
+                       " no three points or numbers that are none; left out");
+    if (region.contours.empty()) {
+      warn(region, region.notClosed > 0 ? "holds points or open lines only; left out"
+                                        : "has no contour; left out");
+      return Unit{};
+    }
+    if (region.notClosed > 0)
+      warn(region,
+           counted(region.notClosed, "point or open line", "points or open lines") + " left out");
+    const double single = region.slab > 0.0 ? region.slab : spacing;
+    const ContourStacks stacks = stacksOf(region.contours, single > 0.0 ? single : assumedSpacing);
+    tellOf(region, stacks);
+    RawMesh mesh;
+    for (const ContourStack& stack : stacks.stacks)
+      if (!append(mesh, surfaceOf(stack, m_options)))
+        return m_file.source().whole("makes a surface of more points than the limit allows",
+                                     "Leave out structures");
+    if (!m_options.goesOn())
+      return m_file.source().whole("was not read to its end");
+    if (mesh.triangles.empty()) {
+      warn(region, "its contours enclose nothing; left out");
+      return Unit{};
+    }
+    mesh.name = region.name;
+    mesh.groups = region.groups;
+    mesh.origin = "DICOM structure set";
+    mesh.colour = region.colour;
+    mesh.frame = Frame::lps;
+    mesh.frameReason = "DICOM: patient coordinates";
+    mesh.unitReason = "DICOM: millimetres";
+    m_result.meshes.push_back(std::move(mesh));
+    return Unit{};
+  }
+
+  void tellOf(const Region& region, const ContourStacks& stacks) {
+    if (stacks.outOfPlane > 0)
+      warn(region, counted(stacks.outOfPlane, "contour lies", "contours lie") +
+                       " in another plane than most; left out");
+    if (stacks.repeated > 0)
+      warn(region, counted(stacks.repeated, "contour", "contours") + " given twice left out");
+    if (stacks.missing > 0)
+      warn(region, counted(stacks.missing, "slice", "slices") +
+                       " without a contour between others; the surface bridges them");
+    if (stacks.stacks.size() > 1)
+      warn(region, "made of " + std::to_string(stacks.stacks.size()) +
+                       " pieces: too many slices between them have no contour (up to " +
+                       std::to_string(std::lround(stacks.widestGap)) + " mm)");
+  }
+
+  bool append(RawMesh& mesh, const RawMesh& piece) const {
+    if (mesh.positions.size() + piece.positions.size() > m_options.limits.vertices ||
+        mesh.triangles.size() + piece.triangles.size() > m_options.limits.triangles)
+      return false;
+    const auto first = std::uint32_t(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), piece.positions.begin(), piece.positions.end());
+    for (const auto& [a, b, c] : piece.triangles)
+      mesh.triangles.push_back({first + a, first + b, first + c});
+    mesh.smooth = true;
+    mesh.displacement = std::max(mesh.displacement, piece.displacement);
+    return true;
+  }
+
+  const DicomFile& m_file;
+  const ReadOptions& m_options;
+  std::vector<Region> m_regions;
+  std::map<std::int64_t, std::size_t> m_byNumber;
+  RawMeshes m_result;
+};
+
+}  // namespace
+
+Result<RawMeshes> structureSetSurfaces(const DicomFile& file, const ReadOptions& options) {
+  return StructureSetReader(file, options).read();
+}
+
+}  // namespace sline::model

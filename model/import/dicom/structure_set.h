@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// RT structure sets (PS3.3 §A.19): regions of interest outlined by contours.
+#pragma once
+
+#include "model/import/dicom/dicom_file.h"
+#include "model/import/read_options.h"
+
+namespace sline::model {
+
+/// One surface per region of interest that has closed planar contours, named, coloured and grouped
+/// as the file says. What has none is left out with a warning; an error where nothing is left.
+Result<RawMeshes> structureSetSurfaces(const DicomFile& file, const ReadOptions& options);
+
+}  // namespace sline::model

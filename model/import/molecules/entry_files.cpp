@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/import/molecules/entry_files.h"
+
+#include <algorithm>
+#include <array>
+
+namespace sline::model {
+
+namespace {
+
+bool isUpper(char c) {
+  return c >= 'A' && c <= 'Z';
+}
+bool isLower(char c) {
+  return c >= 'a' && c <= 'z';
+}
+bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+std::string lowered(std::string text) {
+  for (char& c : text)
+    c = isUpper(c) ? char(c - 'A' + 'a') : c;
+  return text;
+}
+
+/// Short words that are no abbreviations.
+bool isParticle(const std::string& word) {
+  static constexpr std::array particles = {"a",  "an", "and", "as",  "at",  "by",   "the", "for",
+                                           "in", "is", "its", "its", "not", "of",   "on",  "one",
+                                           "or", "to", "two", "via", "new", "from", "ion", "low"};
+  return std::find(particles.begin(), particles.end(), word) != particles.end();
+}
+
+/// Abbreviations are short or hold digits.
+std::string readableWord(const std::string& word) {
+  const std::string plain = lowered(word);
+  const bool digits = std::any_of(word.begin(), word.end(), isDigit);
+  return isParticle(plain) || (word.size() > 3 && !digits) ? plain : word;
+}
+
+}  // namespace
+
+std::string readableCapitals(std::string_view text) {
+  std::string squeezed;
+  for (const char c : text) {
+    const bool space = static_cast<unsigned char>(c) <= ' ' || c == '\x7f';
+    if (!space)
+      squeezed += c;
+    else if (!squeezed.empty() && squeezed.back() != ' ')
+      squeezed += ' ';
+  }
+  if (squeezed.ends_with(' '))
+    squeezed.pop_back();
+  if (std::any_of(squeezed.begin(), squeezed.end(), isLower))
+    return squeezed;
+  std::string result;
+  std::string word;
+  for (const char c : squeezed + ' ') {
+    if (isUpper(c) || isDigit(c)) {
+      word += c;
+      continue;
+    }
+    result += readableWord(word) + c;
+    word.clear();
+  }
+  result.pop_back();
+  if (!result.empty() && isLower(result.front()))
+    result.front() = char(result.front() - 'a' + 'A');
+  return result;
+}
+
+const Element* elementOfName(std::string_view columns, std::string_view residue) {
+  std::string_view name = columns;
+  while (name.starts_with(' ') || (!name.empty() && isDigit(name.front())))
+    name.remove_prefix(1);
+  while (name.ends_with(' '))
+    name.remove_suffix(1);
+  std::string_view letters = name;
+  for (std::size_t i = 0; i < letters.size(); ++i)
+    if (!isUpper(letters[i]) && !isLower(letters[i]))
+      letters = letters.substr(0, i);
+  if (letters.empty())
+    return nullptr;
+  // Two letters that begin in the first column, or that name the residue itself, are one element.
+  const bool inFirstColumn = !columns.empty() && columns.front() == letters.front();
+  const bool namesResidue = letters.size() == 2 && residue.starts_with(letters);
+  const bool hydrogen = letters.front() == 'H' && name.size() == 4;
+  if (letters.size() >= 2 && (inFirstColumn || namesResidue) && !hydrogen)
+    if (const Element* two = elementOf(letters.substr(0, 2)))
+      return two;
+  return elementOf(letters.substr(0, 1));
+}
+
+Status judgeAtoms(const Source& source, const EntryRecords& records) {
+  const std::size_t good = records.atoms.size();
+  if (good == 0 && records.unreadable == 0)
+    return source.whole("holds no atom", "Give an entry of the Protein Data Bank with coordinates");
+  if (10 * records.unreadable > good + records.unreadable)
+    return source.whole(std::to_string(records.unreadable) + " of " +
+                            std::to_string(good + records.unreadable) +
+                            " atoms have no coordinates that can be read",
+                        "Get the entry again");
+  return Unit{};
+}
+
+}  // namespace sline::model

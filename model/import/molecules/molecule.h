@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// A macromolecular entry as its file tells it: atoms in residues in chains, and what is bound to
+// them. Coordinates in ångström, as they stand in the file.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/import/molecules/elements.h"
+
+namespace sline::model {
+
+/// One line of a file's atom list.
+struct AtomRecord {
+  std::string name;     ///< "CA"
+  std::string residue;  ///< "GLY"
+  std::string chain;
+  std::string entity;  ///< mmCIF: of the list of entities; else empty
+  std::string insertion;
+  std::int64_t number = 0;  ///< of the residue
+  std::int64_t serial = 0;
+  char alternate = ' ';
+  bool hetero = false;
+  bool afterEnd = false;  ///< PDB: behind its chain's TER
+  float occupancy = 1.0f;
+  glm::dvec3 place{0.0, 0.0, 0.0};
+  const Element* element = nullptr;  ///< never null once read
+};
+
+/// What a file says besides its atoms. Ids are those of the atoms' records.
+struct EntryNotes {
+  std::string id;  ///< "2SRC"
+  std::string title;
+  std::map<std::string, std::string> chainNames;      ///< by chain
+  std::map<std::string, std::string> componentNames;  ///< by residue name
+  std::map<std::string, std::string> entityTypes;     ///< mmCIF: "polymer", "water", …
+  std::map<std::string, std::string> parents;  ///< modified residue → what it was: PTR → TYR
+  std::set<std::pair<std::int64_t, std::int64_t>> bonds;  ///< by serial, lower first
+};
+
+/// An entry before alternates are chosen and residues sorted.
+struct EntryRecords {
+  std::vector<AtomRecord> atoms;  ///< of the first model
+  EntryNotes notes;
+  std::size_t otherModels = 0;
+  std::size_t unreadable = 0;  ///< atoms without a place
+};
+
+struct Atom {
+  std::string name;
+  const Element* element = nullptr;
+  glm::dvec3 place{0.0, 0.0, 0.0};
+  std::int64_t serial = 0;
+};
+
+struct Residue {
+  std::string name;
+  std::string label;  ///< number and insertion code: "52A"
+  char letter = 'X';  ///< one-letter code of an amino acid or base; X: none
+  std::vector<Atom> atoms;
+};
+
+struct Chain {
+  std::string id;
+  std::string name;  ///< "Tyrosine-protein kinase Src"; may be empty
+  bool nucleic = false;
+  std::vector<Residue> residues;
+};
+
+/// One bound molecule: a residue that is part of no chain, or several bonded to each other.
+struct Ligand {
+  std::string name;   ///< "AMP-PNP (ANP)"
+  std::string place;  ///< "A 147"
+  std::string code;   ///< "ANP"
+  bool ion = false;   ///< a single atom
+  std::vector<Atom> atoms;
+};
+
+struct Molecule {
+  std::string id;
+  std::string title;  ///< may be empty
+  std::vector<Chain> chains;
+  std::vector<Ligand> ligands;
+  std::set<std::pair<std::int64_t, std::int64_t>> bonds;
+  std::size_t waters = 0;
+  std::size_t alternates = 0;  ///< atoms left out in favour of an alternative
+};
+
+}  // namespace sline::model

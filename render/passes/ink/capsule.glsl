@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the three kinds of capsules share: where a pixel lies by its stroke, and their own surface.
+// Each kind has a program of its own: software rasterisers look up every texture of every branch.
+#include "depth.glsl"
+flat in vec4 lineEnds;
+flat in vec4 strokeEnds;
+flat in vec4 lineDepths;
+flat in vec4 lineOutwards;
+flat in vec4 lineStrokes;
+
+uniform sampler2D surfaceDepth;
+uniform ivec4 slot;       // of the layer in the atlas: first and last pixel
+uniform ivec2 toAtlas;    // from picture pixels to atlas pixels
+uniform vec4 projection;  // see depth.glsl
+
+out vec4 fragment;
+
+// The line is looked up at its point nearest to the pixel, so a stroke is hidden or shown across
+// its whole width.
+struct Capsule {
+  vec2 pixel;
+  vec2 on;         // the line's point
+  float depth;     // there
+  float distance;  // from the stroke's middle, px
+  float halfWidth;
+  float opacity;
+  float t;
+};
+
+Capsule capsuleAt(vec2 pixel) {
+  vec2 along = strokeEnds.zw - strokeEnds.xy;
+  float t = clamp(dot(pixel - strokeEnds.xy, along) / max(dot(along, along), 1e-12), 0.0, 1.0);
+  return Capsule(pixel, mix(lineEnds.xy, lineEnds.zw, t), mix(lineDepths.x, lineDepths.y, t),
+                 length(pixel - mix(strokeEnds.xy, strokeEnds.zw, t)),
+                 mix(lineStrokes.x, lineStrokes.y, t), mix(lineStrokes.z, lineStrokes.w, t), t);
+}
+
+vec2 outwardAt(float t) {
+  return normalize(mix(lineOutwards.xy, lineOutwards.zw, t) + vec2(1e-6, 0.0));
+}
+
+float depthAt(vec2 pixel) {
+  ivec2 texel = ivec2(floor(pixel)) + toAtlas;
+  if (any(lessThan(texel, slot.xy)) || any(greaterThan(texel, slot.zw)))
+    return 1.0;
+  return texelFetch(surfaceDepth, texel, 0).r;
+}
+
+// Analytic coverage (METHOD §4), softened over `edge` pixels.
+float coverageOf(Capsule c, float edge) {
+  return clamp((c.halfWidth - c.distance) / edge + 0.5, 0.0, 1.0) * c.opacity;
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Readers take paths; this makes one of bytes.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace sline::fuzz {
+
+/// A folder of this process alone, below TMPDIR. It holds one file and nothing else, so a file that
+/// refers to others finds itself or nothing. Goes with the object.
+class InputFolder {
+ public:
+  InputFolder();
+  ~InputFolder();
+  InputFolder(const InputFolder&) = delete;
+  InputFolder& operator=(const InputFolder&) = delete;
+
+  /// The bytes as "input" with that extension; aborts where they cannot be written.
+  std::filesystem::path put(std::string_view extension, std::string_view bytes) const;
+
+ private:
+  std::filesystem::path m_folder;
+};
+
+}  // namespace sline::fuzz

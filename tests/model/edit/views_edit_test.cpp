@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+// Saved views, annotations and the key light as edits.
+#include "model/edit/views.h"
+
+#include <QtTest>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "model/edit/annotations.h"
+#include "model/edit/tree.h"
+#include "tests/support/shapes.h"
+
+using namespace sline;
+using namespace sline::model;
+
+namespace {
+
+/// A group of two structures and one beside it; a pin on each.
+struct Sample {
+  Scene scene;
+  NodeId group, one, two, other;
+  AnnotationId onOne, onTwo, free;
+
+  Sample() {
+    group = scene.append({.name = "G", .style = {.gamma = Gamma::clamped(3)}});
+    one = scene.append({.parent = group, .name = "one", .mesh = test::sphere(10, 2)});
+    two = scene.append({.parent = group, .name = "two", .mesh = test::sphere(20, 2)});
+    other = scene.append({.name = "other", .mesh = test::sphere(30, 2)});
+    onOne = pin(SurfacePoint{one, 3, {0.2f, 0.3f}});
+    onTwo = pin(SurfacePoint{two, 5, {0, 0}});
+    free = pin(glm::vec3(1, 2, 3));
+    scene.appendSection({.name = "s", .scope = group});
+    View view{.name = "V"};
+    view.sections = scene.sections();
+    view.looks = {{.node = one, .style = {.visible = false}},
+                  {.node = group, .style = {.colour = Colour{1, 2, 3}}}};
+    view.annotations = {onOne, free};
+    scene.setViews({view});
+  }
+  AnnotationId pin(const Anchor& anchor) {
+    return scene.appendAnnotation({.kind = AnnotationKind::pin, .anchors = {anchor}});
+  }
+  const View& view() const { return scene.views().front(); }
+};
+
+QList<quint64> visiblePins(const Scene& scene) {
+  QList<quint64> ids;
+  for (const Annotation& annotation : scene.annotations())
+    if (annotation.visible)
+      ids << annotation.id.value;
+  return ids;
+}
+
+}  // namespace
+
+class ViewsEditTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void viewShowsWhatItSaysAndLeavesTheRest();
+  void viewSpeaksOfWhatIsGone();
+  void looksBringBackWhatWasSeen();
+  void removedNodesAreForgotten();
+  void placeOnASurface();
+  void annotationsThatCannotBe_data();
+  void annotationsThatCannotBe();
+  void changedAndRemoved();
+  void keyLight();
+};
+
+void ViewsEditTest::viewShowsWhatItSaysAndLeavesTheRest() {
+  Sample s;
+  s.scene.setSections({});
+  const ShownScene seen = shown(s.scene, s.view());
+  QVERIFY(seen.absent.empty());
+  QCOMPARE(seen.scene.sections(), *s.view().sections);
+  QVERIFY(!seen.scene.resolve(s.one).visible);
+  QVERIFY(seen.scene.resolve(s.two).visible);
+  QCOMPARE(seen.scene.resolve(s.two).colour, (Colour{1, 2, 3}));
+  QCOMPARE(seen.scene.resolve(s.two).gamma.value(), 3.0f);  // of which the view says nothing
+  QCOMPARE(visiblePins(seen.scene), (QList<quint64>{s.onOne.value, s.free.value}));
+  const Scene plain = shown(s.scene, {.name = "only a camera"}).scene;
+  QVERIFY(plain == s.scene);
+}
+
+void ViewsEditTest::viewSpeaksOfWhatIsGone() {
+  const Sample s;
+  View view = s.view();
+  view.looks->push_back({.node = {77}, .style = {.visible = false}});
+  view.annotations->push_back({88});
+  const ShownScene seen = shown(s.scene, view);
+  QCOMPARE(seen.absent, std::vector<NodeId>{NodeId{77}});
+  QVERIFY(seen.scene == shown(s.scene, s.view()).scene);
+}
+
+void ViewsEditTest::looksBringBackWhatWasSeen() {
+  Sample s;
+  const View view{.name = "as it was", .looks = looksOf(s.scene)};
+  Scene changed = withStyle(s.scene, std::array{s.group, s.two, s.other},
+                            {.colour = Colour{9, 9, 9},
+                             .gamma = Gamma::clamped(5),
+                             .opacity = Opacity::clamped(0.1f),
+                             .fill = Fill::veil,
+                             .visible = false,
+                             .penWeight = 3.0f})
+                      .scene;
+  QVERIFY(!changed.resolve(s.two).visible);
+  const Scene back = shown(changed, view).scene;
+  for (const NodeId id : {s.one, s.two, s.other})
+    QCOMPARE(back.resolve(id), s.scene.resolve(id));
+}
+
+void ViewsEditTest::removedNodesAreForgotten() {
+  const Sample s;
+  const Edited one = removed(s.scene, std::array{s.one});
+  QCOMPARE(one.scene.annotations().size(), std::size_t(2));
+  QCOMPARE(*one.scene.views()[0].annotations, std::vector<AnnotationId>{s.free});
+  QCOMPARE(one.scene.views()[0].looks->size(), std::size_t(1));
+  QCOMPARE(one.scene.views()[0].sections->size(), std::size_t(1));
+  const Edited all = removed(s.scene, std::array{s.group});
+  QCOMPARE(all.scene.annotations().size(), std::size_t(1));
+  QVERIFY(all.scene.views()[0].looks->empty() && all.scene.views()[0].sections->empty());
+  QVERIFY(all.scene.sections().empty());
+  QVERIFY(s.scene.annotations().size() == 3);  // the value that came in, which undo goes back to
+  const Edited none = removed(s.scene, std::array{NodeId{99}});
+  QVERIFY(!none.changed && none.scene == s.scene);
+}
+
+void ViewsEditTest::placeOnASurface() {
+  const Sample s;
+  const Mesh& mesh = *s.scene.find(s.one)->mesh;
+  const Triangle t = mesh.triangles()[3];
+  const auto place = s.scene.placeOf(s.scene.annotations()[0].anchors[0]);
+  QVERIFY(place);
+  const glm::vec3 expected =
+      0.5f * mesh.positions()[t[0]] + 0.2f * mesh.positions()[t[1]] + 0.3f * mesh.positions()[t[2]];
+  QVERIFY(glm::length(*place - expected) < 1e-5f);
+  QVERIFY(!s.scene.placeOf(SurfacePoint{s.group, 0, {}}));
+  QVERIFY(!s.scene.placeOf(SurfacePoint{s.one, 1'000'000, {}}));
+  QCOMPARE(s.scene.placeOf(glm::vec3(1, 2, 3)), std::optional(glm::vec3(1, 2, 3)));
+}
+
+void ViewsEditTest::annotationsThatCannotBe_data() {
+  QTest::addColumn<int>("kind");
+  QTest::addColumn<int>("anchors");
+  QTest::addColumn<float>("number");
+  QTest::addColumn<bool>("possible");
+  QTest::newRow("a pin") << int(AnnotationKind::pin) << 1 << 0.5f << true;
+  QTest::newRow("a pin of no place") << int(AnnotationKind::pin) << 0 << 0.5f << false;
+  QTest::newRow("a label of two") << int(AnnotationKind::label) << 2 << 0.5f << false;
+  QTest::newRow("a distance") << int(AnnotationKind::distance) << 2 << 0.5f << true;
+  QTest::newRow("a distance of one") << int(AnnotationKind::distance) << 1 << 0.5f << false;
+  QTest::newRow("beyond its triangle") << int(AnnotationKind::pin) << 1 << 1.5f << false;
+  QTest::newRow("before its triangle") << int(AnnotationKind::pin) << 1 << -0.5f << false;
+  QTest::newRow("nowhere") << int(AnnotationKind::pin) << 1
+                           << std::numeric_limits<float>::quiet_NaN() << false;
+}
+
+void ViewsEditTest::annotationsThatCannotBe() {
+  QFETCH(int, kind);
+  QFETCH(int, anchors);
+  QFETCH(float, number);
+  QFETCH(bool, possible);
+  const Sample s;
+  Annotation annotation{.kind = AnnotationKind(kind)};
+  for (int i = 0; i < anchors; ++i)
+    annotation.anchors.emplace_back(SurfacePoint{s.one, 0, {number, 0}});
+  QCOMPARE(!annotationFault(annotation), possible);
+  const Edited edited = withAnnotation(s.scene, annotation);
+  QCOMPARE(edited.changed, possible);
+  QCOMPARE(edited.scene.annotations().size(), std::size_t(possible ? 4 : 3));
+  for (Anchor& anchor : annotation.anchors)
+    anchor = glm::vec3(number, 1e30f, 0);
+  QCOMPARE(withAnnotation(s.scene, annotation).changed,
+           std::size_t(anchors) == anchorCount(AnnotationKind(kind)) && !std::isnan(number));
+}
+
+void ViewsEditTest::changedAndRemoved() {
+  const Sample s;
+  Annotation note = s.scene.annotations()[1];
+  QVERIFY(!withAnnotationChanged(s.scene, s.onTwo, note).changed);
+  note.texts["la"] = "Duo";
+  const Edited said = withAnnotationChanged(s.scene, s.onTwo, note);
+  QVERIFY(said.changed);
+  QCOMPARE(textIn(said.scene.annotations()[1], "la"), std::string("Duo"));
+  QCOMPARE(textIn(said.scene.annotations()[1], "en"), note.text);
+  note.anchors = {SurfacePoint{s.group, 0, {}}};
+  QVERIFY(!withAnnotationChanged(s.scene, s.onTwo, note).changed);
+  const Edited gone = withoutAnnotations(s.scene, std::array{s.free, AnnotationId{99}});
+  QVERIFY(gone.changed);
+  QCOMPARE(*gone.scene.views()[0].annotations, std::vector<AnnotationId>{s.onOne});
+  QVERIFY(!withoutAnnotations(s.scene, std::array{AnnotationId{99}}).changed);
+}
+
+void ViewsEditTest::keyLight() {
+  const Sample s;
+  QVERIFY(!withKeyLight(s.scene, std::nullopt).changed);
+  const Edited lit = withKeyLight(s.scene, KeyLight{.shades = true});
+  QVERIFY(lit.changed && lit.scene.keyLight()->shades);
+  QVERIFY(!withKeyLight(lit.scene, KeyLight{.shades = true}).changed);
+  QVERIFY(!withKeyLight(s.scene, KeyLight{.towards = {0, 0, 2}}).changed);
+  QVERIFY(!withKeyLight(s.scene, KeyLight{.towards = {NAN, 0, 1}}).changed);
+}
+
+QTEST_APPLESS_MAIN(ViewsEditTest)
+#include "views_edit_test.moc"

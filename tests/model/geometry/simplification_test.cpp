@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/geometry/simplification.h"
+
+#include <QtTest>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "model/geometry/topology.h"
+#include "tests/support/shapes.h"
+
+using namespace sline;
+using model::MeshPtr;
+
+namespace {
+MeshPtr meshOf(std::vector<glm::vec3> positions, std::vector<model::Triangle> triangles) {
+  return std::make_shared<const model::Mesh>(
+      std::move(model::Mesh::create(std::move(positions), std::move(triangles))).value());
+}
+
+/// A closed slab of 80 × 80 × 10 mm whose vertices are off by up to 0.05 mm.
+MeshPtr noisySlab() {
+  const MeshPtr ball = test::sphere(1.0f, 4);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> off(-0.05f, 0.05f);
+  std::vector<glm::vec3> positions;
+  for (const glm::vec3& p : ball->positions())
+    positions.push_back(glm::vec3(40.0f * p.x, 40.0f * p.y, 5.0f * std::tanh(6.0f * p.z)) +
+                        glm::vec3(off(random), off(random), off(random)));
+  return meshOf(std::move(positions), {ball->triangles().begin(), ball->triangles().end()});
+}
+
+/// Three leaves that meet in one edge, each of many triangles.
+MeshPtr book() {
+  constexpr int cells = 12;
+  std::vector<glm::vec3> positions;
+  std::vector<model::Triangle> triangles;
+  for (int z = 0; z <= cells; ++z)
+    positions.emplace_back(0.0f, 0.0f, float(z));
+  for (int leaf = 0; leaf < 3; ++leaf) {
+    const auto at = [&, first = std::uint32_t(positions.size())](int x, int z) {
+      return x == 0 ? std::uint32_t(z) : first + std::uint32_t((x - 1) * (cells + 1) + z);
+    };
+    const float angle = 2.1f * float(leaf);
+    for (int x = 1; x <= cells; ++x)
+      for (int z = 0; z <= cells; ++z)
+        positions.emplace_back(float(x) * std::cos(angle), float(x) * std::sin(angle), float(z));
+    for (int x = 0; x < cells; ++x)
+      for (int z = 0; z < cells; ++z) {
+        triangles.push_back({at(x, z), at(x + 1, z), at(x + 1, z + 1)});
+        triangles.push_back({at(x, z), at(x + 1, z + 1), at(x, z + 1)});
+      }
+  }
+  return meshOf(std::move(positions), std::move(triangles));
+}
+
+double distanceToSegment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
+  const double t = glm::dot(p - a, b - a) / glm::dot(b - a, b - a);
+  return glm::distance(p, a + std::min(1.0, std::max(0.0, t)) * (b - a));
+}
+
+/// Every triangle tried, in double precision.
+double distanceByForce(const model::Mesh& mesh, const glm::vec3& point) {
+  double best = 1e30;
+  const glm::dvec3 p = point;
+  for (const auto& [i, j, k] : mesh.triangles()) {
+    const glm::dvec3 a = mesh.positions()[i];
+    const glm::dvec3 b = mesh.positions()[j];
+    const glm::dvec3 c = mesh.positions()[k];
+    const glm::dvec3 n = glm::normalize(glm::cross(b - a, c - a));
+    const bool inside = glm::dot(glm::cross(b - a, p - a), n) >= 0 &&
+                        glm::dot(glm::cross(c - b, p - b), n) >= 0 &&
+                        glm::dot(glm::cross(a - c, p - c), n) >= 0;
+    best = std::min(best, inside ? std::abs(glm::dot(p - a, n))
+                                 : std::min({distanceToSegment(p, a, b), distanceToSegment(p, b, c),
+                                             distanceToSegment(p, c, a)}));
+  }
+  return best;
+}
+
+/// At points drawn at random from the first surface, how far the second is.
+double farthestByForce(const model::Mesh& from, const model::Mesh& to) {
+  std::mt19937 random(7);
+  std::uniform_int_distribution<std::size_t> triangle(0, from.triangleCount() - 1);
+  std::uniform_real_distribution<float> weight(0.0f, 1.0f);
+  double most = 0.0;
+  for (int i = 0; i < 150; ++i) {
+    const auto& [a, b, c] = from.triangles()[triangle(random)];
+    float u = weight(random);
+    float v = weight(random);
+    if (u + v > 1.0f) {
+      u = 1.0f - u;
+      v = 1.0f - v;
+    }
+    const auto p = from.positions();
+    most = std::max(most, distanceByForce(to, p[a] + u * (p[b] - p[a]) + v * (p[c] - p[a])));
+  }
+  return most;
+}
+
+double volume(const model::Mesh& mesh) {
+  double sum = 0.0;
+  for (const auto& [a, b, c] : mesh.triangles())
+    sum += glm::dot(glm::dvec3(mesh.positions()[a]),
+                    glm::cross(glm::dvec3(mesh.positions()[b]), glm::dvec3(mesh.positions()[c])));
+  return sum / 6.0;
+}
+
+/// Vertices − edges + triangles of a closed mesh: 2 for a ball, 0 for a ring.
+int eulerOf(const model::Mesh& mesh) {
+  return int(mesh.vertexCount()) - int(mesh.triangleCount() / 2);
+}
+
+model::EdgeCount edgesOf(const model::Mesh& mesh) {
+  return model::countEdges(mesh, model::VertexFaces(mesh));
+}
+
+bool always() {
+  return true;
+}
+}  // namespace
+
+Q_DECLARE_METATYPE(sline::model::MeshPtr)
+
+class SimplificationTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void closed_data() {
+    QTest::addColumn<MeshPtr>("mesh");
+    QTest::addColumn<float>("bound");
+    QTest::addColumn<int>("times");  // fewer triangles, at least
+    // Triangles whose middle is s from a sphere of radius R have edges of √(6·R·s) or so.
+    QTest::newRow("ball") << test::sphere(50, 4) << 0.8f << 8;
+    QTest::newRow("ball, fine") << test::sphere(50, 4) << 0.3f << 2;
+    QTest::newRow("ring") << test::torus(40, 10, 120, 40) << 0.3f << 5;
+    QTest::newRow("noisy slab") << noisySlab() << 0.25f << 8;
+    QTest::newRow("two balls") << test::together(*test::sphere(20, 3),
+                                                 *test::moved(*test::sphere(20, 3), 1, {60, 0, 0}))
+                               << 0.5f << 2;
+  }
+  void closed() {
+    QFETCH(MeshPtr, mesh);
+    QFETCH(float, bound);
+    QFETCH(int, times);
+    const model::Simplified fewer = model::simplified(mesh, bound, always);
+    QVERIFY(fewer.mesh != mesh);
+    QVERIFY2(fewer.mesh->triangleCount() * std::size_t(times) < mesh->triangleCount(),
+             qPrintable(QString::number(fewer.mesh->triangleCount())));
+    QVERIFY(fewer.error > 0.0f && fewer.error <= bound);
+    const double there = farthestByForce(*fewer.mesh, *mesh);
+    const double back = farthestByForce(*mesh, *fewer.mesh);
+    QVERIFY2(std::max(there, back) < 1.05 * double(bound),
+             qPrintable(QString("%1 %2").arg(there).arg(back)));
+    // Points between the samples cannot be far beyond them.
+    QVERIFY(std::max(there, back) < 1.2 * double(fewer.error));
+    QVERIFY(edgesOf(*fewer.mesh).closed());
+    QCOMPARE(eulerOf(*fewer.mesh), eulerOf(*mesh));
+    QCOMPARE(model::connectedComponents(*fewer.mesh).count,
+             model::connectedComponents(*mesh).count);
+    QVERIFY(std::abs(volume(*fewer.mesh) / volume(*mesh) - 1.0) < 0.03);
+    // The same again, bit for bit.
+    QVERIFY(*model::simplified(mesh, bound, always).mesh == *fewer.mesh);
+  }
+
+  void rimsStay_data() {
+    QTest::addColumn<MeshPtr>("mesh");
+    QTest::newRow("bowl") << test::paraboloid(0.02f, 0.02f, 20, 40);
+    QTest::newRow("tube") << test::cylinder(10, 60, 64, 60);
+    QTest::newRow("three leaves at one edge") << book();
+  }
+  void rimsStay() {
+    QFETCH(MeshPtr, mesh);
+    const model::Simplified fewer = model::simplified(mesh, 0.2f, always);
+    QVERIFY(fewer.mesh->triangleCount() * 3 < mesh->triangleCount() * 2);
+    QVERIFY(fewer.error <= 0.2f);
+    const model::EdgeCount before = edgesOf(*mesh);
+    const model::EdgeCount after = edgesOf(*fewer.mesh);
+    QCOMPARE(after.open, before.open);
+    QCOMPARE(after.nonManifold, before.nonManifold);
+    const double rim = model::rimLength(*mesh, model::VertexFaces(*mesh));
+    QVERIFY(std::abs(model::rimLength(*fewer.mesh, model::VertexFaces(*fewer.mesh)) - rim) < 1e-3);
+  }
+
+  void nothingToDo() {
+    const MeshPtr ball = test::sphere(50, 3);
+    QVERIFY(model::simplified(ball, 0.0f, always).mesh == ball);
+    QVERIFY(model::simplified(ball, 1.0f, [] { return false; }).mesh == ball);
+    QVERIFY(model::simplified(ball, 1e-6f, always).mesh == ball);
+    const MeshPtr nothing = meshOf({}, {});
+    QVERIFY(model::simplified(nothing, 1.0f, always).mesh == nothing);
+    // A tetrahedron has no edge to spare, however generous the bound.
+    const MeshPtr least = meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                 {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
+    QVERIFY(model::simplified(least, 100.0f, always).mesh == least);
+  }
+
+  void brokenMeshes() {
+    // Triangles without area and with one vertex twice, and a vertex where two cones touch.
+    const MeshPtr odd = meshOf({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {0, 0, 0}},
+                               {{0, 1, 2}, {0, 0, 1}, {0, 1, 3}, {4, 4, 4}, {0, 1, 3}});
+    const model::Simplified same = model::simplified(odd, 10.0f, always);
+    QCOMPARE(same.mesh->triangleCount(), odd->triangleCount());
+  }
+};
+
+QTEST_APPLESS_MAIN(SimplificationTest)
+#include "simplification_test.moc"

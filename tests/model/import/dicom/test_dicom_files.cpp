@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files that are cut short, broken, of other kinds, or real.
+#include <QtTest>
+
+#include "model/import/dicom/dicom_file.h"
+#include "model/import/file_kinds.h"
+#include "tests/model/import/dicom/surface_facts.h"
+#include "tests/model/import/dicom/written_dicom.h"
+
+using namespace sline;
+using namespace sline::test;
+
+namespace {
+
+QByteArray ballFile(const Manner& manner = {}) {
+  return dicomFile(structureSet({{"Ball", "ORGAN", {}, ball({0, 0, 0}, 10, -9, 2)}}), manner);
+}
+
+}  // namespace
+
+class TestDicomFiles : public QObject {
+  Q_OBJECT
+ private slots:
+  void cutShort_data();
+  void cutShort();
+  void refusals_data();
+  void refusals();
+  void otherKinds_data();
+  void otherKinds();
+  void recognisedWithoutExtension_data();
+  void recognisedWithoutExtension();
+  void characterSets_data();
+  void characterSets();
+  void realFiles_data();
+  void realFiles();
+};
+
+void TestDicomFiles::cutShort_data() {
+  QTest::addColumn<int>("syntax");
+  QTest::addColumn<bool>("open");
+  QTest::newRow("implicit") << int(Syntax::implicitLittle) << false;
+  QTest::newRow("explicit") << int(Syntax::explicitLittle) << false;
+  QTest::newRow("open lengths") << int(Syntax::explicitLittle) << true;
+  QTest::newRow("deflated") << int(Syntax::deflated) << false;
+}
+
+/// Wherever a file ends, the answer is an error that says where, or the surface where only
+/// elements behind it are gone.
+void TestDicomFiles::cutShort() {
+  QFETCH(int, syntax);
+  QFETCH(bool, open);
+  const QByteArray whole = ballFile({Syntax(syntax), open});
+  const QTemporaryDir folder;
+  int errors = 0;
+  for (qsizetype size = 140; size < whole.size(); size += 41) {
+    const auto read = readDicomBytes(folder, whole.left(size));
+    if (read.ok()) {
+      QVERIFY(!read->meshes.empty());
+      continue;
+    }
+    ++errors;
+    const std::string& where = read.error().where;
+    QVERIFY(!read.error().reason.empty() && !read.error().remedy.empty());
+    // A cut between two elements leaves a sound file that holds less.
+    QVERIFY2(where.starts_with("byte ") ||
+                 read.error().reason.find("region") != std::string::npos ||
+                 read.error().reason.find("kind") != std::string::npos,
+             read.error().text().c_str());
+  }
+  QVERIFY(errors > 20);
+}
+
+void TestDicomFiles::refusals_data() {
+  QTest::addColumn<QByteArray>("bytes");
+  QTest::addColumn<QString>("message");
+  QTest::newRow("text") << QByteArray("this is no DICOM file, but it is called one\n").repeated(9)
+                        << "is not a DICOM file";
+  QTest::newRow("empty") << QByteArray() << "is empty";
+  QTest::newRow("big endian") << ballFile({Syntax::explicitBig}) << "big endian";
+  QTest::newRow("deeply nested") << dicomFile(
+                                        [] {
+                                          WrittenSet set =
+                                              identifying("1.2.840.10008.5.1.4.1.1.481.3");
+                                          set.push_back(sequence({0x3006, 0x0020}, {nested(40)}));
+                                          return set;
+                                        }(),
+                                        {Syntax::explicitLittle, true})
+                                 << "nested more than 16 deep";
+  // The length of the contours' sequence, which is the file's longest.
+  QByteArray lying = ballFile({Syntax::implicitLittle});
+  const qsizetype at = lying.indexOf(QByteArray("\x06\x30\x39\x00", 4));
+  lying.replace(at + 4, 4, QByteArray("\xf0\xff\xff\x7f", 4));
+  QTest::newRow("a length beyond the file") << lying << "(3006,0039) promises 2147483632 bytes";
+  QByteArray bomb = dicomFile(identifying("1.2.840.10008.5.1.4.1.1.481.3"), {Syntax::deflated});
+  QTest::newRow("damaged deflated data")
+      << bomb.left(bomb.size() - 6) + QByteArray(40, '\x55') << "deflated data";
+}
+
+void TestDicomFiles::refusals() {
+  QFETCH(QByteArray, bytes);
+  QFETCH(QString, message);
+  const QTemporaryDir folder;
+  const auto read = readDicomBytes(folder, bytes);
+  QVERIFY(!read.ok());
+  QVERIFY2(QString::fromStdString(read.error().text()).contains(message),
+           read.error().text().c_str());
+  QVERIFY(QString::fromStdString(read.error().file).endsWith("file.dcm"));
+}
+
+void TestDicomFiles::otherKinds_data() {
+  QTest::addColumn<QByteArray>("uid");
+  QTest::addColumn<QString>("name");
+  QTest::newRow("CT") << QByteArray("1.2.840.10008.5.1.4.1.1.2") << "CT image";
+  QTest::newRow("enhanced CT") << QByteArray("1.2.840.10008.5.1.4.1.1.2.1") << "CT image";
+  QTest::newRow("MR") << QByteArray("1.2.840.10008.5.1.4.1.1.4") << "MR image";
+  QTest::newRow("PET") << QByteArray("1.2.840.10008.5.1.4.1.1.128") << "PET image";
+  QTest::newRow("plan") << QByteArray("1.2.840.10008.5.1.4.1.1.481.5") << "RT plan";
+  QTest::newRow("dose") << QByteArray("1.2.840.10008.5.1.4.1.1.481.2") << "RT dose";
+  QTest::newRow("surface segmentation")
+      << QByteArray("1.2.840.10008.5.1.4.1.1.66.5") << "surface segmentation";
+  QTest::newRow("report") << QByteArray("1.2.840.10008.5.1.4.1.1.88.33") << "structured report";
+  QTest::newRow("unknown") << QByteArray("1.2.3.4") << "not known here";
+}
+
+void TestDicomFiles::otherKinds() {
+  QFETCH(QByteArray, uid);
+  QFETCH(QString, name);
+  const QTemporaryDir folder;
+  const auto read = readDicomBytes(folder, dicomFile(identifying(uid.constData())));
+  QVERIFY(!read.ok());
+  const QString text = QString::fromStdString(read.error().text());
+  QVERIFY2(text.contains(name) && text.contains("holds no segmentation"), qPrintable(text));
+}
+
+void TestDicomFiles::recognisedWithoutExtension_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<QByteArray>("bytes");
+  QTest::addColumn<bool>("recognised");
+  QTest::newRow("no extension") << "RS0001" << ballFile() << true;
+  QTest::newRow("numbers") << "1.2.840.113619" << ballFile() << true;
+  QTest::newRow("no preamble") << "RS0001" << ballFile({Syntax::implicitLittle, false, false})
+                               << true;
+  QTest::newRow("capitals") << "RS.DCM" << ballFile() << true;
+  QTest::newRow("text") << "README" << QByteArray("Read me first. ").repeated(20) << false;
+  QTest::newRow("another extension") << "ball.txt" << ballFile() << false;
+  QTest::newRow("short") << "RS0001" << ballFile().left(100) << false;
+}
+
+void TestDicomFiles::recognisedWithoutExtension() {
+  QFETCH(QString, name);
+  QFETCH(QByteArray, bytes);
+  QFETCH(bool, recognised);
+  const QTemporaryDir folder;
+  QFile file(folder.filePath(name));
+  QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+  file.close();
+  const std::filesystem::path path = folder.filePath(name).toStdString();
+  QCOMPARE(model::isSurfaceFile(path), recognised);
+  QCOMPARE(model::readSurfaces(path).ok(), recognised);
+}
+
+void TestDicomFiles::characterSets_data() {
+  QTest::addColumn<QByteArray>("set");
+  QTest::addColumn<QByteArray>("name");
+  QTest::addColumn<QByteArray>("expected");
+  QTest::newRow("ASCII") << QByteArray() << QByteArray("Liver") << QByteArray("Liver");
+  QTest::newRow("ASCII, broken") << QByteArray() << QByteArray("N\xe9") << QByteArray("N?");
+  QTest::newRow("Latin 1") << QByteArray("ISO_IR 100") << QByteArray("N\xe9") << QByteArray("Né");
+  QTest::newRow("UTF-8") << QByteArray("ISO_IR 192") << QByteArray("Né") << QByteArray("Né");
+  QTest::newRow("UTF-8, broken") << QByteArray("ISO_IR 192") << QByteArray("N\xe9t")
+                                 << QByteArray("N?t");
+  QTest::newRow("controls") << QByteArray("ISO_IR 192") << QByteArray("a\nb") << QByteArray("a b");
+}
+
+void TestDicomFiles::characterSets() {
+  QFETCH(QByteArray, set);
+  QFETCH(QByteArray, name);
+  QFETCH(QByteArray, expected);
+  WrittenSet written = structureSet({{name, "ORGAN", {}, ball({0, 0, 0}, 10, -9, 2)}});
+  if (!set.isEmpty())
+    written.insert(written.begin() + 1, text({0x0008, 0x0005}, "CS", set));
+  const QTemporaryDir folder;
+  const auto read = readDicomBytes(folder, dicomFile(written));
+  QVERIFY(read.ok());
+  QCOMPARE(QByteArray::fromStdString(read->meshes.at(0).name), expected);
+}
+
+void TestDicomFiles::realFiles_data() {
+  QTest::addColumn<QString>("file");
+  QTest::addColumn<int>("surfaces");
+  QTest::addColumn<QString>("message");
+  QTest::newRow("rtss") << "rtss.dcm" << 9 << "\"Areola\": has no contour";
+  QTest::newRow("rtstruct") << "rtstruct.dcm" << 0 << "";
+  QTest::newRow("segmentation") << "seg_image_ct_binary.dcm" << 1 << "";
+  QTest::newRow("CT slice") << "ct.0.dcm" << 0 << "CT image";
+  QTest::newRow("CT slice 2") << "ct_image.dcm" << 0 << "CT image";
+  QTest::newRow("cut plan") << "rtplan_truncated.dcm" << 0 << "";
+}
+
+void TestDicomFiles::realFiles() {
+  QFETCH(QString, file);
+  QFETCH(int, surfaces);
+  QFETCH(QString, message);
+  const QString path = QString(SLINE_TEST_DATA) + "/formats/dicom/" + file;
+  if (!QFile::exists(path))
+    QSKIP("no such file");
+  const auto read = model::readSurfaces(path.toStdString());
+  if (!read) {
+    QCOMPARE(surfaces, 0);
+    QVERIFY2(QString::fromStdString(read.error().text()).contains(message),
+             read.error().text().c_str());
+    return;
+  }
+  QCOMPARE(int(read->meshes.size()), surfaces);
+  QVERIFY2(warningsOf(*read).contains(message), qPrintable(warningsOf(*read)));
+  for (const model::RawMesh& mesh : read->meshes) {
+    const SurfaceFacts facts = factsOf(mesh);
+    QVERIFY2(facts.closed && facts.volume > 0.0, mesh.name.c_str());
+  }
+}
+
+QTEST_GUILESS_MAIN(TestDicomFiles)
+#include "test_dicom_files.moc"

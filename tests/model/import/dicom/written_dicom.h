@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// DICOM files written by the tests themselves, in each way that elements may be written.
+#pragma once
+
+#include <QByteArray>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/base/units.h"
+#include "model/import/dicom/data_set.h"
+
+namespace sline::test {
+
+struct WrittenElement;
+using WrittenSet = std::vector<WrittenElement>;
+
+/// One element, its value as bytes (padded when it is written) or its items.
+struct WrittenElement {
+  model::Tag tag;
+  QByteArray vr;
+  QByteArray value;
+  std::vector<WrittenSet> items;
+};
+WrittenElement text(model::Tag tag, const char* vr, const QByteArray& value);
+WrittenElement shorts(model::Tag tag, const std::vector<std::uint16_t>& values);
+WrittenElement sequence(model::Tag tag, std::vector<WrittenSet> items);
+
+enum class Syntax { implicitLittle, explicitLittle, deflated, runLength, explicitBig, jpeg };
+
+struct Manner {
+  Syntax syntax = Syntax::explicitLittle;
+  bool openLengths = false;  ///< sequences and items end with delimiters
+  bool preamble = true;      ///< and a meta header
+};
+/// The file; `set` has the SOP class.
+QByteArray dicomFile(const WrittenSet& set, const Manner& manner = {});
+/// A sequence element alone, in items as deep as that.
+WrittenSet nested(int depth);
+
+/// What identifies a patient in every file written here; nothing of it may be found anywhere else.
+const std::vector<QByteArray>& identities();
+WrittenSet identifying(const char* sopClass);
+
+struct WrittenRegion {
+  QByteArray name;
+  QByteArray type = "ORGAN";
+  std::optional<Colour> colour;
+  std::vector<std::vector<glm::dvec3>> contours;
+  QByteArray geometry = "CLOSED_PLANAR";
+};
+WrittenSet structureSet(const std::vector<WrittenRegion>& regions);
+
+/// Corners of a circle in the plane z, counter-clockwise.
+std::vector<glm::dvec3> circle(const glm::dvec3& centre, double radius, int corners = 60);
+/// A ball cut at z = first, first + step, …
+std::vector<std::vector<glm::dvec3>> ball(const glm::dvec3& centre, double radius, double first,
+                                          double step);
+std::vector<std::vector<glm::dvec3>> rod(const glm::dvec3& centre, double radius,
+                                         const std::vector<double>& heights);
+
+struct WrittenSegment {
+  std::uint16_t number = 1;
+  QByteArray label;
+  QByteArray category;
+  std::vector<std::uint16_t> lab;
+};
+/// Pixels of one frame, 0 … 255, in rows; a position of its first pixel.
+struct WrittenFrame {
+  std::uint16_t segment = 1;
+  glm::dvec3 position{0.0};
+  std::vector<std::uint8_t> pixels;
+};
+struct WrittenSegmentation {
+  int columns = 8;
+  int rows = 8;
+  double columnSpacing = 1.0;
+  double rowSpacing = 1.0;
+  double sliceSpacing = 2.0;
+  QByteArray orientation = "1\\0\\0\\0\\1\\0";
+  bool fractional = false;
+  bool sharedOrientation = true;
+  bool runLength = false;
+  std::vector<WrittenSegment> segments;
+  std::vector<WrittenFrame> frames;
+};
+WrittenSet segmentation(const WrittenSegmentation& written);
+
+}  // namespace sline::test
