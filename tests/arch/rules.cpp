@@ -92,7 +92,7 @@ const std::vector<Library>& libraries() {
       {"OpenImageIO", std::regex("OpenImageIO/.*"), {"app/cli", "render/export", "tests"}},
       {"CLI11", std::regex("CLI/.*"), {"app", "tests"}},
       {"libzip", std::regex("zip(conf)?\\.h"), {"model/files"}},
-      {"zlib", std::regex("zlib\\.h"), {"model/import", "tests"}},
+      {"zlib, bzip2", std::regex("(zlib|bzlib)\\.h"), {"model/import", "tests"}},
       {"nlohmann-json", std::regex("nlohmann/.*"), {"app", "model/files", "model/import", "tests"}},
   };
   return table;

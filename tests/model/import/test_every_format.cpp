@@ -91,19 +91,19 @@ void meshRows() {
 }
 
 void volumeRows() {
-  loads("nrrd/BallBinary30x30x30.nhdr", 1, some);
-  loads("nrrd/BallBinary30x30x30.nii.gz", 1, some);
-  loads("nrrd/BallBinary30x30x30.nrrd", 1, some);
+  loads("nrrd/BallBinary30x30x30.nhdr", 1, 8592);
+  loads("nrrd/BallBinary30x30x30.nii.gz", 1, 8592);
+  loads("nrrd/BallBinary30x30x30.nrrd", 1, 8592);
   refused("nrrd/BallBinary30x30x30.raw", "not supported");
   refused("nrrd/BallBinary30x30x30_byteskip_minus_five.nhdr",
           "'-5' is neither a number of bytes nor -1");
-  loads("nrrd/BallBinary30x30x30_byteskip_minus_one.nhdr", 1, some);
-  loads("nrrd/BallBinary30x30x30_byteskip_minus_one_nifti.nhdr", 1, some);
-  loads("nrrd/BallBinary30x30x30_bz2.nrrd", 1, some);
-  loads("nrrd/BallBinary30x30x30_gz.nrrd", 1, some);
-  loads("nrrd/BallBinary30x30x30_gz_byteskip_minus_one.nrrd", 1, some);
-  loads("nrrd/BallBinary30x30x30_gz_lineskip.nrrd", 1, some);
-  loads("nrrd/BallBinary30x30x30_nifti.nhdr", 1, some, "header was passed over");
+  loads("nrrd/BallBinary30x30x30_byteskip_minus_one.nhdr", 1, 8592);
+  loads("nrrd/BallBinary30x30x30_byteskip_minus_one_nifti.nhdr", 1, 8592);
+  loads("nrrd/BallBinary30x30x30_bz2.nrrd", 1, 8592);
+  loads("nrrd/BallBinary30x30x30_gz.nrrd", 1, 8592);
+  loads("nrrd/BallBinary30x30x30_gz_byteskip_minus_one.nrrd", 1, 8592);
+  loads("nrrd/BallBinary30x30x30_gz_lineskip.nrrd", 1, 8592);
+  loads("nrrd/BallBinary30x30x30_nifti.nhdr", 1, 8592, "header was passed over");
   refused("nrrd/test1d_ascii.nrrd", "has 1 axis");
   refused("nrrd/test2d_ascii.nrrd", "has 2 axes");
   refused("nrrd/test_customFields.nrrd", "has 1 axis");

@@ -216,7 +216,7 @@ void FolderTreeTest::otherFilesAreIgnored() {
   const QTemporaryDir folder;
   writeMeshes(folder, {"liver"});
   test::writeText(folder.filePath("README.txt"), "hello");
-  test::writeText(folder.filePath("volume.nrrd"), "NRRD0004\n");
+  test::writeText(folder.filePath("slices.jpg"), "JFIF");
   const auto imported = importInputs(std::array{path(folder)}, {});
   QVERIFY(imported.ok());
   QVERIFY(imported->report.warnings.empty());
