@@ -81,7 +81,9 @@ Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& 
     }
     part.raw = std::move(raw);
     part.provenance.file = part.raw.origin.empty() ? shown : part.raw.origin;
-    part.provenance.fingerprint = fingerprint;
+    // Without its file's name there is nothing to read again by.
+    if (part.raw.origin.empty())
+      part.provenance.fingerprint = fingerprint;
     if (meshes.size() > 1)
       part.provenance.part = names[i];
     if (options.repair)
