@@ -7,6 +7,7 @@ set -euo pipefail
 packages=(
   # compiler, build, checks
   build-essential cmake ninja-build ccache git pkg-config clang clang-format clang-tidy
+  libclang-rt-14-dev
   # Qt, a display for its tests; meshes and volumes, pixel files
   qt6-base-dev libqt6opengl6-dev libgl-dev libglx-mesa0 fonts-dejavu-core xvfb xauth
   libvtk9-dev libglew-dev

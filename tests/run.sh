@@ -31,3 +31,6 @@ ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1 \
   ctest --test-dir "$top/build/asan" --output-on-failure --parallel "$jobs" -L sanitized
 
 ctest --test-dir "$top/build/release" --output-on-failure --parallel "$jobs"
+
+# A look for input that breaks a reader; what it once found is among the tests above.
+"$top/tests/fuzz/run.sh" 120

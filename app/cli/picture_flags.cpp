@@ -139,6 +139,17 @@ Result<int> understoodSamples(const std::string& text, const Size& size) {
   return number;
 }
 
+Status understoodLight(const PictureFlags& flags, PictureOrder& order) {
+  order.keyLight = flags.keyLight;
+  if (flags.light.empty())
+    return Unit{};
+  const Result<glm::vec3> light = parseLight(flags.light);
+  if (!light.ok())
+    return light.error();
+  order.light = *light;
+  return Unit{};
+}
+
 }  // namespace
 
 Result<PictureOrder> understood(const PictureFlags& flags) {
@@ -164,13 +175,8 @@ Result<PictureOrder> understood(const PictureFlags& flags) {
   if (!hatching.ok())
     return hatching.error();
   order.hatching = *hatching;
-  if (!flags.light.empty()) {
-    const Result<glm::vec3> light = parseLight(flags.light);
-    if (!light.ok())
-      return light.error();
-    order.light = *light;
-  }
-  order.keyLight = flags.keyLight;
+  if (const Status lit = understoodLight(flags, order); !lit.ok())
+    return lit.error();
   order.blackAndWhite = flags.blackAndWhite;
   if (!flags.fill.empty()) {
     const Result<model::Fill> fill = parseFill(flags.fill);

@@ -16,6 +16,7 @@ struct FileKind {
   std::string_view extension;  ///< lower case, with its dots: ".obj", ".nii.gz"
   std::string_view name;
   Result<RawMeshes> (*read)(const std::filesystem::path&, const ReadOptions&);
+  bool volume = false;  ///< holds voxels: those of a folder are read together (readVolumeSet)
 };
 
 /// All kinds, in the order messages and dialogs list them.
@@ -28,6 +29,8 @@ std::string surfaceExtensions();
 bool isSurfaceFile(const std::filesystem::path& file);
 /// True for those of them that are DICOM.
 bool isDicomFile(const std::filesystem::path& file);
+/// True for those of them that are label volumes.
+bool isVolumeFile(const std::filesystem::path& file);
 /// The file's name without the ending that tells its kind: "liver" of "liver.nii.gz".
 std::string stemOf(const std::filesystem::path& file);
 

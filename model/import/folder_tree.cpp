@@ -283,7 +283,10 @@ class Builder {
     node.provenance = part.provenance;
     node.mesh = std::move(part.mesh);
     if (file.model) {
-      node.style = m_sources.sources[file.source].scene->models[*file.model].style;
+      const SlicerModel& model = m_sources.sources[file.source].scene->models[*file.model];
+      node.style = model.style;
+      if (model.segments)
+        node.style.colour = part.raw.colour ? part.raw.colour : colourOf(part);
     } else {
       node.style.colour = colourOf(part);
       const Node* group = m_built.scene.find(parent);

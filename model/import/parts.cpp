@@ -6,7 +6,10 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
+#include <map>
 #include <numeric>
+#include <set>
+#include <utility>
 
 #include "model/base/parallel.h"
 #include "model/files/fingerprint.h"
@@ -15,6 +18,7 @@
 #include "model/import/laterality.h"
 #include "model/import/names.h"
 #include "model/import/repair.h"
+#include "model/import/volumes/volume_set.h"
 
 namespace sline::model {
 
@@ -47,13 +51,42 @@ void mend(Part& part, const std::string& file, std::vector<ImportWarning>& warni
         {file, "a piece" + of + " has no consistent orientation; it stays as it is"});
 }
 
+Result<RawMeshes> readTogether(const SourceFile& source, const ReadOptions& options) {
+  std::vector<std::filesystem::path> files{source.file};
+  files.insert(files.end(), source.together.begin(), source.together.end());
+  return readVolumeSet(files, options);
+}
+
+/// What the surfaces of one file have in common.
+struct FileFacts {
+  std::optional<Fingerprint> fingerprint;
+  int surfaces = 0;
+};
+
+/// By the files' names.
+std::map<std::string, FileFacts> factsOf(const SourceFile& source,
+                                         const std::vector<RawMesh>& meshes) {
+  std::map<std::string, FileFacts> facts;
+  const auto add = [&facts](const std::filesystem::path& file) {
+    if (const Result<Fingerprint> print = fingerprintOfFile(file))
+      facts[file.filename().string()].fingerprint = *print;
+  };
+  add(source.file);
+  std::for_each(source.together.begin(), source.together.end(), add);
+  const std::string first = source.file.filename().string();
+  for (const RawMesh& mesh : meshes)
+    ++facts[mesh.file.empty() ? first : mesh.file].surfaces;
+  return facts;
+}
+
 Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& options,
                 ProgressMeter& meter) {
   Loaded loaded;
   const SourceFile& source = sources.files[index];
   const std::string shown = source.file.filename().string();
-  Result<RawMeshes> read = readSurfaces(
-      source.file, {options.limits, options.smoothing, [&] { return meter.goesOn(shown); }});
+  const ReadOptions how{options.limits, options.smoothing, [&] { return meter.goesOn(shown); }};
+  Result<RawMeshes> read =
+      source.together.empty() ? readSurfaces(source.file, how) : readTogether(source, how);
   if (!read) {
     Error error = read.error();
     error.file.clear();
@@ -62,9 +95,7 @@ Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& 
   }
   loaded.warnings = std::move(read->warnings);
   std::vector<RawMesh>& meshes = read->meshes;
-  std::optional<Fingerprint> fingerprint;
-  if (const Result<Fingerprint> print = fingerprintOfFile(source.file))
-    fingerprint = *print;
+  std::map<std::string, FileFacts> facts = factsOf(source, meshes);
   const std::vector<std::string> names = partNames(meshes);
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     RawMesh& raw = meshes[i];
@@ -77,14 +108,16 @@ Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& 
       part.name = readableName(stemOf(source.file));
     if (source.model) {
       const SlicerModel& model = sources.sources[source.source].scene->models[*source.model];
-      part.name = meshes.size() == 1 ? model.name : model.name + " " + part.name;
+      if (!model.segments)
+        part.name = meshes.size() == 1 ? model.name : model.name + " " + part.name;
     }
     part.raw = std::move(raw);
-    part.provenance.file = part.raw.origin.empty() ? shown : part.raw.origin;
+    const std::string& file = part.raw.file.empty() ? shown : part.raw.file;
+    part.provenance.file = part.raw.origin.empty() ? file : part.raw.origin;
     // Without its file's name there is nothing to read again by.
     if (part.raw.origin.empty())
-      part.provenance.fingerprint = fingerprint;
-    if (meshes.size() > 1)
+      part.provenance.fingerprint = facts[file].fingerprint;
+    if (facts[file].surfaces > 1)
       part.provenance.part = names[i];
     if (options.repair)
       mend(part, shown, loaded.warnings);
@@ -119,6 +152,37 @@ std::array<float, 12> rowsOf(const glm::dmat4& matrix) {
     for (int column = 0; column < 4; ++column)
       rows[std::size_t(row) * 4 + std::size_t(column)] = float(matrix[column][row]);
   return rows;
+}
+
+/// A folder may hold a label volume and the surfaces made of it: what is there as a surface is not
+/// taken from the volume as well.
+void leaveOutTwins(std::vector<Part>& parts, const Sources& sources,
+                   std::vector<ImportWarning>& warnings) {
+  const auto key = [&](const Part& part) {
+    std::string name;
+    for (const std::string& word : nameWords(part.name))
+      name += word + ' ';
+    return std::pair(sources.files[part.file].source, name);
+  };
+  const auto fromVolume = [&](const Part& part) {
+    const SourceFile& file = sources.files[part.file];
+    return sources.sources[file.source].kind == ImportSource::Kind::folder &&
+           isVolumeFile(file.file);
+  };
+  std::set<std::pair<std::size_t, std::string>> surfaces;
+  for (const Part& part : parts)
+    if (!fromVolume(part))
+      surfaces.insert(key(part));
+  std::map<std::string, int> leftOut;
+  std::erase_if(parts, [&](const Part& part) {
+    const bool twin = fromVolume(part) && surfaces.contains(key(part));
+    leftOut[part.provenance.file] += twin;
+    return twin;
+  });
+  for (const auto& [file, count] : leftOut)
+    if (count > 0)
+      warnings.push_back({file, counted(count, "structure", "structures") +
+                                    " left out that the folder also holds as surfaces"});
 }
 
 /// File coordinates → millimetres LPS.
@@ -171,6 +235,7 @@ std::vector<Part> loadParts(const Sources& sources, const ImportOptions& options
     std::move(one.parts.begin(), one.parts.end(), std::back_inserter(parts));
     std::move(one.warnings.begin(), one.warnings.end(), std::back_inserter(warnings));
   }
+  leaveOutTwins(parts, sources, warnings);
   return parts;
 }
 
@@ -205,6 +270,8 @@ void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothi
     Part& part = parts[i];
     if (part.raw.smooth) {
       part.provenance.displacementMm = part.raw.displacement * part.unit;
+      if (smoothing.mode == Smoothing::Mode::steps)
+        part.provenance.smoothingSteps = smoothing.steps;
       return;
     }
     const double bytes = double(part.raw.triangles.size()) * 6.0;
@@ -254,7 +321,11 @@ void placeParts(std::vector<Part>& parts, const Sources& sources,
     if (source.model)
       if (const auto& toWorld = sources.sources[source.source].scene->models[*source.model].toWorld)
         part.provenance.transform = rowsOf(*toWorld);
-    Result<MeshPtr> mesh = placedMesh(std::move(part.raw), part.provenance);
+    // Names, groups and colours are asked for later.
+    RawMesh surface{.positions = std::move(part.raw.positions),
+                    .triangles = std::move(part.raw.triangles),
+                    .yUp = part.raw.yUp};
+    Result<MeshPtr> mesh = placedMesh(std::move(surface), part.provenance);
     if (mesh)
       part.mesh = std::move(*mesh);
     else

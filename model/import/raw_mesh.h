@@ -35,6 +35,7 @@ struct RawMesh {
   std::string unitReason;           ///< what in the file or its format fixes the unit; empty: none
                                     ///< does, and it may be guessed
   bool yUp = false;                 ///< glTF: +y up, +x patient left, +z to the front
+  std::string file;                 ///< its own file's name where several were read together
   bool smooth = false;              ///< made smooth by its reader: not smoothed or refined again
   std::optional<bool> visible;      ///< where the reader would rather hide it at first
   std::optional<MoleculePart> molecule;  ///< cut from a molecule: named, grouped and coloured by

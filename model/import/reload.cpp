@@ -143,11 +143,9 @@ class Reloader {
       else if (m_options.goesOn())
         look(origin, candidates->second, origins);
     }
-    if (!m_changed.empty()) {
-      moveAnnotations();
-      m_result.scene.setNodes(m_nodes);
-      m_result.changed = true;
-    }
+    m_result.changed = !m_result.meshes.empty();
+    if (m_result.changed)
+      m_result.scene = withNewMeshes(m_result.scene, m_result.meshes);
     return std::move(m_result);
   }
 
@@ -188,8 +186,23 @@ class Reloader {
     read(origin, changed.front().first, changed.front().second);
   }
 
+  /// How readers that smooth what they read were told to: nothing moved where they were not to.
+  Smoothing readersSmoothing(const Origin& origin) const {
+    float moved = 0.0f;
+    int steps = 0;
+    for (const std::size_t i : origin.nodes) {
+      moved = std::max(moved, m_nodes[i].provenance.displacementMm);
+      steps = std::max(steps, m_nodes[i].provenance.smoothingSteps);
+    }
+    if (moved == 0.0f)
+      return {Smoothing::Mode::off};
+    return steps > 0 ? Smoothing{Smoothing::Mode::steps, steps} : Smoothing{};
+  }
+
   void read(const Origin& origin, const fs::path& file, const Fingerprint& now) {
-    Result<RawMeshes> read = readSurfaces(file, m_options);
+    ReadOptions options = m_options;
+    options.smoothing = readersSmoothing(origin);
+    Result<RawMeshes> read = readSurfaces(file, options);
     if (!read) {
       Error error = read.error();
       error.file.clear();
@@ -213,7 +226,7 @@ class Reloader {
 
   void replace(std::size_t index, const Origin& origin, const FileNow& file,
                std::vector<bool>& taken) {
-    Node& node = m_nodes[index];
+    const Node& node = m_nodes[index];
     const Origin alone{origin.file, origin.fingerprint, {index}};
     const std::string& wanted = node.provenance.part;
     const std::optional<std::size_t> k = partNamed(file.parts, wanted);
@@ -228,36 +241,44 @@ class Reloader {
     Result<MeshPtr> mesh = brought(file.meshes[*k], as);
     if (!mesh)
       return tell(alone, Fate::failed, mesh.error().reason);
-    m_changed.insert(node.id);
-    node.mesh = std::move(*mesh);
-    node.provenance = std::move(as);
+    m_result.meshes.push_back({node.id, node.mesh, std::move(*mesh), std::move(as)});
     tell(alone, Fate::replaced);
   }
 
-  /// The places are asked of the old meshes, which the result still has.
-  void moveAnnotations() {
-    std::vector<Annotation> annotations = m_result.scene.annotations();
-    for (Annotation& annotation : annotations)
-      for (Anchor& anchor : annotation.anchors) {
-        auto* point = std::get_if<SurfacePoint>(&anchor);
-        const auto place = m_result.scene.placeOf(anchor);
-        if (!point || !place || !m_changed.contains(point->structure))
-          continue;
-        const auto node = std::find_if(m_nodes.begin(), m_nodes.end(),
-                                       [&](const Node& n) { return n.id == point->structure; });
-        if (const auto nearest = nearestPoint(*node->mesh, *place))
-          anchor = SurfacePoint{point->structure, nearest->triangle, nearest->weights};
-      }
-    m_result.scene.setAnnotations(std::move(annotations));
-  }
-
   const ReadOptions& m_options;
-  std::vector<Node> m_nodes;
-  std::set<NodeId> m_changed;
+  const std::vector<Node>& m_nodes;
   Reloaded m_result;
 };
 
 }  // namespace
+
+Scene withNewMeshes(const Scene& scene, std::span<const NewMesh> meshes) {
+  std::map<NodeId, const NewMesh*> changes;
+  for (const NewMesh& change : meshes)
+    if (const Node* node = scene.find(change.structure); node && node->mesh == change.before)
+      changes[change.structure] = &change;
+  std::vector<Node> nodes = scene.nodes();
+  for (Node& node : nodes)
+    if (const auto found = changes.find(node.id); found != changes.end()) {
+      node.mesh = found->second->mesh;
+      node.provenance = found->second->provenance;
+    }
+  std::vector<Annotation> annotations = scene.annotations();
+  for (Annotation& annotation : annotations)
+    for (Anchor& anchor : annotation.anchors) {
+      const auto* point = std::get_if<SurfacePoint>(&anchor);
+      const auto place = scene.placeOf(anchor);
+      const auto found = point ? changes.find(point->structure) : changes.end();
+      if (!place || found == changes.end())
+        continue;
+      if (const auto nearest = nearestPoint(*found->second->mesh, *place))
+        anchor = SurfacePoint{point->structure, nearest->triangle, nearest->weights};
+    }
+  Scene after = scene;
+  after.setNodes(std::move(nodes));
+  after.setAnnotations(std::move(annotations));
+  return after;
+}
 
 Reloaded reload(const Scene& scene, std::span<const fs::path> places, const ReadOptions& options) {
   return Reloader(scene, options).run(places);

@@ -26,9 +26,18 @@ struct ReloadedFile {
   bool operator==(const ReloadedFile&) const = default;
 };
 
+/// A mesh in place of the one a structure had.
+struct NewMesh {
+  NodeId structure;
+  MeshPtr before;
+  MeshPtr mesh;
+  Provenance provenance;
+};
+
 struct Reloaded {
   Scene scene;
   bool changed = false;
+  std::vector<NewMesh> meshes;      ///< what `scene` has that was not there before
   std::vector<ReloadedFile> files;  ///< by name
   std::vector<ImportWarning> warnings;
 };
@@ -41,5 +50,9 @@ struct Reloaded {
 /// one that is what it was counts; else it is an error, as it is not known which is meant.
 Reloaded reload(const Scene& scene, std::span<const std::filesystem::path> places,
                 const ReadOptions& options = {});
+
+/// The same for a scene that was edited meanwhile; structures that no longer have the mesh `before`
+/// stay as they are.
+Scene withNewMeshes(const Scene& scene, std::span<const NewMesh> meshes);
 
 }  // namespace sline::model

@@ -14,6 +14,10 @@ void warnOfOptions(const ImportOptions& options, std::vector<ImportWarning>& war
     warnings.push_back({"",
                         "a scene file is in millimetres of the patient's frame; the frame and "
                         "the unit that were chosen do not apply to it"});
+  if (options.decimateMm > 0.0f)
+    warnings.push_back({"",
+                        "surfaces of a scene file keep their triangles; only what is imported "
+                        "is decimated"});
 }
 
 /// What decided the frame when its first structure was imported.

@@ -2,6 +2,7 @@
 #include "model/import/slicer_bundle.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "model/files/whole_file.h"
@@ -30,6 +31,19 @@ Error of(const fs::path& file, Error error) {
 
 bool isScene(const std::string& name) {
   return equalsIgnoringCase(fs::path(name).extension().string(), ".mrml");
+}
+
+/// What a surface's or a volume's file may have its numbers in.
+bool isData(const std::string& name) {
+  constexpr std::array<std::string_view, 4> endings{".raw", ".zraw", ".gz", ".bin"};
+  const std::string extension = fs::path(name).extension().string();
+  return std::any_of(endings.begin(), endings.end(), [&](std::string_view ending) {
+    return equalsIgnoringCase(extension, ending);
+  });
+}
+
+bool isWanted(const std::string& name) {
+  return isSurfaceFile(name) || isFiducialFile(name) || isData(name);
 }
 
 std::ptrdiff_t depthOf(const std::string& name) {
@@ -73,7 +87,7 @@ Result<SlicerBundle> unpackBundle(const fs::path& file, const ReadLimits& limits
   if (!folder)
     return folder.error();
   for (const ZipReader::Entry& entry : zip->entries()) {
-    if (&entry != scene && !isSurfaceFile(entry.name) && !isFiducialFile(entry.name))
+    if (&entry != scene && !isWanted(entry.name))
       continue;
     if (const Status unpacked = unpack(*zip, entry, folder->path()); !unpacked)
       return of(file, unpacked.error());

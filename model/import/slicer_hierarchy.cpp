@@ -173,4 +173,13 @@ Style slicerStyle(const XmlNode& display) {
   return style;
 }
 
+Style slicerSegmentsStyle(const XmlNode& display) {
+  Style style;
+  if (const auto opacity = numbers(display.attribute("opacity3D").value(), 1))
+    if (opacity->front() < 1.0)
+      style.opacity = Opacity::clamped(float(opacity->front()));
+  style.visible = flag(display, "visibility", true) && flag(display, "visibility3D", true);
+  return style;
+}
+
 }  // namespace sline::model

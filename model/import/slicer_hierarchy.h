@@ -25,4 +25,7 @@ std::unordered_map<std::string, std::size_t> readSlicerHierarchy(const SlicerDoc
 /// Colour, opacity and visibility of a ModelDisplay node; an empty node says nothing.
 Style slicerStyle(const XmlNode& display);
 
+/// Of a SegmentationDisplay node: opacity and visibility; its segments have colours of their own.
+Style slicerSegmentsStyle(const XmlNode& display);
+
 }  // namespace sline::model

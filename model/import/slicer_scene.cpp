@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <fstream>
+#include <iterator>
 
 #include "model/import/file_kinds.h"
 #include "model/import/names.h"
@@ -18,6 +19,9 @@ namespace sline::model {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Scenes of whole bodies have some thousands.
+constexpr std::ptrdiff_t mostNodes = 100'000;
 
 /// Where a byte of the file lies, for people.
 std::string lineOf(std::string_view text, std::ptrdiff_t offset) {
@@ -75,6 +79,13 @@ class SceneReader {
         readSlicerHierarchy({m_scene, m_nodes, m_file}, result);
     for (const XmlNode& node : m_scene.children("Model"))
       readModel(node, groupOfModel, result);
+    const bool bare = result.models.empty();
+    for (const XmlNode& node : m_scene.children("Segmentation"))
+      readSegments(node, result);
+    // Scenes keep the label map their models were made from; then it is not drawn again.
+    if (bare && result.models.empty())
+      for (const XmlNode& node : m_scene.children("LabelMapVolume"))
+        readSegments(node, result);
     readSlicerFiducials({m_scene, m_nodes, m_file}, result);
     readSlicerViews({m_scene, m_nodes, m_file}, result);
     warnOfVolumes(result);
@@ -87,6 +98,7 @@ class SceneReader {
   }
   void readModel(const XmlNode& node, const std::unordered_map<std::string, std::size_t>& groups,
                  SlicerScene& result);
+  void readSegments(const XmlNode& node, SlicerScene& result);
   void decideFrame(const XmlNode& storage, SlicerModel& model) const;
   void warnOfVolumes(SlicerScene& result) const;
 
@@ -128,6 +140,37 @@ void SceneReader::readModel(const XmlNode& node,
   decideFrame(storage, model);
   model.toWorld = SlicerTransforms(m_nodes, m_file.filename().string(), result.warnings)
                       .above(node, model.name);
+  result.models.push_back(std::move(model));
+}
+
+/// A segmentation or a label map: a group with a structure for each of its labels.
+void SceneReader::readSegments(const XmlNode& node, SlicerScene& result) {
+  const std::string written = m_nodes.referred(node, "storage").attribute("fileName").value();
+  const std::string name = node.attribute("name").value();
+  if (written.empty()) {
+    warn(result, m_file.filename().string(),
+         "segmentation \"" + name + "\" refers to no file; it was left out");
+    return;
+  }
+  ++result.named;
+  const std::optional<fs::path> file = fileOfSlicer(m_file, written, result.warnings);
+  if (!file)
+    return;
+  if (!isSurfaceFile(*file)) {
+    warn(result, written, "segmentations in files of this kind are not supported; it was left out");
+    return;
+  }
+  SlicerModel model;
+  model.id = node.attribute("id").value();
+  model.name = readableName(name.empty() ? stemOf(*file) : name);
+  model.file = *file;
+  model.group = result.groups.size();
+  model.segments = true;
+  model.style = slicerSegmentsStyle(m_nodes.referred(node, "display"));
+  decideFrame(XmlNode(), model);
+  model.toWorld = SlicerTransforms(m_nodes, m_file.filename().string(), result.warnings)
+                      .above(node, model.name);
+  result.groups.push_back({model.id, model.name, std::nullopt, {}});
   result.models.push_back(std::move(model));
 }
 
@@ -179,6 +222,10 @@ Result<SlicerScene> readSlicerScene(const fs::path& file, const ReadLimits& limi
     return Error{.file = file.string(),
                  .reason = "it is XML, but no 3D Slicer scene: there is no <MRML>",
                  .remedy = "Choose the .mrml file that 3D Slicer saved"};
+  if (std::distance(scene.begin(), scene.end()) > mostNodes)
+    return Error{.file = file.string(),
+                 .reason = "the scene has more than " + std::to_string(mostNodes) + " nodes",
+                 .remedy = "Save the scene in parts in 3D Slicer"};
   return SceneReader(file, scene).read();
 }
 

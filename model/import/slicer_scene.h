@@ -32,6 +32,7 @@ struct SlicerModel {
   std::optional<glm::dmat4> toWorld;  ///< RAS → RAS, millimetres; parents' transforms included
   Frame frame = Frame::ras;           ///< of the file, unless the file's own header says another
   std::string frameReason;
+  bool segments = false;  ///< of a segmentation: its surfaces have names and colours of their own
 };
 
 /// A saved view, or with the camera alone what the scene was last seen from.
@@ -49,7 +50,7 @@ struct SlicerScene {
   std::vector<Fiducial> fiducials;
   std::vector<std::string> fiducialIds;  ///< of the node that each of them is of
   std::vector<SlicerView> views;
-  std::size_t named = 0;  ///< models with a file, whether or not it is there
+  std::size_t named = 0;  ///< models and segmentations with a file, whether or not it is there
   std::vector<ImportWarning> warnings;
 };
 

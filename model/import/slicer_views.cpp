@@ -86,7 +86,10 @@ class SavedScene {
 
   Style model(const std::string& id) const {
     const XmlNode node = m_nodes.find(id);
-    if (std::string_view(node.name()) != "Model")
+    const std::string_view kind = node.name();
+    if (kind == "Segmentation" || kind == "LabelMapVolume")
+      return slicerSegmentsStyle(m_nodes.referred(node, "display"));
+    if (kind != "Model")
       return {.visible = false};
     Style style = slicerStyle(m_nodes.referred(node, "display"));
     if (const XmlNode above = collapsedAbove(id))

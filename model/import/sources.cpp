@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "model/import/dicom/left_out.h"
 #include "model/import/file_kinds.h"
@@ -62,6 +64,7 @@ class Collector {
   }
 
   Sources take() && {
+    joinVolumes();
     if (!m_looseImages.empty())
       refuse({.file = m_looseImages.count() == 1 ? m_imageFile.string() : std::string(),
               .reason = m_looseImages.text(),
@@ -89,10 +92,31 @@ class Collector {
     return sources.size() - 1;
   }
 
+  /// Label volumes that came together from one folder are read together: programs that give each
+  /// structure a file of its own write them so, and structures that touch shall share their faces.
+  void joinVolumes() {
+    std::vector<SourceFile> files;
+    std::map<std::pair<std::size_t, fs::path>, std::size_t> first;
+    for (SourceFile& file : m_result.files) {
+      if (!file.model && isVolumeFile(file.file)) {
+        const auto [found, fresh] =
+            first.try_emplace({file.source, file.file.parent_path()}, files.size());
+        if (!fresh) {
+          files[found->second].together.push_back(file.file);
+          files[found->second].bytes += file.bytes;
+          continue;
+        }
+      }
+      files.push_back(std::move(file));
+    }
+    m_result.files = std::move(files);
+  }
+
   void addFile(const fs::path& file, std::size_t source, std::vector<std::string> folders) {
     std::error_code fault;
     const std::uintmax_t bytes = fs::file_size(file, fault);
-    m_result.files.push_back({file, source, std::move(folders), std::nullopt, fault ? 0 : bytes});
+    m_result.files.push_back(
+        {file, source, std::move(folders), std::nullopt, fault ? 0 : bytes, {}});
   }
 
   void addFolder(const fs::path& folder) {

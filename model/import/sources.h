@@ -29,6 +29,8 @@ struct SourceFile {
   std::vector<std::string> folders;  ///< below the folder named, as they are called
   std::optional<std::size_t> model;  ///< in the scene's models
   std::uintmax_t bytes = 0;
+  /// Further label volumes of the same folder, which are read with this one.
+  std::vector<std::filesystem::path> together;
 };
 
 struct Sources {

@@ -9,6 +9,7 @@
 #include "model/files/scene_file.h"
 #include "model/files/scene_json.h"
 #include "model/files/scene_migration.h"
+#include "model/import/fiducials.h"
 #include "model/import/file_kinds.h"
 #include "model/import/import.h"
 #include "model/import/slicer_scene.h"
@@ -122,10 +123,44 @@ std::string meshCodec(std::string_view bytes) {
   return again.ok() && model::encodedMesh(*again) == once ? "" : "decoded again it is another mesh";
 }
 
-/// The whole way in: what a reader hands on is mended, smoothed, refined and saved.
+/// The whole way in: what a reader hands on is mended, smoothed and refined, or decimated, and
+/// saved. Refinement makes much of little by design, so the input is kept small.
 std::string wholeImport(std::string_view bytes) {
+  if (bytes.size() > 8192)
+    return {};
   static const InputFolder folder;
   const std::filesystem::path inputs[] = {folder.put(".off", bytes)};
+  model::ImportOptions fewer;
+  fewer.smoothing.mode = model::Smoothing::Mode::off;
+  fewer.decimateMm = 0.25f;
+  for (const model::ImportOptions& options : {model::ImportOptions(), fewer}) {
+    Result<model::Imported> imported = model::importInputs(inputs, options);
+    if (!imported.ok())
+      return faultOf(imported.error());
+    if (std::string fault = savedTwice({.scene = std::move(imported->scene)}); !fault.empty())
+      return fault;
+  }
+  return {};
+}
+
+/// Points and lines of 3D Slicer, by their file's ending.
+template <Extension extension>
+std::string fiducials(std::string_view bytes) {
+  static const InputFolder folder;
+  const Result<model::Fiducials> read =
+      model::readFiducials(folder.put(extension.text, bytes), model::ReadLimits{});
+  if (!read.ok())
+    return faultOf(read.error());
+  for (const model::Fiducial& item : read->items)
+    if (item.places.size() != model::anchorCount(item.kind))
+      return "as many places as its kind has not";
+  return {};
+}
+
+/// A bundle is unpacked, its scene read, and what it refers to as well.
+std::string slicerBundle(std::string_view bytes) {
+  static const InputFolder folder;
+  const std::filesystem::path inputs[] = {folder.put(".mrb", bytes)};
   Result<model::Imported> imported = model::importInputs(inputs, {});
   if (!imported.ok())
     return faultOf(imported.error());
@@ -134,13 +169,18 @@ std::string wholeImport(std::string_view bytes) {
 
 // A reader that stands in the table of kinds needs its row here and a folder of seeds.
 constexpr std::array table = {
-    Harness{"obj", surfaces<".obj">},   Harness{"stl", surfaces<".stl">},
-    Harness{"ply", surfaces<".ply">},   Harness{"off", surfaces<".off">},
-    Harness{"vtk", surfaces<".vtk">},   Harness{"vtp", surfaces<".vtp">},
-    Harness{"gltf", surfaces<".gltf">}, Harness{"glb", surfaces<".glb">},
-    Harness{"mrml", slicerScene},       Harness{"scene_file", sceneFile},
-    Harness{"scene_json", sceneJson},   Harness{"mesh_codec", meshCodec},
-    Harness{"import", wholeImport},
+    Harness{"obj", surfaces<".obj">},       Harness{"stl", surfaces<".stl">},
+    Harness{"ply", surfaces<".ply">},       Harness{"off", surfaces<".off">},
+    Harness{"vtk", surfaces<".vtk">},       Harness{"vtp", surfaces<".vtp">},
+    Harness{"gltf", surfaces<".gltf">},     Harness{"glb", surfaces<".glb">},
+    Harness{"3mf", surfaces<".3mf">},       Harness{"nii", surfaces<".nii">},
+    Harness{"nii_gz", surfaces<".nii.gz">}, Harness{"nrrd", surfaces<".nrrd">},
+    Harness{"mha", surfaces<".mha">},       Harness{"dcm", surfaces<".dcm">},
+    Harness{"pdb", surfaces<".pdb">},       Harness{"cif", surfaces<".cif">},
+    Harness{"mrml", slicerScene},           Harness{"mrb", slicerBundle},
+    Harness{"fcsv", fiducials<".fcsv">},    Harness{"mrk_json", fiducials<".mrk.json">},
+    Harness{"scene_file", sceneFile},       Harness{"scene_json", sceneJson},
+    Harness{"mesh_codec", meshCodec},       Harness{"import", wholeImport},
 };
 }  // namespace
 

@@ -3,8 +3,11 @@
 
 #include <QString>
 #include <QStringList>
+#include <filesystem>
+#include <optional>
+#include <vector>
 
-#include "model/scene/scene.h"
+#include "model/import/reload.h"
 
 namespace sline::widgets {
 
@@ -23,6 +26,8 @@ struct Loaded {
   model::Scene scene;
   QString title;
   QStringList remarks;
+  std::vector<std::filesystem::path> paths;            ///< where it came from; none: it was made
+  std::optional<std::vector<model::NewMesh>> renewed;  ///< instead of a scene: new meshes for it
 };
 
 }  // namespace sline::widgets

@@ -5,6 +5,8 @@
 #include <QUndoCommand>
 #include <algorithm>
 
+#include "model/import/file_kinds.h"
+
 namespace sline::widgets {
 
 /// From one document to the next; scenes share their meshes, so both together are small.
@@ -55,6 +57,20 @@ QStringList remarksOf(const model::ImportReport& report) {
   for (const model::ImportWarning& warning : report.warnings)
     remarks << QString::fromStdString(warning.file.empty() ? warning.reason
                                                            : warning.file + ": " + warning.reason);
+  return remarks;
+}
+
+QStringList remarksOf(const model::Reloaded& reloaded) {
+  using Fate = model::ReloadedFile::Fate;
+  QStringList remarks;
+  const auto renewed = int(reloaded.meshes.size());
+  remarks << (renewed == 0 ? Session::tr("No file that could be read again has changed")
+                           : Session::tr("%n structures were read again", nullptr, renewed));
+  for (const model::ReloadedFile& file : reloaded.files)
+    if (file.fate == Fate::absent || file.fate == Fate::failed)
+      remarks << QString::fromStdString(file.file + ": " + file.reason);
+  for (const model::ImportWarning& warning : reloaded.warnings)
+    remarks << QString::fromStdString(warning.file + ": " + warning.reason);
   return remarks;
 }
 
@@ -156,8 +172,34 @@ void Session::set(Document document) {
   select(before.opening == m_document.opening ? m_selection : NodeIds{});
 }
 
+std::vector<std::filesystem::path> Session::sources() const {
+  const auto found = m_sources.find(m_document.opening);
+  return found == m_sources.end() ? std::vector<std::filesystem::path>() : found->second;
+}
+
+void Session::renew(const Loaded& loaded) {
+  apply(tr("Reload from source"),
+        {model::withNewMeshes(sceneBeforePreview(), *loaded.renewed), !loaded.renewed->empty()});
+  emit remarked(loaded.remarks);
+}
+
+void Session::reloadSources() {
+  startJob(m_document.title, [scene = sceneBeforePreview(), places = sources()](
+                                 const model::ImportProgress& progress, const std::stop_token&) {
+    const auto goesOn = [&progress] { return progress(0.0f, {}); };
+    model::Reloaded reloaded = model::reload(scene, places, {.goesOn = goesOn});
+    return Result<Loaded>(
+        Loaded{.remarks = remarksOf(reloaded), .renewed = std::move(reloaded.meshes)});
+  });
+}
+
 void Session::open(const Loaded& loaded) {
   cancelPreview();
+  // Scenes refer to files beside them.
+  for (const std::filesystem::path& path : loaded.paths)
+    m_sources[m_openings + 1].push_back(
+        model::isSurfaceFile(path) || std::filesystem::is_directory(path) ? path
+                                                                          : path.parent_path());
   Document document{.scene = solid(loaded.scene), .title = loaded.title, .opening = ++m_openings};
   if (m_document.opening == 0)
     set(std::move(document));  // there is nothing to go back to
@@ -176,7 +218,8 @@ void Session::openPaths(std::vector<std::filesystem::path> paths) {
       return Result<Loaded>(imported.error());
     return Result<Loaded>(Loaded{.scene = std::move(imported->scene),
                                  .title = title,
-                                 .remarks = remarksOf(imported->report)});
+                                 .remarks = remarksOf(imported->report),
+                                 .paths = paths});
   });
 }
 
@@ -196,7 +239,7 @@ void Session::startJob(const QString& title, SceneMaker maker) {
     if (job != m_job)
       return;
     endJob();
-    open(loaded);
+    loaded.renewed ? renew(loaded) : open(loaded);
   });
   connect(m_job, &SceneJob::failed, this, [this, job = m_job](const Error& error) {
     if (job != m_job)

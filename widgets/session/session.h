@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QUndoStack>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -52,6 +53,11 @@ class Session : public QObject {
   /// Reads the files and folders in the background; the scene becomes the document when it is
   /// there (one undo step). A job that is under way is cancelled.
   void openPaths(std::vector<std::filesystem::path> paths);
+  /// Reads meshes again whose files have changed since they were opened, in the background, as one
+  /// undo step. Only in this session is it known where they lie.
+  void reloadSources();
+  /// Where something is known to reload from.
+  bool canReload() const { return !sources().empty(); }
   void openMade(const QString& title, SceneMaker maker);
   void cancelJob();
   bool busy() const { return m_job != nullptr; }
@@ -73,6 +79,9 @@ class Session : public QObject {
   void set(Document document);
   void push(const QString& name, Document after, const QString& series);
   void open(const Loaded& loaded);
+  void renew(const Loaded& loaded);
+  /// The files and folders that the document was opened from.
+  std::vector<std::filesystem::path> sources() const;
   void startJob(const QString& title, SceneMaker maker);
   void endJob();
 
@@ -82,6 +91,8 @@ class Session : public QObject {
   NodeIds m_selection;
   SceneJob* m_job = nullptr;
   int m_openings = 0;
+  /// By Document::opening, so that they hold after undo, too.
+  std::map<int, std::vector<std::filesystem::path>> m_sources;
 };
 
 }  // namespace sline::widgets

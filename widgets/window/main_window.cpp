@@ -23,7 +23,6 @@
 
 #include "model/edit/emphasis.h"
 #include "model/edit/tree.h"
-#include "model/edit/views.h"
 #include "model/edit/visibility.h"
 #include "model/import/file_kinds.h"
 #include "widgets/gamma/gamma_panel.h"
@@ -33,6 +32,7 @@
 #include "widgets/viewport/viewport.h"
 #include "widgets/window/message_bar.h"
 #include "widgets/window/section_actions.h"
+#include "widgets/window/view_actions.h"
 
 namespace sline::widgets {
 
@@ -41,7 +41,6 @@ namespace {
 constexpr const char* geometryKey = "window/geometry";
 constexpr const char* stateKey = "window/state";
 constexpr const char* backgroundKey = "picture/background";
-constexpr const char* keyLightKey = "picture/keyLight";
 constexpr const char* folderKey = "files/folder";
 
 struct BackgroundRow {
@@ -83,7 +82,8 @@ bool hasLocalFiles(const QMimeData& data) {
 
 /// "*.sline *.mrml *.obj …", for a file dialog.
 QString readablePatterns() {
-  QStringList patterns{QStringLiteral("*.sline"), QStringLiteral("*.mrml")};
+  QStringList patterns{QStringLiteral("*.sline"), QStringLiteral("*.mrml"), QStringLiteral("*.mrb"),
+                       QStringLiteral("*.fcsv"), QStringLiteral("*.mrk.json")};
   for (const model::FileKind& kind : model::fileKinds())
     patterns << QStringLiteral("*") +
                     QString::fromUtf8(kind.extension.data(), qsizetype(kind.extension.size()));
@@ -176,6 +176,7 @@ void MainWindow::makeFileMenu() {
   QMenu* file = menuBar()->addMenu(tr("&File"));
   file->addAction(&m_actions[QStringLiteral("openFiles")]);
   file->addAction(&m_actions[QStringLiteral("openFolder")]);
+  file->addAction(&m_actions[QStringLiteral("reload")]);
   QMenu* demos = file->addMenu(tr("&Demo"));
   for (const DemoScene& demo : demoScenes()) {
     QAction* action = demos->addAction(demo.title);
@@ -206,8 +207,8 @@ void MainWindow::makeViewMenu() {
   for (const std::string_view id : model::anatomicalViewNames)
     view->addAction(&m_actions[QLatin1String(id.data(), qsizetype(id.size()))]);
   view->addAction(&m_actions[QStringLiteral("fit")]);
-  m_savedViews = view->addMenu(tr("Saved &Views"));
-  m_savedViews->setObjectName(QStringLiteral("savedViews"));
+  m_views = new ViewActions(m_session, *m_viewport, m_settings, m_actions, this);
+  view->addMenu(&m_views->savedViews());
   view->addSeparator();
   QMenu* section = view->addMenu(tr("S&ection"));
   for (const char* id :
@@ -218,10 +219,7 @@ void MainWindow::makeViewMenu() {
       section->addAction(&m_actions[QLatin1String(id)]);
   }
   m_sections = new SectionActions(m_session, *m_viewport, m_actions, this);
-  QAction& keyLight = m_actions[QStringLiteral("keyLight")];
-  keyLight.setCheckable(true);
-  connect(&keyLight, &QAction::triggered, this, &MainWindow::lightKey);
-  view->addAction(&keyLight);
+  view->addAction(&m_actions[QStringLiteral("keyLight")]);
   QMenu* background = view->addMenu(tr("&Background"));
   auto* group = new QActionGroup(this);
   for (const BackgroundRow& row : backgroundRows()) {
@@ -248,30 +246,6 @@ void MainWindow::makeHelpMenu() {
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   help->addAction(&m_actions[QStringLiteral("controls")]);
   help->addAction(&m_actions[QStringLiteral("about")]);
-}
-
-void MainWindow::listSavedViews() {
-  m_savedViews->clear();
-  for (const model::View& view : m_session.scene().views())
-    m_savedViews->addAction(QString::fromStdString(view.name), this, [this, view] {
-      m_viewport->setCamera(view.camera);
-      model::Scene shown = model::shown(m_session.scene(), view).scene;
-      const bool changed = !(shown == m_session.scene());
-      m_session.apply(tr("View “%1”").arg(QString::fromStdString(view.name)),
-                      {std::move(shown), changed});
-    });
-  m_savedViews->setEnabled(!m_savedViews->isEmpty());
-}
-
-void MainWindow::lightKey(bool on) {
-  // New scenes have it too.
-  m_settings.setValue(QLatin1String(keyLightKey), on);
-  m_viewport->setKeyLight(on);
-  if (m_session.document().opening == 0)
-    return;
-  model::KeyLight light = m_session.scene().keyLight().value_or(model::KeyLight());
-  light.shades = on;
-  m_session.apply(tr("Key light"), model::withKeyLight(m_session.scene(), light));
 }
 
 void MainWindow::makeTools() {
@@ -348,6 +322,7 @@ void MainWindow::connectActions() {
   };
   on("openFiles", [this] { chooseFiles(); });
   on("openFolder", [this] { chooseFolder(); });
+  on("reload", [this] { m_session.reloadSources(); });
   on("quit", [this] { close(); });
   on("undo", [this] { m_session.undo(); });
   on("redo", [this] { m_session.redo(); });
@@ -410,8 +385,6 @@ void MainWindow::restore() {
   for (const BackgroundRow& row : backgroundRows())
     if (background == QLatin1String(row.id))
       m_viewport->setBackground(row.background);
-  m_viewport->setKeyLight(m_settings.value(QLatin1String(keyLightKey)).toBool());
-  m_actions[QStringLiteral("keyLight")].setChecked(m_viewport->keyLight());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -481,9 +454,6 @@ void MainWindow::documentChange(const Document& before, const Document& now) {
     setWindowTitle(now.title.isEmpty() ? tr("Sline") : tr("%1 – Sline").arg(now.title));
     m_summary->setText(now.opening == 0 ? QString() : summaryOf(now.scene));
   }
-  if (before.opening != now.opening || before.scene.views() != now.scene.views())
-    listSavedViews();
-  m_actions[QStringLiteral("keyLight")].setChecked(m_viewport->keyLight());
   updateActions();
 }
 
@@ -491,6 +461,7 @@ void MainWindow::updateActions() {
   const bool any = !m_session.selection().empty();
   for (const char* id : {"focus", "context", "inherit", "toggle", "isolate", "remove"})
     m_actions[QLatin1String(id)].setEnabled(any);
+  m_actions[QStringLiteral("reload")].setEnabled(m_session.canReload());
 }
 
 }  // namespace sline::widgets

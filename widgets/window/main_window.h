@@ -10,7 +10,6 @@
 #include "widgets/window/window_actions.h"
 
 class QLabel;
-class QMenu;
 class QProgressBar;
 class QSettings;
 class QToolButton;
@@ -21,6 +20,7 @@ class GammaPanel;
 class MessageBar;
 class SectionActions;
 class StructureTree;
+class ViewActions;
 class Viewport;
 
 class MainWindow : public QMainWindow {
@@ -48,8 +48,6 @@ class MainWindow : public QMainWindow {
   void makeStructureMenu();
   void makeViewMenu();
   void makeHelpMenu();
-  void listSavedViews();
-  void lightKey(bool on);
   void makeTools();
   void connectSession();
   void connectActions();
@@ -72,7 +70,7 @@ class MainWindow : public QMainWindow {
   StructureTree* m_tree = nullptr;
   GammaPanel* m_gamma = nullptr;
   SectionActions* m_sections = nullptr;
-  QMenu* m_savedViews = nullptr;
+  ViewActions* m_views = nullptr;
   QLabel* m_summary = nullptr;
   QLabel* m_job = nullptr;
   QProgressBar* m_progress = nullptr;

@@ -23,6 +23,8 @@ std::vector<ActionRow> fileRows() {
        tr("Open mesh files or a 3D Slicer scene")},
       {QStringLiteral("openFolder"), tr("Open &Folder…"), key(tr("Ctrl+Shift+O")),
        tr("Open all meshes in a folder")},
+      {QStringLiteral("reload"), tr("&Reload from Source"), key(QKeySequence::Refresh),
+       tr("Read meshes again whose files have changed")},
       {QStringLiteral("quit"), tr("&Quit"), key(QKeySequence::Quit), tr("Close the program")},
       {QStringLiteral("undo"), tr("&Undo"), key(QKeySequence::Undo), tr("Take the last step back")},
       {QStringLiteral("redo"), tr("&Redo"), key(QKeySequence::Redo), tr("Do it again")},

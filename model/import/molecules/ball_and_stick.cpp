@@ -15,6 +15,7 @@ namespace sline::model {
 namespace {
 
 constexpr std::size_t mostSmooth = 1500;
+constexpr std::size_t mostBonded = 20'000;
 constexpr double spacing = 0.13;
 constexpr double blend = 0.16;  ///< Å over which ball and stick flow into each other
 
@@ -182,7 +183,7 @@ TriangleMesh unitBall(int times) {
 
 /// Fewer triangles a ball, the more balls there are.
 int divisionsFor(std::size_t count) {
-  return count <= 400 ? 4 : count <= 2000 ? 3 : count <= 10'000 ? 2 : 1;
+  return count <= 60 ? 4 : count <= 1500 ? 3 : count <= 10'000 ? 2 : 1;
 }
 
 /// A closed prism of twelve sides.
@@ -273,7 +274,7 @@ std::vector<ElementSurface> ballAndStick(
       skeleton.balls.push_back({atom.place, ballRadius(atom)});
     else
       others[atom.element].push_back(atom);
-  for (const auto& [a, b] : bondsBetween(atoms, bonds))
+  for (const auto& [a, b] : bondsBetween(atoms.first(std::min(atoms.size(), mostBonded)), bonds))
     if (const auto stick = stickOf(atoms[a], atoms[b], main))
       skeleton.sticks.push_back(*stick);
   std::vector<ElementSurface> surfaces;

@@ -23,7 +23,8 @@ struct ElementSurface {
 };
 
 /// The main element first: carbon, or the commonest where there is none. Sticks end at the balls of
-/// other elements. Above 1,500 atoms balls and sticks are coarse and pass through each other.
+/// other elements. Above 1,500 atoms balls and sticks are coarse and pass through each other; above
+/// 20,000 the rest have no sticks.
 std::vector<ElementSurface> ballAndStick(
     std::span<const Atom> atoms, const std::set<std::pair<std::int64_t, std::int64_t>>& bonds,
     const std::function<bool()>& goesOn);

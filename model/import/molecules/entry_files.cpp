@@ -26,9 +26,9 @@ std::string lowered(std::string text) {
 
 /// Short words that are no abbreviations.
 bool isParticle(const std::string& word) {
-  static constexpr std::array particles = {"a",  "an", "and", "as",  "at",  "by",   "the", "for",
-                                           "in", "is", "its", "its", "not", "of",   "on",  "one",
-                                           "or", "to", "two", "via", "new", "from", "ion", "low"};
+  static constexpr std::array particles = {"a",  "an", "and", "as",   "at",  "by",   "the", "for",
+                                           "in", "is", "its", "with", "not", "of",   "on",  "one",
+                                           "or", "to", "two", "via",  "new", "from", "ion", "low"};
   return std::find(particles.begin(), particles.end(), word) != particles.end();
 }
 
@@ -41,12 +41,20 @@ std::string readableWord(const std::string& word) {
 
 }  // namespace
 
+std::string asciiOf(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    if (const auto byte = static_cast<unsigned char>(c); byte < ' ' || byte > 0x7e)
+      c = '?';
+  return result;
+}
+
 std::string readableCapitals(std::string_view text) {
   std::string squeezed;
   for (const char c : text) {
-    const bool space = static_cast<unsigned char>(c) <= ' ' || c == '\x7f';
-    if (!space)
-      squeezed += c;
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte > ' ')
+      squeezed += byte < 0x7f ? c : '?';
     else if (!squeezed.empty() && squeezed.back() != ' ')
       squeezed += ' ';
   }
@@ -56,17 +64,20 @@ std::string readableCapitals(std::string_view text) {
     return squeezed;
   std::string result;
   std::string word;
+  bool begins = true;  // a sentence, and no letter of it has come yet
   for (const char c : squeezed + ' ') {
     if (isUpper(c) || isDigit(c)) {
       word += c;
       continue;
     }
-    result += readableWord(word) + c;
+    std::string readable = readableWord(word);
+    if (begins && !readable.empty() && isLower(readable.front()))
+      readable.front() = char(readable.front() - 'a' + 'A');
+    begins = begins ? word.empty() : c == ' ' && word.empty() && result.ends_with('.');
+    result += readable + c;
     word.clear();
   }
   result.pop_back();
-  if (!result.empty() && isLower(result.front()))
-    result.front() = char(result.front() - 'a' + 'A');
   return result;
 }
 

@@ -23,6 +23,9 @@ Status judgeAtoms(const Source& source, const EntryRecords& records);
 /// C-SRC". Text that has lower case is left alone, but for blanks.
 std::string readableCapitals(std::string_view text);
 
+/// Both formats are ASCII: other bytes become '?', so that names may stand anywhere.
+std::string asciiOf(std::string_view text);
+
 /// "C" of "CA" in an amino acid, "Ca" of "CA" in the ion of that name; by the PDB's rule that one
 /// letter stands in the second column.
 const Element* elementOfName(std::string_view columns, std::string_view residue);

@@ -155,8 +155,9 @@ class ExcludedSolid : public ImplicitSolid {
       if (m_surface.isExposed(i)) {
         const Ball& ball = m_surface.balls()[i];
         // The surface touches the atom or spans the gap to the next one, within the grown ball.
-        boxes.push_back(
-            {glm::vec3(ball.centre - ball.radius), glm::vec3(ball.centre + ball.radius)});
+        const bool alone = m_surface.neighboursOf(i).empty();
+        const double radius = alone ? ball.radius - probeRadius : ball.radius;
+        boxes.push_back({glm::vec3(ball.centre - radius), glm::vec3(ball.centre + radius)});
       }
     return boxes;
   }
@@ -257,6 +258,9 @@ std::vector<Piece> measured(const TriangleMesh& mesh) {
 void fillVoids(TriangleMesh& mesh, std::span<const glm::dvec3> guests) {
   std::vector<Triangle> kept;
   for (const Piece& piece : measured(mesh)) {
+    // Fewer than four triangles lie flat on each other: a speck below the lattice's spacing.
+    if (piece.triangles.size() < 4)
+      continue;
     if (piece.volume < 0.0 && std::none_of(guests.begin(), guests.end(), [&](const glm::dvec3& p) {
           return holds(mesh, piece, p);
         }))

@@ -33,7 +33,7 @@ struct Header {
 using Row = std::vector<CifToken>;
 
 std::string textOf(const Row& row, std::size_t column) {
-  return column < row.size() && row[column].says() ? std::string(row[column].text) : std::string();
+  return column < row.size() && row[column].says() ? asciiOf(row[column].text) : std::string();
 }
 
 /// What the authors call it, or what the data bank does.

@@ -17,10 +17,12 @@ constexpr double finest = 0.75;   ///< Å: edges of about half an ångström
 constexpr double coarsest = 4.0;  ///< Å: beyond it single atoms slip through the lattice
 constexpr double finestOfLigand = 0.45;
 constexpr double trianglesPerSquare = 6.0;
-constexpr double chainTriangles = 3e6;
+constexpr double chainTriangles = 2e6;
 constexpr double ligandTriangles = 5e5;
 constexpr std::size_t mostLigands = 60;
-constexpr std::size_t longestTitle = 100;
+constexpr std::size_t mostWithSurface = 5000;  ///< atoms of a ligand
+constexpr const char* tooClose = "its atoms lie closer together than those of matter do";
+constexpr std::size_t longestTitle = 90;
 
 constexpr Colour chainColours[] = {{136, 204, 238}, {204, 102, 119}, {221, 204, 119},
                                    {68, 170, 153},  {170, 68, 153},  {17, 119, 51},
@@ -62,6 +64,14 @@ Backbone backboneOf(const Molecule& molecule, const std::string& entry) {
   return backbone;
 }
 
+/// Cut between words where it is too long for a tree.
+std::string shortened(const std::string& title) {
+  if (title.size() <= longestTitle)
+    return title;
+  const std::size_t space = title.rfind(' ', longestTitle);
+  return title.substr(0, space == std::string::npos ? longestTitle : space) + " …";
+}
+
 class Surfacer {
  public:
   Surfacer(const Molecule& molecule, const std::string& file, const ReadOptions& options)
@@ -71,9 +81,7 @@ class Surfacer {
     m_entry = m_molecule.id.empty() ? stem : m_molecule.id;
     m_group = m_entry;
     if (!m_molecule.title.empty())
-      m_group += " – " + (m_molecule.title.size() > longestTitle
-                              ? m_molecule.title.substr(0, longestTitle) + "…"
-                              : m_molecule.title);
+      m_group += " – " + shortened(m_molecule.title);
     m_backbone = std::make_shared<const Backbone>(backboneOf(m_molecule, m_entry));
     for (const Ligand& ligand : m_molecule.ligands)
       for (const Atom& atom : ligand.atoms)
@@ -140,8 +148,7 @@ class Surfacer {
       if (accessible.back())
         area += accessible.back()->roughArea();
       else
-        warn(chainName(chain) +
-             " was left out: its atoms lie closer together than those of matter do");
+        warn(chainName(chain) + " was left out: " + tooClose);
     }
     const double spacing = std::max(finest, std::sqrt(trianglesPerSquare * area / chainTriangles));
     for (std::size_t i = 0; i < accessible.size(); ++i) {
@@ -172,7 +179,7 @@ class Surfacer {
       std::map<std::string, std::size_t> kinds;
       std::vector<Ligand> merged;
       for (Ligand& ligand : ligands) {
-        const bool full = merged.size() == mostLigands && !kinds.contains(ligand.code);
+        const bool full = merged.size() >= mostLigands && !kinds.contains(ligand.code);
         const std::string key = full ? "" : ligand.code;
         const auto [entry, isNew] = kinds.try_emplace(key, merged.size());
         if (isNew && full)
@@ -197,35 +204,42 @@ class Surfacer {
     for (const Ligand& ligand : ligandsToShow()) {
       if (!m_options.goesOn())
         return;
-      const auto place = [&](RawMesh* raw) {
-        if (raw)
-          raw->groups = {m_group, "Ligands", ligand.name};
-        return raw;
-      };
-      for (ElementSurface& part : ballAndStick(ligand.atoms, m_molecule.bonds, m_options.goesOn)) {
-        const std::string name = ligand.code + " " + std::string(part.element->name);
-        RawMesh* raw = place(add(
-            part.withBonds ? name + " and bonds" : name, std::move(part.mesh),
-            part.element->symbol == "C" ? MoleculePart::Role::bonds : MoleculePart::Role::other));
-        if (raw)
-          raw->colour = part.element->colour;
-      }
       std::vector<const Atom*> atoms;
       for (const Atom& atom : ligand.atoms)
         atoms.push_back(&atom);
       const auto accessible = accessibleOf(atoms);
-      if (!accessible)
+      if (!accessible) {
+        warn(ligand.name + " was left out: " + tooClose);
         continue;
-      const double spacing =
-          std::clamp(std::sqrt(trianglesPerSquare * accessible->roughArea() / ligandTriangles),
-                     finestOfLigand, coarsest);
-      if (RawMesh* raw = place(add(ligand.code + " surface",
-                                   excludedSurface(*accessible, {}, spacing, m_options.goesOn),
-                                   MoleculePart::Role::bonds))) {
-        raw->colour = bondColour(0);
-        raw->visible = false;
       }
+      for (ElementSurface& part : ballAndStick(ligand.atoms, m_molecule.bonds, m_options.goesOn)) {
+        const std::string name = ligand.code + " " + std::string(part.element->name);
+        RawMesh* raw = add(
+            part.withBonds ? name + " and bonds" : name, std::move(part.mesh),
+            part.element->symbol == "C" ? MoleculePart::Role::bonds : MoleculePart::Role::other);
+        if (!raw)
+          continue;
+        raw->groups = {m_group, "Ligands", ligand.name};
+        raw->colour = part.element->colour;
+      }
+      if (ligand.atoms.size() <= mostWithSurface)
+        addLigandSurface(ligand, *accessible);
     }
+  }
+
+  /// Hidden at first, and in a group of its own, so that what is said of ligands is not said of it.
+  void addLigandSurface(const Ligand& ligand, const SolventAccessible& accessible) {
+    const double spacing =
+        std::clamp(std::sqrt(trianglesPerSquare * accessible.roughArea() / ligandTriangles),
+                   finestOfLigand, coarsest);
+    RawMesh* raw =
+        add(ligand.code + " surface", excludedSurface(accessible, {}, spacing, m_options.goesOn),
+            MoleculePart::Role::bonds);
+    if (!raw)
+      return;
+    raw->groups = {m_group, "Ligand surfaces"};
+    raw->colour = bondColour(0);
+    raw->visible = false;
   }
 
   void addIons() {
@@ -233,14 +247,16 @@ class Surfacer {
     for (const Ligand& ligand : m_molecule.ligands) {
       if (!ligand.ion)
         continue;
-      const std::string name =
-          ligand.name == ligand.code && ligand.atoms.front().element->symbol != "X"
-              ? std::string(ligand.atoms.front().element->name) + " (" + ligand.code + ")"
-              : ligand.name;
-      auto found = std::find_if(kinds.begin(), kinds.end(),
-                                [&](const auto& kind) { return kind.first == name; });
+      const Element& element = *ligand.atoms.front().element;
+      const bool unnamed = ligand.name == ligand.code && element.symbol != unknownElement().symbol;
+      std::string name =
+          unnamed ? std::string(element.name) + " (" + ligand.code + ")" : ligand.name;
+      const auto named = [&](const auto& kind) { return kind.first == name; };
+      if (kinds.size() >= mostLigands && std::none_of(kinds.begin(), kinds.end(), named))
+        name = "Other ions";
+      auto found = std::find_if(kinds.begin(), kinds.end(), named);
       if (found == kinds.end())
-        found = kinds.insert(kinds.end(), {kinds.size() < mostLigands ? name : "Other ions", {}});
+        found = kinds.insert(kinds.end(), {name, {}});
       found->second.push_back(ligand.atoms.front());
     }
     for (const auto& [name, atoms] : kinds) {

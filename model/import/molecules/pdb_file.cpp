@@ -115,7 +115,7 @@ class PdbReader {
   void readNote(std::string_view record, std::string_view line) {
     EntryNotes& notes = m_records.notes;
     if (record == "HEADER")
-      notes.id = field(line, 63, 66);
+      notes.id = asciiOf(field(line, 63, 66));
     else if (record == "TITLE")
       append(m_title, field(line, 11, 80));
     else if (record == "COMPND")
@@ -132,15 +132,16 @@ class PdbReader {
     const auto x = number(field(line, 31, 38));
     const auto y = number(field(line, 39, 46));
     const auto z = number(field(line, 47, 54));
-    if (!x || !y || !z) {
+    // Cut inside z, the number would be another one.
+    if (!x || !y || !z || line.size() < 54) {
       ++m_records.unreadable;
       return;
     }
     AtomRecord atom;
     atom.name = field(line, 13, 16);
-    atom.residue = field(line, 18, 21);
+    atom.residue = asciiOf(field(line, 18, 21));
     atom.chain = chainOf(line, hetero);
-    atom.insertion = field(line, 27, 27);
+    atom.insertion = asciiOf(field(line, 27, 27));
     atom.number = wholeNumber36(field(line, 23, 26), 4).value_or(0);
     atom.serial = wholeNumber36(field(line, 7, 11), 5).value_or(0);
     atom.alternate = line.size() >= 17 ? line[16] : ' ';
@@ -160,7 +161,7 @@ class PdbReader {
   std::string chainOf(std::string_view line, bool hetero) {
     const std::string_view id = field(line, 22, 22);
     if (!id.empty())
-      return std::string(id);
+      return asciiOf(id);
     if (!hetero)
       m_unnamed = m_ends;
     return std::to_string(m_unnamed + 1);

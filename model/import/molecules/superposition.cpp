@@ -63,24 +63,35 @@ double squaredDistance(const RigidMotion& motion, const PlacePair& pair) {
   return glm::dot(off, off);
 }
 
-/// Fits, leaves out the worst pairs and fits again until all are near.
-Superposition fitted(std::vector<PlacePair> pairs) {
+/// Fits, leaves out the worst pairs and fits again until all are near; those that turn out to be
+/// near in the end count again.
+Superposition fitted(const std::vector<PlacePair>& all) {
   Superposition result;
-  result.aligned = pairs.size();
+  result.aligned = all.size();
+  std::vector<PlacePair> pairs = all;
+  const auto isFar = [&](const PlacePair& p) {
+    return squaredDistance(result.motion, p) > nearEnough * nearEnough;
+  };
+  const auto isWorse = [&](const PlacePair& a, const PlacePair& b) {
+    return squaredDistance(result.motion, a) > squaredDistance(result.motion, b);
+  };
   while (true) {
     result.motion = rigidFit(pairs);
-    const auto worse = [&](const PlacePair& a, const PlacePair& b) {
-      return squaredDistance(result.motion, a) > squaredDistance(result.motion, b);
-    };
-    const auto far = std::size_t(std::count_if(pairs.begin(), pairs.end(), [&](const PlacePair& p) {
-      return squaredDistance(result.motion, p) > nearEnough * nearEnough;
-    }));
+    const auto far = std::size_t(std::count_if(pairs.begin(), pairs.end(), isFar));
     if (far == 0 || pairs.size() <= 3)
       break;
     const std::size_t leave =
         std::clamp<std::size_t>(std::min(far / 2, pairs.size() / 10), 1, pairs.size() - 3);
-    std::nth_element(pairs.begin(), pairs.begin() + std::ptrdiff_t(leave), pairs.end(), worse);
+    std::nth_element(pairs.begin(), pairs.begin() + std::ptrdiff_t(leave), pairs.end(), isWorse);
     pairs.erase(pairs.begin(), pairs.begin() + std::ptrdiff_t(leave));
+  }
+  for (int round = 0; round < 2; ++round) {
+    std::vector<PlacePair> near = all;
+    std::erase_if(near, isFar);
+    if (near.size() < 3)
+      break;
+    result.motion = rigidFit(near);
+    pairs = std::move(near);
   }
   double sum = 0.0;
   for (const PlacePair& pair : pairs)
@@ -162,7 +173,7 @@ std::optional<Superposition> superposition(const Backbone& moving, const Backbon
   std::vector<PlacePair> pairs;
   for (const auto& [a, b] : alignment.pairs)
     pairs.emplace_back(match.moving->places[a], match.fixed->places[b]);
-  Superposition result = fitted(std::move(pairs));
+  Superposition result = fitted(pairs);
   if (3 * result.kept < result.aligned)
     return std::nullopt;
   result.identity = double(alignment.identical) / double(alignment.pairs.size());

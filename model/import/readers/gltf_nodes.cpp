@@ -78,11 +78,20 @@ Result<std::vector<GltfInstance>> meshInstances(const GltfDocument& document) {
   const Json* nodes = member(document.root, "nodes");
   std::vector<bool> visited(nodes && nodes->is_array() ? nodes->size() : 0, false);
   std::vector<Visit> waiting;
+  // Every node below carries the names above it: a short file could make much of long ones.
+  std::uint64_t nameBytes = 0;
   // The last one pushed is visited first.
   const auto push = [&](std::vector<std::uint64_t> list, const Visit& parent) {
     std::reverse(list.begin(), list.end());
+    std::uint64_t bytes = 0;
+    for (const std::string& group : parent.groups)
+      bytes += sizeof(std::string) + group.size();
+    nameBytes += bytes * list.size();
+    if (nameBytes > document.budget / 2)
+      return false;
     for (const std::uint64_t node : list)
       waiting.push_back({node, parent.depth + 1, parent.groups, parent.toScene});
+    return true;
   };
   push(rootNodes(document.root), {});
   std::vector<GltfInstance> instances;
@@ -111,7 +120,10 @@ Result<std::vector<GltfInstance>> meshInstances(const GltfDocument& document) {
     }
     if (!name.empty())
       visit.groups.push_back(name);
-    push(indicesIn(member(*node, "children")), visit);
+    if (!push(indicesIn(member(*node, "children")), visit))
+      return source.at(place,
+                       "the names of its nodes are too many and too long for so small a file",
+                       "Give the nodes above shorter names");
   }
   return instances;
 }

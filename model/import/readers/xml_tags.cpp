@@ -38,9 +38,10 @@ std::optional<XmlTag> XmlTags::next() {
       return std::nullopt;
     const std::string_view rest = m_text.substr(m_at);
     std::size_t length = nowhere;
-    const bool skipped = rest.starts_with("<!--") || rest.starts_with("<?");
+    const bool text = rest.starts_with("<![CDATA[");
+    const bool skipped = text || rest.starts_with("<!--") || rest.starts_with("<?");
     if (skipped) {
-      const std::string_view closing = rest[1] == '?' ? "?>" : "-->";
+      const std::string_view closing = text ? "]]>" : rest[1] == '?' ? "?>" : "-->";
       length = rest.find(closing);
       length = length == nowhere ? nowhere : length + closing.size();
     } else if (!rest.starts_with("<!")) {

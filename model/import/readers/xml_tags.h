@@ -27,8 +27,8 @@ class XmlTags {
  public:
   explicit XmlTags(std::string_view text) : m_text(text) {}
 
-  /// The next element tag; comments, declarations and text between are stepped over. None at the
-  /// end and where a tag is malformed: `failure()` tells which.
+  /// The next element tag; comments, declarations and text between, CDATA too, are stepped over.
+  /// None at the end and where a tag is malformed: `failure()` tells which.
   std::optional<XmlTag> next();
   /// Where the first malformed tag or document type declaration is, else null.
   const char* failure() const { return m_failure; }

@@ -10,7 +10,7 @@
 #include <glm/vec4.hpp>
 
 #include "model/base/parallel.h"
-#include "model/import/volumes/net_faces.h"
+#include "model/import/volumes/label_mesh.h"
 #include "model/import/volumes/net_relaxation.h"
 #include "model/import/volumes/surface_net.h"
 
@@ -56,10 +56,17 @@ class Surfacer {
                  : cancelled();
     for (int axis = 0; axis < 3; ++axis)
       m_spacing[axis] = float(glm::length(glm::dvec3(m_volume.toLps[axis])));
-    const std::vector<glm::vec3> at = relaxed(*net, m_spacing, relaxation(), m_options.goesOn);
+    const LabelSheets sheets =
+        labelSheets(m_box, *net, m_volume.labels.size(), m_options.limits.triangles / 2);
+    if (sheets.quads.empty())
+      return fault("its structures have more than " + std::to_string(m_options.limits.triangles) +
+                       " triangles",
+                   "Check that it is a label volume, or export it with larger voxels");
+    const std::vector<glm::vec3> at =
+        relaxed(*net, sheets, m_spacing, relaxation(), m_options.goesOn);
     if (at.empty())
       return cancelled();
-    return meshes(*net, at);
+    return meshes(*net, sheets, at);
   }
 
  private:
@@ -72,22 +79,15 @@ class Surfacer {
     return relaxation;
   }
 
-  Result<RawMeshes> meshes(const SurfaceNet& net, const std::vector<glm::vec3>& at) const {
-    const NetFaces faces(m_box, net, m_volume.labels.size());
-    std::size_t triangles = 0;
-    for (std::size_t label = 1; label <= m_volume.labels.size(); ++label)
-      triangles += 2 * faces.count(label);
-    if (triangles > m_options.limits.triangles)
-      return fault("its structures have more than " + std::to_string(m_options.limits.triangles) +
-                       " triangles",
-                   "Check that it is a label volume, or export it with larger voxels");
+  Result<RawMeshes> meshes(const SurfaceNet& net, const LabelSheets& sheets,
+                           const std::vector<glm::vec3>& at) const {
     std::vector<RawMesh> all(m_volume.labels.size());
     std::atomic<bool> stopped = false;
     parallelFor(all.size(), 1, [&](std::size_t i) {
       if (stopped || !m_options.goesOn())
         stopped = true;
-      else if (faces.count(i + 1) > 0)
-        all[i] = mesh(net, faces.mesh(i + 1, at), m_volume.labels[i]);
+      else if (!sheets.quadsOf(i + 1).empty())
+        all[i] = mesh(net, sheets, labelMesh(m_box, net, sheets, i + 1, at), m_volume.labels[i]);
     });
     if (stopped)
       return cancelled();
@@ -95,7 +95,8 @@ class Surfacer {
     return RawMeshes{std::move(all), {}};
   }
 
-  RawMesh mesh(const SurfaceNet& net, NetFaces::LabelMesh&& found, const Label& label) const {
+  RawMesh mesh(const SurfaceNet& net, const LabelSheets& sheets, LabelMesh&& found,
+               const Label& label) const {
     RawMesh mesh;
     mesh.name = label.name;
     mesh.groups = label.groups;
@@ -111,12 +112,14 @@ class Surfacer {
     const glm::dmat3 axes(m_volume.toLps);
     double farthest = 0.0;
     for (std::size_t i = 0; i < found.positions.size(); ++i) {
-      const SurfaceNet::Cell& cell = net.cells[found.cells[i]];
-      const glm::dvec3 middle = glm::dvec3(cell.x, cell.y, cell.z) - 0.5;
       const glm::dvec3 index = glm::dvec3(found.positions[i]) / glm::dvec3(m_spacing);
       const glm::dvec3 p =
           glm::dvec3(m_volume.toLps * glm::dvec4(index + glm::dvec3(m_box.low()), 1.0));
       mesh.positions.emplace_back(turn * p.x, turn * p.y, p.z);
+      if (i >= found.points.size())
+        continue;
+      const SurfaceNet::Cell& cell = net.cells[sheets.cellOf[found.points[i]]];
+      const glm::dvec3 middle = glm::dvec3(cell.x, cell.y, cell.z) - 0.5;
       farthest = std::max(farthest, glm::length(axes * (index - middle)));
     }
     mesh.displacement = float(farthest);

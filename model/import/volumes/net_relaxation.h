@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "model/import/volumes/label_sheets.h"
 #include "model/import/volumes/surface_net.h"
 
 namespace sline::model {
@@ -16,7 +17,7 @@ struct Relaxation {
   float momentum = 0.8f;  ///< in [0, 1): how much of the last step is taken again in the former
 };
 
-/// Where each cell's vertex comes to lie: (x, y, z) of the cell − ½, times `spacing`, moved by less
+/// Where each point comes to lie: (x, y, z) of its cell − ½, times `spacing`, moved by less
 /// than half of `spacing` along each axis, or with loose steps by less than all of it. Empty where
 /// `goesOn` says no.
 ///
@@ -24,10 +25,12 @@ struct Relaxation {
 /// to every voxel's word. That also shrinks what is round, a vessel as wide as a voxel to nothing.
 /// Here a vertex moves along its normal only by what the surface is more curved than around it, as
 /// in surface diffusion (W. W. Mullins, J. Appl. Phys. 28, 1957), which keeps volume: spheres and
-/// tubes stay, steps go. Where three structures meet, the same holds along the line in which they
-/// do. What is drawn slice by slice also jumps by more than a voxel from one slice to the next: the
-/// loose steps take such short waves away.
-std::vector<glm::vec3> relaxed(const SurfaceNet& net, const glm::vec3& spacing,
-                               const Relaxation& relaxation, const std::function<bool()>& goesOn);
+/// tubes stay, steps go. Curvature is that of a structure's whole surface, whatever it touches
+/// where; at points of several structures the mean of what each of them wants is taken. What is
+/// drawn slice by slice also jumps by more than a voxel from one slice to the next: the loose steps
+/// take such short waves away.
+std::vector<glm::vec3> relaxed(const SurfaceNet& net, const LabelSheets& sheets,
+                               const glm::vec3& spacing, const Relaxation& relaxation,
+                               const std::function<bool()>& goesOn);
 
 }  // namespace sline::model

@@ -45,8 +45,9 @@ void visitRow(const VoxelBox& box, int y, int z, const Visit& visit) {
 }
 
 SurfaceNet::Cell cellWith(int x, int y, int z, const Corners& c) {
-  SurfaceNet::Cell cell{std::uint16_t(x), std::uint16_t(y), std::uint16_t(z), 0, false};
+  SurfaceNet::Cell cell{std::uint16_t(x), std::uint16_t(y), std::uint16_t(z)};
   const auto [low, high] = std::minmax_element(c.begin(), c.end());
+  cell.background = *low == 0;
   for (unsigned i = 0; i < 8; ++i) {
     cell.junction = cell.junction || (c[i] != *low && c[i] != *high);
     if (c[i] == *high)

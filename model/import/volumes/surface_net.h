@@ -53,7 +53,8 @@ struct SurfaceNet {
     std::uint16_t z = 0;
     /// Where two labels meet: the corners that have the higher one, numbered x + 2y + 4z.
     std::uint8_t corners = 0;
-    bool junction = false;  ///< three labels or more meet
+    bool background = false;  ///< one of the labels is the background
+    bool junction = false;    ///< three labels or more meet
   };
   std::vector<Cell> cells;  ///< z slowest, then y, then x
   /// The cells beside each at −x, +x, −y, +y, −z, +z, or `none`.

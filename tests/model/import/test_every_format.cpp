@@ -102,10 +102,10 @@ void volumeRows() {
   refused("nrrd/test2d_ascii.nrrd", "not supported");
   refused("nrrd/test_customFields.nrrd", "not supported");
   refused("nrrd/test_simple4d_raw.nrrd", "not supported");
-  refused("dicom/ct.0.dcm", "not supported");
-  refused("dicom/ct_image.dcm", "not supported");
-  refused("dicom/rtss.dcm", "not supported");
-  refused("dicom/seg_image_ct_binary.dcm", "not supported");
+  refused("dicom/ct.0.dcm", "1 CT image holds no segmentation");
+  refused("dicom/ct_image.dcm", "1 CT image holds no segmentation");
+  loads("dicom/rtss.dcm", 9, some, "\"Areola\": has no contour");
+  loads("dicom/seg_image_ct_binary.dcm", 1, some);
 }
 
 void slicerRows() {

@@ -97,11 +97,14 @@ void SceneInputsTest::twoSceneFilesAreOne() {
 
 void SceneInputsTest::optionsDoNotApply() {
   const QTemporaryDir folder;
-  const auto turned = importInputs(std::array{writtenSample(folder)},
-                                   {.frame = Frame::ras, .unit = 10.0f, .smoothing = {}});
+  const std::array inputs{writtenSample(folder)};
+  const auto turned = importInputs(inputs, {.frame = Frame::ras, .unit = 10.0f, .smoothing = {}});
   QVERIFY(turned.ok());
   QCOMPARE(test::difference(turned->scene, test::sampleScene()), std::string());
   QVERIFY(test::warningsOf(*turned).contains("do not apply"));
+  ImportOptions fewer;
+  fewer.decimateMm = 0.5f;
+  QVERIFY(test::warningsOf(*importInputs(inputs, fewer)).contains("keep their triangles"));
 }
 
 void SceneInputsTest::brokenSceneFileIsAnError() {

@@ -116,6 +116,7 @@ class SlicerViewsTest : public QObject {
   void markups_data();
   void markups();
   void sceneWithMarkupsBeside();
+  void segmentations();
   void bundle();
   void brokenBundles_data();
   void brokenBundles();
@@ -322,6 +323,33 @@ void SlicerViewsTest::sceneWithMarkupsBeside() {
   QVERIFY(test::warningsOf(*imported).contains("outside its folder"));
 }
 
+/// Any file with several surfaces stands for a segmentation here.
+void SlicerViewsTest::segmentations() {
+  const Folder folder;
+  folder.write("Data/seg.obj",
+               "o kidney\nv 1 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\no thing\nf 2 3 4\n"
+               "f 1 4 3\n");
+  const QByteArray segments =
+      "<Segmentation id=\"SEG\" name=\"Patient\" storageNodeRef=\"SS\" displayNodeRef=\"SD\"/>"
+      "<SegmentationStorage id=\"SS\" fileName=\"Data/seg.obj\"/>"
+      "<SegmentationDisplay id=\"SD\" color=\"0.5 0.5 0.5\" opacity3D=\"0.5\" visibility=\"";
+  folder.write("s.mrml", "<MRML version=\"Slicer5.2\">" + segments +
+                             "true\"/><SceneView name=\"Off\">" + segments + "false\"/>" +
+                             camera("0 5 0") + "</SceneView></MRML>");
+  const auto imported = folder.import("s.mrml");
+  QVERIFY2(imported.ok(), imported.ok() ? "" : imported.error().text().c_str());
+  const Scene& scene = imported->scene;
+  QCOMPARE(scene.structuresBelow(rootId).size(), std::size_t(2));
+  const Node& kidney = test::named(scene, "kidney");
+  QCOMPARE(scene.groupPath(kidney.id), std::string("Patient"));
+  QVERIFY(kidney.style.colour && *kidney.style.colour != (Colour{128, 128, 128}));
+  QCOMPARE(scene.resolve(kidney.id).opacity.value(), 0.5f);
+  QVERIFY(scene.resolve(kidney.id).visible);
+  const Scene off = shown(scene, viewNamed(scene, "Off")).scene;
+  QVERIFY(!off.resolve(kidney.id).visible);
+  QCOMPARE(off.resolve(kidney.id).colour, scene.resolve(kidney.id).colour);
+}
+
 void SlicerViewsTest::bundle() {
   const Folder folder;
   const QByteArray mesh = folder.read("Data/liver.ply");
@@ -361,6 +389,10 @@ void SlicerViewsTest::brokenBundles_data() {
   QTest::newRow("no scene") << zip({{"a/b.ply", "ply"}}) << "holds no 3D Slicer scene";
   QTest::newRow("broken scene") << zip({{"a/b.mrml", "<MRML"}}) << "b.mrml, line 1: the XML";
   QTest::newRow("empty scene") << zip({{"a/b.mrml", "<MRML/>"}}) << "holds no model";
+  QTest::newRow("more nodes than any scene has")
+      << zip({{"b.mrml", "<MRML>" + QByteArray("<a/>").repeated(100'001) + "</MRML>"},
+              {"pad", QByteArray(20'000, 'x')}})
+      << "more than 100000 nodes";
   QTest::newRow("a bomb") << zip({{"a/b.mrml", "<MRML/>"}, {"a/b.ply", QByteArray(100 << 20, ' ')}})
                           << "";
   QByteArray escaping = zip({{"ab/b.mrml", "<MRML/>"}});

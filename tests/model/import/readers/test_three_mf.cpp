@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // 3MF: what its packages say, and packages that lie.
 #include <QTest>
+#include <array>
 #include <glm/geometric.hpp>
 
 #include "model/files/zip_archive.h"
+#include "model/import/import.h"
 #include "tests/model/import/readers/mesh_files.h"
 
 using namespace sline;
@@ -161,6 +163,33 @@ class ThreeMfTest : public QObject {
              colour);
   }
 
+  void groupsOfTheFileAreThoseOfTheScene() {
+    const QTemporaryDir folder;
+    const auto pair = [](const QByteArray& id, const QByteArray& name, const QByteArray& x) {
+      return "<object id=\"" + id + "\" name=\"" + name +
+             "\"><components><component objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 " + x +
+             " 0 0\"/><component objectid=\"2\"/></components></object>";
+    };
+    const QString path = folder.filePath("a.3mf");
+    QFile out(path);
+    QVERIFY(out.open(QIODevice::WriteOnly));
+    out.write(file("<basematerials id=\"5\"><base displaycolor=\"#FF0000\"/></basematerials>" +
+                       cube("1", "name=\"plug\" pid=\"5\"") + cube("2", "name=\"socket\"") +
+                       pair("3", "Upper", "5") + pair("4", "Lower", "9"),
+                   "<item objectid=\"3\"/><item objectid=\"4\"/>"));
+    out.close();
+    const auto imported =
+        model::importInputs(std::array{std::filesystem::path(path.toStdString())}, {});
+    QVERIFY(imported.ok());
+    const model::Scene& scene = imported->scene;
+    QCOMPARE(scene.nodes().size(), std::size_t(6));
+    const model::Node& plug = *scene.find(scene.named("plug").at(0));
+    QCOMPARE(scene.groupPath(plug.id), std::string("Upper"));
+    QCOMPARE(plug.style.colour, std::optional(Colour{255, 0, 0}));
+    QCOMPARE(plug.provenance.part, std::string("plug"));
+    QCOMPARE(plug.provenance.unitReason, std::string("3MF: millimeter"));
+  }
+
   void whereTheModelIs() {
     const QTemporaryDir folder;
     const auto elsewhere = readBytes(
@@ -213,7 +242,7 @@ class ThreeMfTest : public QObject {
     QVERIFY(!read);
     const QString text = QString::fromStdString(read.error().text());
     QVERIFY2(text.contains(reason) && text.contains("a.3mf"), qPrintable(text));
-    QVERIFY(!read.error().remedy.empty());
+    QVERIFY(!read.error().remedy.empty() && !text.contains("looks like a ZIP"));
   }
 
   void mutationsNeverCrash() {

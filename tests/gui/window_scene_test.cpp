@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+// What of a scene is more than its structures: saved views, the key light, the files it came from.
+#include <QDirIterator>
+#include <QMenu>
+#include <QtTest>
+
+#include "model/edit/emphasis.h"
+#include "model/edit/views.h"
+#include "tests/gui/window_fixture.h"
+#include "tests/model/import/written_meshes.h"
+#include "tests/support/shapes.h"
+
+namespace sline::test {
+
+class WindowSceneTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void changedFilesAreReadAgain() {
+    const QTemporaryDir body;
+    writeBody(body.path());
+    WindowFixture f;
+    QAction& reload = f.control<QAction>("reload");
+    QVERIFY(!reload.isEnabled());
+    QVERIFY(f.drop(body.path()));
+    QVERIFY(f.settled());
+    QVERIFY(reload.isEnabled());
+    const model::NodeId bladder = f.session.scene().named("bladder").front();
+    const model::Node before = *f.session.scene().find(bladder);
+    QVERIFY(f.session.apply("Focus", model::withFocus(f.session.scene(), {&bladder, 1})));
+    const int steps = f.session.history().count();
+
+    reload.trigger();  // nothing has changed
+    QVERIFY(f.settled());
+    QCOMPARE(f.session.history().count(), steps);
+
+    const QString file = body.path() + "/" + fileOf(body.path(), before.provenance.file);
+    writeMesh(file, *sphere(7.0f, 2));
+    reload.trigger();
+    // An edit meanwhile stays.
+    const model::NodeId other = f.session.scene().named("left kidney").front();
+    QVERIFY(f.session.apply("Hide",
+                            model::withStyle(f.session.scene(), {&other, 1}, {.visible = false})));
+    QVERIFY(f.settled());
+    QCOMPARE(f.session.history().count(), steps + 2);
+    const model::Node* after = f.session.scene().find(bladder);
+    QVERIFY(after->mesh != before.mesh);
+    QVERIFY(std::abs(after->mesh->bounds().size().x - 14.0f) < 0.2f);
+    QVERIFY(after->style != before.style);  // in focus, as before
+    QVERIFY(!f.session.scene().resolve(other).visible);
+    f.session.undo();
+    QVERIFY(f.session.scene().find(bladder)->mesh == before.mesh);
+    f.session.redo();
+    QVERIFY(f.session.scene().find(bladder)->mesh != before.mesh);
+  }
+
+  void savedViewShowsWhatItSays() {
+    const QTemporaryDir body;
+    writeBody(body.path());
+    WindowFixture f;
+    QVERIFY(f.drop(body.path()));
+    QVERIFY(f.settled());
+    const model::NodeId kidney = f.session.scene().named("left kidney").front();
+    model::View view{.name = "Without", .camera = f.viewport().camera()};
+    view.camera.eye += glm::vec3(0, -50, 0);
+    view.looks = {{.node = kidney, .style = {.visible = false}}};
+    model::Scene scene = f.session.scene();
+    scene.setViews({view});
+    QVERIFY(f.session.apply("views", {scene, true}));
+    QMenu& menu = f.control<QMenu>("savedViews");
+    QVERIFY(menu.isEnabled());
+    QCOMPARE(menu.actions().size(), 1);
+    QVERIFY(!f.areaOf(kidney).isEmpty());
+    menu.actions().front()->trigger();
+    QVERIFY(f.settled());
+    QVERIFY(!f.session.scene().resolve(kidney).visible);
+    QVERIFY(f.viewport().camera() == view.camera);
+    f.session.undo();
+    QVERIFY(f.session.scene().resolve(kidney).visible);
+  }
+
+  void keyLightIsOfTheScene() {
+    const QTemporaryDir body;
+    writeBody(body.path());
+    WindowFixture f;
+    QVERIFY(f.drop(body.path()));
+    QVERIFY(f.settled());
+    QAction& key = f.control<QAction>("keyLight");
+    QVERIFY(!f.session.scene().keyLight());
+    QTest::keyClick(&f.window, Qt::Key_K);
+    QVERIFY(f.session.scene().keyLight() && f.session.scene().keyLight()->shades);
+    QVERIFY(key.isChecked());
+    QTest::keyClick(&f.window, Qt::Key_K);
+    QVERIFY(!f.session.scene().keyLight()->shades && !key.isChecked());
+    f.session.undo();
+    QVERIFY(f.viewport().keyLight() && key.isChecked());
+    // What a scene says goes before what was chosen last.
+    model::KeyLight light{.towards = {0, 0, 1}, .shades = false};
+    QVERIFY(f.session.apply("light", model::withKeyLight(f.session.scene(), light)));
+    QVERIFY(!f.viewport().keyLight() && !key.isChecked());
+  }
+
+ private:
+  /// Where below the folder the file of that name is.
+  static QString fileOf(const QString& folder, const std::string& name) {
+    QDirIterator files(folder, {QString::fromStdString(name)}, QDir::Files,
+                       QDirIterator::Subdirectories);
+    return files.hasNext() ? QDir(folder).relativeFilePath(files.next()) : QString();
+  }
+};
+
+}  // namespace sline::test
+
+QTEST_MAIN(sline::test::WindowSceneTest)
+#include "window_scene_test.moc"

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+// Entries spoiled at random, with a fixed seed, and entries meant to do harm: an answer comes, and
+// it is a sound surface or an error.
+#include <QTest>
+#include <random>
+
+#include "model/import/molecules/residues.h"
+#include "tests/model/import/molecules/entry_files.h"
+#include "tests/model/import/readers/mesh_files.h"
+
+using namespace sline;
+using namespace sline::model;
+using namespace sline::test;
+
+namespace {
+
+QByteArray spoiled(QByteArray bytes, std::mt19937& random) {
+  static const char* const pieces[] = {"nan",          "1e39", "-1e9",  "\n",      "'", "\"",
+                                       ";\n",          "_a.b", "HOH",   "loop_\n", "?", "\r\n",
+                                       "999999999999", "\xff", "TER\n", "MODEL\n"};
+  const auto below = [&](std::size_t n) { return std::size_t(random()) % n; };
+  for (std::size_t edits = 1 + below(4); edits > 0 && !bytes.isEmpty(); --edits) {
+    const auto at = qsizetype(below(std::size_t(bytes.size())));
+    const auto length = qsizetype(below(20)) + 1;
+    switch (below(6)) {
+      case 0:
+        bytes[at] = char(below(256));
+        break;
+      case 1:
+        bytes.truncate(at);
+        break;
+      case 2:
+        bytes.remove(at, length);
+        break;
+      case 3:
+        bytes.insert(at, bytes.mid(qsizetype(below(std::size_t(bytes.size()))), 80));
+        break;
+      default: {
+        const QByteArray piece = pieces[below(std::size(pieces))];
+        bytes.replace(at, piece.size(), piece);
+      }
+    }
+  }
+  return bytes;
+}
+
+std::vector<Written> scattered(int count, double size) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> coordinate(-size, size);
+  std::vector<Written> atoms;
+  for (int i = 0; i < count; ++i)
+    atoms.push_back({.number = i % 9999,
+                     .place = {coordinate(random), coordinate(random), coordinate(random)}});
+  return atoms;
+}
+
+}  // namespace
+
+class TestMutatedEntries : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void mutations_data() {
+    QTest::addColumn<QString>("extension");
+    QTest::addColumn<QByteArray>("bytes");
+    std::vector<Written> atoms = helix("AY");
+    atoms.push_back(
+        {.name = "MG  ", .residue = "MG", .place = {9, 4, 2}, .element = "MG", .hetero = true});
+    QTest::newRow("pdb") << ".pdb"
+                         << "HEADER\n" + pdbFile(atoms) + "CONECT    1    2    3\n";
+    QTest::newRow("cif") << ".cif" << cifFile(atoms);
+  }
+  void mutations() {
+    QFETCH(QString, extension);
+    QFETCH(QByteArray, bytes);
+    const QTemporaryDir folder;
+    std::mt19937 random(20240611);
+    int refused = 0;
+    for (int i = 0; i < 150; ++i) {
+      const Result<RawMeshes> read =
+          readBytes(folder, "spoiled" + extension, spoiled(bytes, random));
+      if (read)
+        QVERIFY2(isSound(*read), qPrintable(QString("mutation %1").arg(i)));
+      else
+        QVERIFY(!read.error().reason.empty() && !read.error().remedy.empty() && ++refused > 0);
+    }
+    QVERIFY2(refused > 5 && refused < 150, qPrintable(QString::number(refused)));
+  }
+
+  void wholeEntriesSpoiled_data() {
+    QTest::addColumn<QString>("extension");
+    QTest::addColumn<QString>("file");
+    QTest::newRow("pdb") << ".pdb" << SLINE_TEST_DATA "/protein/1crn.pdb";
+    QTest::newRow("cif") << ".cif" << SLINE_TEST_DATA "/protein/1CRN.cif";
+  }
+  void wholeEntriesSpoiled() {
+    QFETCH(QString, extension);
+    QFETCH(QString, file);
+    const QByteArray bytes = bytesOf(qPrintable(file));
+    if (bytes.isEmpty())
+      QSKIP("no protein data");
+    const QTemporaryDir folder;
+    std::mt19937 random(7);
+    for (int i = 0; i < 200; ++i) {
+      Result<EntryRecords> read = recordsOf(folder, qPrintable(extension), spoiled(bytes, random));
+      if (!read)
+        continue;
+      const std::size_t atoms = read->atoms.size();
+      const Molecule molecule = moleculeOf(std::move(read.value()));
+      std::size_t sorted = molecule.waters > 0 ? 1 : 0;
+      for (const Chain& chain : molecule.chains)
+        for (const Residue& residue : chain.residues)
+          sorted += residue.atoms.size();
+      for (const Ligand& ligand : molecule.ligands)
+        sorted += ligand.atoms.size();
+      QVERIFY(sorted > 0 && sorted <= atoms + 1);
+    }
+  }
+
+  void hostile_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<int>("mostTriangles");
+    QTest::newRow("two atoms ten thousand ångström apart")
+        << pdbFile(std::vector<Written>{{}, {.number = 2, .place = {9999, 0, 0}}}) << 2000;
+    QTest::newRow("scattered atoms") << pdbFile(scattered(1500, 990.0)) << 800'000;
+    QTest::newRow("a heap") << pdbFile(scattered(1500, 2.0)) << 0;
+  }
+  void hostile() {
+    QFETCH(QByteArray, bytes);
+    QFETCH(int, mostTriangles);
+    const QTemporaryDir folder;
+    const Result<RawMeshes> read = readBytes(folder, "hostile.pdb", bytes);
+    QCOMPARE(read.ok(), mostTriangles > 0);
+    if (!read)
+      return;
+    QVERIFY(isSound(*read));
+    QVERIFY2(int(triangleCount(*read)) <= mostTriangles,
+             qPrintable(QString::number(triangleCount(*read))));
+  }
+
+  void farAway() {
+    // A million ångström are beyond what a scene resolves; the rest is drawn.
+    const QByteArray file = cifFile(helix("AAAA")) + "ATOM 99 C CA . ALA A 9 ? 1000000 0 0 1\n";
+    const QTemporaryDir folder;
+    const Result<RawMeshes> read = readBytes(folder, "far.cif", file);
+    QVERIFY(read.ok());
+    QVERIFY(warningText(*read).contains("1 atom more than 50,000 Å"));
+    QVERIFY(triangleCount(*read) < 20'000);
+  }
+
+  void manyLigands() {
+    // Each a residue of its own name: groups and structures stay few.
+    QByteArray file =
+        "data_x\nloop_\n_atom_site.group_PDB\n_atom_site.type_symbol\n"
+        "_atom_site.label_comp_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
+        "_atom_site.Cartn_z\n";
+    for (int i = 0; i < 400; ++i)
+      file += QString("HETATM C L%1 %2 0 0\n").arg(i / 2 * 2).arg(3.0 * i - (i % 2) * 1.5).toUtf8();
+    for (int i = 0; i < 400; ++i)
+      file += QString("HETATM MG I%1 %2 50 0\n").arg(i).arg(5.0 * i).toUtf8();
+    const QTemporaryDir folder;
+    const Result<RawMeshes> read = readBytes(folder, "many.cif", file);
+    QVERIFY(read.ok() && isSound(*read));
+    QVERIFY2(read->meshes.size() < 200, qPrintable(QString::number(read->meshes.size())));
+  }
+};
+
+QTEST_GUILESS_MAIN(TestMutatedEntries)
+#include "test_mutated_entries.moc"

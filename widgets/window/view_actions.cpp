@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/window/view_actions.h"
+
+#include <QAction>
+#include <QMenu>
+#include <QSettings>
+
+#include "model/edit/views.h"
+#include "widgets/viewport/viewport.h"
+
+namespace sline::widgets {
+
+namespace {
+constexpr const char* keyLightKey = "picture/keyLight";
+}
+
+ViewActions::ViewActions(Session& session, Viewport& viewport, QSettings& settings,
+                         const WindowActions& actions, QWidget* parent)
+    : QObject(parent),
+      m_session(session),
+      m_viewport(viewport),
+      m_settings(settings),
+      m_keyLight(actions[QStringLiteral("keyLight")]),
+      m_savedViews(new QMenu(tr("Saved &Views"), parent)) {
+  m_savedViews->setObjectName(QStringLiteral("savedViews"));
+  m_viewport.setKeyLight(m_settings.value(QLatin1String(keyLightKey)).toBool());
+  m_keyLight.setCheckable(true);
+  m_keyLight.setChecked(m_viewport.keyLight());
+  connect(&m_keyLight, &QAction::triggered, this, &ViewActions::lightKey);
+  connect(&m_session, &Session::documentChanged, this, &ViewActions::documentChange);
+  listViews();
+}
+
+void ViewActions::lightKey(bool on) {
+  m_settings.setValue(QLatin1String(keyLightKey), on);
+  m_viewport.setKeyLight(on);
+  if (m_session.document().opening == 0)
+    return;
+  model::KeyLight light = m_session.scene().keyLight().value_or(model::KeyLight());
+  light.shades = on;
+  m_session.apply(tr("Key Light"), model::withKeyLight(m_session.scene(), light));
+}
+
+void ViewActions::listViews() {
+  m_savedViews->clear();
+  for (const model::View& view : m_session.scene().views())
+    m_savedViews->addAction(QString::fromStdString(view.name), this, [this, view] { show(view); });
+  m_savedViews->setEnabled(!m_savedViews->isEmpty());
+}
+
+void ViewActions::show(const model::View& view) {
+  m_viewport.setCamera(view.camera);
+  model::Scene shown = model::shown(m_session.scene(), view).scene;
+  const bool changed = !(shown == m_session.scene());
+  m_session.apply(tr("View “%1”").arg(QString::fromStdString(view.name)),
+                  {std::move(shown), changed});
+}
+
+void ViewActions::documentChange(const Document& before, const Document& now) {
+  if (before.opening != now.opening || before.scene.views() != now.scene.views())
+    listViews();
+  m_keyLight.setChecked(m_viewport.keyLight());
+}
+
+}  // namespace sline::widgets

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+
+#include "widgets/session/session.h"
+#include "widgets/window/window_actions.h"
+
+class QMenu;
+class QSettings;
+
+namespace sline::widgets {
+
+class Viewport;
+
+/// Saved views and the key light: both are of the scene. What the key light was last is remembered
+/// for scenes that say nothing of it.
+class ViewActions : public QObject {
+  Q_OBJECT
+ public:
+  ViewActions(Session& session, Viewport& viewport, QSettings& settings,
+              const WindowActions& actions, QWidget* parent);
+
+  /// One entry for each of the scene's views.
+  QMenu& savedViews() { return *m_savedViews; }
+
+ private:
+  void lightKey(bool on);
+  void listViews();
+  void show(const model::View& view);
+  void documentChange(const Document& before, const Document& now);
+
+  Session& m_session;
+  Viewport& m_viewport;
+  QSettings& m_settings;
+  QAction& m_keyLight;
+  QMenu* m_savedViews = nullptr;
+};
+
+}  // namespace sline::widgets
