@@ -114,7 +114,9 @@ Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& 
     part.raw = std::move(raw);
     const std::string& file = part.raw.file.empty() ? shown : part.raw.file;
     part.provenance.file = part.raw.origin.empty() ? file : part.raw.origin;
-    part.provenance.fingerprint = facts[file].fingerprint;
+    // Without its file's name there is nothing to read again by.
+    if (part.raw.origin.empty())
+      part.provenance.fingerprint = facts[file].fingerprint;
     if (facts[file].surfaces > 1)
       part.provenance.part = names[i];
     if (options.repair)

@@ -127,7 +127,7 @@ class Cursor {
     length = loadAs<std::uint32_t>(m_at + 8, swapped);
     m_at += 12;
     // A sequence of a kind its writer did not know keeps the implicit form (PS3.5 §6.2.2).
-    if (vr == "UN" && length == openLength)
+    if (vr == "UN")
       element.explicitVr = false;
     return std::nullopt;
   }

@@ -306,6 +306,9 @@ Result<RawMeshes> segmentationSurfaces(const DicomFile& file, const ReadOptions&
     std::move(surfaces->warnings.begin(), surfaces->warnings.end(),
               std::back_inserter(result.warnings));
   }
+  if (result.meshes.empty())
+    return file.source().whole("none of its segments that are described has a pixel",
+                               "Export the segmentation again");
   return result;
 }
 

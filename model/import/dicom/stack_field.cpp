@@ -325,7 +325,7 @@ class StackField {
     }
     addOuterKnots(knots, index);
     const std::size_t layer = m_sampling.plane.size();
-    parallelFor(std::size_t(last - first + 1), 1, [&](std::size_t n) {
+    parallelFor(std::size_t(last) - std::size_t(first) + 1, 1, [&](std::size_t n) {
       const auto z = float(double(first + int(n)) * m_sampling.step);
       float* to = box.values.data() + (std::size_t(first) + n) * layer;
       for (std::size_t i = 0; i < layer; ++i) {

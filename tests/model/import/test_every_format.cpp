@@ -110,7 +110,7 @@ void volumeRows() {
   refused("nrrd/test_simple4d_raw.nrrd", "not whole numbers");
   refused("dicom/ct.0.dcm", "1 CT image holds no segmentation");
   refused("dicom/ct_image.dcm", "1 CT image holds no segmentation");
-  loads("dicom/rtss.dcm", 9, some, "left out");
+  loads("dicom/rtss.dcm", 9, some, "\"Areola\": has no contour");
   loads("dicom/seg_image_ct_binary.dcm", 1, some);
 }
 
