@@ -63,15 +63,18 @@ class Surfacer {
                        " triangles",
                    "Check that it is a label volume, or export it with larger voxels");
     const std::vector<glm::vec3> at =
-        relaxed(*net, sheets, m_spacing, relaxation(), m_options.goesOn);
+        relaxed(*net, sheets, m_spacing, relaxation(sheets.cellOf.size()), m_options.goesOn);
     if (at.empty())
       return cancelled();
     return meshes(*net, sheets, at);
   }
 
  private:
-  Relaxation relaxation() const {
+  /// Millions of points take fewer steps, so that no volume takes minutes.
+  Relaxation relaxation(std::size_t points) const {
+    constexpr std::size_t pointSteps = 120'000'000;
     Relaxation relaxation;
+    relaxation.steps = std::clamp(int(pointSteps / (points + 1)), 30, relaxation.steps);
     if (m_options.smoothing.mode == Smoothing::Mode::off)
       relaxation = {0, 0};
     else if (m_options.smoothing.mode == Smoothing::Mode::steps)

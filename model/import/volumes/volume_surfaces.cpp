@@ -42,11 +42,12 @@ void spend(std::uint64_t& limit, std::size_t count) {
 
 Result<RawMeshes> volumeSurfaces(const LabelVolumes& volumes, std::uint64_t bytes,
                                  const ReadOptions& options) {
-  // Real segmentations have one to three vertices for each packed byte.
+  // Real segmentations have up to three vertices for each packed byte, small ones fewer than a
+  // million in all.
   ReadOptions bounded = options;
-  bounded.limits.vertices = std::min(options.limits.vertices, (std::uint64_t(1) << 20) + 4 * bytes);
+  bounded.limits.vertices = std::min(options.limits.vertices, (std::uint64_t(1) << 20) + 2 * bytes);
   bounded.limits.triangles =
-      std::min(options.limits.triangles, (std::uint64_t(1) << 22) + 16 * bytes);
+      std::min(options.limits.triangles, (std::uint64_t(1) << 22) + 8 * bytes);
   RawMeshes all;
   all.warnings = volumes.warnings;
   std::optional<Error> empty;

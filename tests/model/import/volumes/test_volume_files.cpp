@@ -214,7 +214,7 @@ void VolumeFilesTest::detached() {
   const WrittenVolume& body = smallBody();
   const QByteArray raw = numbers(body, Number::uint8, std::endian::little);
   const auto header = [&](const QByteArray& more) {
-    QByteArray bytes = nrrdFile(body, "LPS", "raw", Number::uint8, std::endian::little, more);
+    QByteArray bytes = nrrdFile(body, "LPS").replace("\n\n", "\n" + more + "\n");
     return bytes.left(bytes.size() - raw.size() - 1);
   };
   struct Row {

@@ -208,8 +208,7 @@ QByteArray niftiFile(const WrittenVolume& volume, Number type, std::endian order
 }
 
 QByteArray nrrdFile(const WrittenVolume& volume, const QByteArray& space,
-                    const QByteArray& encoding, Number type, std::endian order,
-                    const QByteArray& more) {
+                    const QByteArray& encoding, Number type, std::endian order) {
   static const char* const names[] = {"signed char", "uchar",        "short",     "unsigned short",
                                       "int32",       "unsigned int", "long long", "uint64",
                                       "float",       "double"};
@@ -229,7 +228,7 @@ QByteArray nrrdFile(const WrittenVolume& volume, const QByteArray& space,
   header += "\nkinds: domain domain domain\nendian: ";
   header += order == std::endian::little ? "little" : "big";
   header += "\nencoding: " + encoding;
-  header += "\nspace origin: " + vectorText(glm::dvec3(m[3]) * turn) + '\n' + more + '\n';
+  header += "\nspace origin: " + vectorText(glm::dvec3(m[3]) * turn) + "\n\n";
   const QByteArray raw = numbers(volume, type, order);
   if (encoding == "gzip")
     return header + gzipped(raw);

@@ -39,7 +39,7 @@ QByteArray niftiFile(const WrittenVolume& volume, Number type = Number::uint8,
 /// that space. `encoding`: raw, gzip, bzip2, hex or ascii.
 QByteArray nrrdFile(const WrittenVolume& volume, const QByteArray& space,
                     const QByteArray& encoding = "raw", Number type = Number::uint8,
-                    std::endian order = std::endian::little, const QByteArray& more = {});
+                    std::endian order = std::endian::little);
 
 QByteArray metaImageFile(const WrittenVolume& volume, bool packed, Number type = Number::uint8,
                          std::endian order = std::endian::little);
