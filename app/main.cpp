@@ -16,7 +16,9 @@ void declare(QCommandLineParser& parser) {
   parser.addVersionOption();
   parser.addPositionalArgument(
       QStringLiteral("paths"),
-      QApplication::translate("main", "Mesh files, folders of them, 3D Slicer scenes."),
+      QApplication::translate("main",
+                              "Meshes, label volumes, DICOM segmentations, molecules, folders of "
+                              "them, 3D Slicer scenes, scene files."),
       QStringLiteral("[paths…]"));
 }
 
