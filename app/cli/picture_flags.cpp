@@ -139,7 +139,12 @@ Result<int> understoodSamples(const std::string& text, const Size& size) {
   return number;
 }
 
-Status understoodLight(const PictureFlags& flags, PictureOrder& order) {
+/// The kind of hatching, and the light that it stands for.
+Status understoodHatching(const PictureFlags& flags, PictureOrder& order) {
+  const Result<render::HatchingMethod> hatching = parseHatching(flags.hatching);
+  if (!hatching.ok())
+    return hatching.error();
+  order.hatching = *hatching;
   order.keyLight = flags.keyLight;
   if (flags.light.empty())
     return Unit{};
@@ -171,12 +176,8 @@ Result<PictureOrder> understood(const PictureFlags& flags) {
   if (!background.ok())
     return background.error();
   order.background = *background;
-  const Result<render::HatchingMethod> hatching = parseHatching(flags.hatching);
-  if (!hatching.ok())
-    return hatching.error();
-  order.hatching = *hatching;
-  if (const Status lit = understoodLight(flags, order); !lit.ok())
-    return lit.error();
+  if (const Status drawn = understoodHatching(flags, order); !drawn.ok())
+    return drawn.error();
   order.blackAndWhite = flags.blackAndWhite;
   if (!flags.fill.empty()) {
     const Result<model::Fill> fill = parseFill(flags.fill);

@@ -297,7 +297,8 @@ void LinesPictureTest::mirroredMeshMirrorsThePicture() {
   add(right, mirrored(*shape), gammaStyle(gamma));
   PictureSettings settings{.width = 640, .height = 480};
   const Image a = picture(left, tilted(35.0f, 200.0f), settings);
-  settings.light.x *= -1.0f;  // in a mirror the light is on the other side, too
+  // In a mirror the light is on the other side, too.
+  settings.light = model::upperLeftLight * glm::vec3(-1.0f, 1.0f, 1.0f);
   const Image b = picture(right, tilted(35.0f, 200.0f), settings);
   // Where an edge passes a pixel's very middle, the rasteriser's rule is not symmetric; and between
   // two strokes that are each other's image on the ring itself chance decides.

@@ -203,7 +203,8 @@ void SectionsPictureTest::mirroredSceneMirroredPicture() {
   const Image image = picture(left, camera);
   camera.eye.x = 300.0f;
   PictureSettings mirror = square;
-  mirror.light.x *= -1.0f;  // in a mirror the light is on the other side, too
+  // In a mirror the light is on the other side, too.
+  mirror.light = model::upperLeftLight * glm::vec3(-1.0f, 1.0f, 1.0f);
   const Difference d = difference(image, mirroredImage(picture(right, camera, mirror)));
   QVERIFY2(d.share < 0.002, qPrintable(QString::number(d.share)));
   QVERIFY(spot(image, reddish).count > 2000);
