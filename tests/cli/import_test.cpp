@@ -144,7 +144,8 @@ void ImportTest::planAsText() {
 void ImportTest::planAsJson() {
   const QJsonObject plan =
       objectOf({"import", m_meshes, "--plan", "--json", "--unit", "cm", "-o", at("never.sline")});
-  QCOMPARE(plan.keys(), QStringList({"bounds_mm", "decimate_mm", "inputs", "left_out", "nodes"}));
+  QCOMPARE(plan.keys(),
+           QStringList({"bounds_mm", "decimate_mm", "inputs", "left_out", "nodes", "notes"}));
   const QJsonArray nodes = plan["nodes"].toArray();
   QCOMPARE(nodes.size(), 5);
   QVERIFY(!nodes[0].toObject().contains("file"));

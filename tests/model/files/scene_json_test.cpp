@@ -75,7 +75,8 @@ void SceneJsonTest::keysStandInTheOrderDescribed() {
   QCOMPARE(keysOf(root["sections"][0]), QString("id name normal offset_mm scope enabled hatched"));
   QCOMPARE(keysOf(root["nodes"][2]["provenance"]),
            QString("file frame frame_reason mm_per_unit unit_reason smoothing_steps "
-                   "refinement_steps repaired_faces displacement_mm part fingerprint transform"));
+                   "refinement_steps repaired_faces displacement_mm decimated_from decimation_mm "
+                   "part fingerprint transform"));
   QCOMPARE(keysOf(root["views"][1]), QString("name camera sections"));
   QCOMPARE(keysOf(root["views"][3]), QString("name camera looks annotations"));
   QCOMPARE(keysOf(root["annotations"][0]), QString("id kind at text texts colour visible locked"));
