@@ -4,6 +4,14 @@
 #include "contour_visibility.glsl"
 uniform float probe;  // how far outside (px) the own mask means an inner contour
 
+// A neighbour that touches the surface along its contour lies as deep as the line, and by a hair
+// before it on the line's outer side: within what its own surface is allowed, it hides nothing.
+float lifted(float windowDepth, float mm) {
+  float distance = eyeDistance(windowDepth, projection) - mm;
+  float z = (projection.y - distance * projection.x) / (projection.w - distance * projection.z);
+  return clamp(0.5 * z + 0.5, 0.0, windowDepth);
+}
+
 void main() {
   Capsule c = capsuleAt(gl_FragCoord.xy - vec2(toAtlas));
   if (c.distance >= c.halfWidth + 0.5)
@@ -28,5 +36,5 @@ void main() {
   if (coverage <= 0.002)
     discard;
   fragment = vec4(coverage);
-  gl_FragDepth = c.depth;
+  gl_FragDepth = lifted(c.depth, 2.0 * lineDepths.z);
 }

@@ -2,6 +2,7 @@
 // Layers: order, what is kept between pictures, pieces of large pictures, refusals.
 #include <QtTest>
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "render/gpu/device.h"
@@ -27,6 +28,7 @@ class LayersPictureTest : public QObject {
   void targetsGetTheSamePicture();
   void drawsWhatIsLeftOfNothing();
   void plainPhongCoversTheSameShape();
+  void whatTouchesHidesNoOutline();
   void refusesBadRequests();
 
  private:
@@ -280,6 +282,45 @@ void LayersPictureTest::plainPhongCoversTheSameShape() {
   add(scene, sphere(40.0f, 4), gammaStyle(2.0f));
   QVERIFY(m_studio.picture->drawPlainPhong(scene, camera(), settings).ok());
   QVERIFY(m_studio.picture->timings().passes.size() == 1);
+}
+
+/// Structures of one label map share the surface at which they touch: here a ring of paper that
+/// begins where a ball's contour lies, a little nearer to the eye.
+void LayersPictureTest::whatTouchesHidesNoOutline() {
+  constexpr int around = 256;
+  std::vector<glm::vec3> positions;
+  std::vector<model::Triangle> triangles;
+  for (std::uint32_t i = 0; i < around; ++i) {
+    const float angle = 2.0f * 3.14159265f * float(i) / float(around);
+    for (const float radius : {30.0f, 45.0f})
+      positions.emplace_back(radius * std::cos(angle), -0.5f, radius * std::sin(angle));
+    const std::uint32_t next = 2 * ((i + 1) % around);
+    triangles.push_back({2 * i, 2 * i + 1, next + 1});
+    triangles.push_back({2 * i, next + 1, next});
+  }
+  model::Node ball{.id = {1}, .name = "ball", .style = gammaStyle(1.0f), .mesh = sphere(30, 5)};
+  ball.style.fill = model::Fill::paper;
+  model::Node ring{.id = {2}, .name = "ring", .style = gammaStyle(1.0f)};
+  ring.mesh = std::make_shared<const model::Mesh>(
+      std::move(*model::Mesh::create(std::move(positions), std::move(triangles))));
+  ring.style.fill = model::Fill::paper;
+  ring.style.penWeight = 0.0f;
+  const model::Camera front = frontal(120.0f);
+  const auto ink = [&](std::vector<model::Node> nodes) {
+    const auto image = m_studio.picture->render(sceneOf(std::move(nodes)), front, settings);
+    double sum = 0.0;
+    for (std::size_t i = 1; image.ok() && i < image->rgba.size(); i += 4)
+      sum += 255.0 - image->rgba[i];
+    return sum;
+  };
+  const double alone = ink({ball});
+  QVERIFY(alone > 100'000.0);
+  const double touched = ink({ball, ring});
+  QVERIFY2(touched > 0.97 * alone, qPrintable(QString::number(touched / alone)));
+  // The ring does cover what lies behind it; a stroke begins half a pixel within its contour.
+  ball.mesh = moved(*ball.mesh, 1.0f, {0.0f, 20.0f, 0.0f});
+  const double behind = ink({ball, ring});
+  QVERIFY2(behind < 0.5 * alone, qPrintable(QString::number(behind / alone)));
 }
 
 void LayersPictureTest::refusesBadRequests() {
