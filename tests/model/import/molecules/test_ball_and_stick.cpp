@@ -46,7 +46,8 @@ class TestBallAndStick : public QObject {
     // The stick of a C–O bond ends within the oxygen's ball and does not come out behind it.
     const std::vector<Atom> atoms = {atom("C", {0, 0, 0}), atom("O", {1.43, 0, 0})};
     float farthest = 0.0f;
-    for (const glm::vec3& p : ballAndStick(atoms, {}, goesOn).front().mesh.positions)
+    const TriangleMesh carbon = ballAndStick(atoms, {}, goesOn).front().mesh;
+    for (const glm::vec3& p : carbon.positions)
       farthest = std::max(farthest, p.x);
     const float near = 1.43f - ballShare * 1.52f;
     QVERIFY2(farthest > near && farthest < near + 0.25f, qPrintable(QString::number(farthest)));
