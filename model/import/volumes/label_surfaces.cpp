@@ -26,16 +26,22 @@ Error cancelled() {
   return fault("the import was cancelled", "Import it again");
 }
 
+/// The finest voxels are an electron microscope's; and what is computed in single precision must
+/// not vanish beside the longest side.
 bool isUsable(const glm::dmat4& matrix) {
-  double longest = 1.0;
+  constexpr double shortest = 1e-9;  // mm
+  constexpr double farthest = 1e7;
+  constexpr double mostOblong = 1e5;
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 4; ++row)
-      if (!(std::abs(matrix[column][row]) < 1e7))
+      if (!(std::abs(matrix[column][row]) < farthest))
         return false;
-  for (int column = 0; column < 3; ++column)
-    longest *= glm::length(glm::dvec3(matrix[column]));
+  const glm::dvec3 sides(glm::length(glm::dvec3(matrix[0])), glm::length(glm::dvec3(matrix[1])),
+                         glm::length(glm::dvec3(matrix[2])));
+  const auto [least, most] = std::minmax({sides.x, sides.y, sides.z});
   // A sheared grid is fine, one whose axes lie in a plane is not.
-  return longest > 0.0 && std::abs(glm::determinant(glm::dmat3(matrix))) > 1e-4 * longest;
+  return least >= shortest && most <= mostOblong * least &&
+         std::abs(glm::determinant(glm::dmat3(matrix))) > 1e-4 * sides.x * sides.y * sides.z;
 }
 
 class Surfacer {
@@ -150,8 +156,10 @@ Result<RawMeshes> labelSurfaces(const LabelVolume& volume, const ReadOptions& op
   if (!fits)
     return fault("the volume's size is not one of voxels", "Export the volume again");
   if (!isUsable(volume.toLps))
-    return fault("the directions in which its voxels lie do not span space",
-                 "Export the volume again with its directions");
+    return fault(
+        "the sides of its voxels do not span space, or are too small, too large or too "
+        "unlike to be computed with",
+        "Export the volume again with its directions and spacings");
   return Surfacer(volume, options).run();
 }
 
