@@ -108,7 +108,7 @@ float farthestSample(const Mesh& mesh, const Bvh& from, float spacing) {
 }
 
 Simplified simplified(const MeshPtr& mesh, float bound, const std::function<bool()>& goesOn) {
-  const Simplified same{mesh, 0.0f};
+  Simplified same{mesh, 0.0f};
   if (!(bound > 0.0f) || mesh->triangleCount() == 0)
     return same;
   const float spacing = meanEdgeLength(mesh->positions(), mesh->triangles());

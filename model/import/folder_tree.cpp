@@ -143,6 +143,7 @@ class Builder {
       at->parts.push_back(part);
     }
     std::vector<std::string> names;
+    names.reserve(entries.size());
     for (const Branch& entry : entries)
       names.push_back(entry.name);
     makeUnique(names);

@@ -89,12 +89,13 @@ const SlicerTransforms::World& SlicerTransforms::worldOf(const std::string& id) 
     }
     unknown.push_back(at);
   }
-  for (auto at = unknown.rbegin(); at != unknown.rend(); ++at) {
+  std::reverse(unknown.begin(), unknown.end());
+  for (const std::string& at : unknown) {
     if (world.matrix) {
-      const std::optional<glm::dmat4> own = ownMatrix(m_nodes.find(*at));
+      const std::optional<glm::dmat4> own = ownMatrix(m_nodes.find(at));
       world.matrix = own ? std::optional(*world.matrix * *own) : std::nullopt;
     }
-    m_worlds[*at] = world;
+    m_worlds[at] = world;
   }
   return m_worlds.try_emplace(id, world).first->second;
 }

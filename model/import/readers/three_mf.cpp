@@ -95,7 +95,7 @@ class ThreeMfReader {
   Result<RawMeshes> read() {
     if (const Status unit = readUnit(); !unit)
       return unit.error();
-    if (const Status placed = placeBuild(); !placed)
+    if (Status placed = placeBuild(); !placed)
       return placed.error();
     if (m_result.meshes.empty())
       return m_source.whole("holds no object with triangles");
@@ -123,7 +123,7 @@ class ThreeMfReader {
       if (localName(item) != "item")
         continue;
       any = true;
-      if (const Status placed = place(item, {.part = &root}, 0); !placed)
+      if (Status placed = place(item, {.part = &root}, 0); !placed)
         return placed;
     }
     if (any)
@@ -134,7 +134,7 @@ class ThreeMfReader {
         isComponent[component.attribute("objectid").value()] = true;
     for (const auto& [id, object] : root.objects)
       if (!isComponent[id])
-        if (const Status visited = visit({.part = &root, .object = id}, 0); !visited)
+        if (Status visited = visit({.part = &root, .object = id}, 0); !visited)
           return visited;
     return Unit{};
   }
@@ -187,7 +187,7 @@ class ThreeMfReader {
       inside.groups.push_back(name);
     for (const XmlNode& component : localChild(object, "components").children())
       if (localName(component) == "component")
-        if (const Status placed = place(component, inside, depth + 1); !placed)
+        if (Status placed = place(component, inside, depth + 1); !placed)
           return placed;
     return Unit{};
   }

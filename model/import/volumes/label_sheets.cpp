@@ -169,8 +169,8 @@ class Builder {
     const std::uint32_t far = face / 8;
     const unsigned axis = face % 8 / 2;
     const bool atStart = face % 2 == 0;
-    const unsigned b = (axis + 1) % 3;
-    const unsigned c = (axis + 2) % 3;
+    const std::size_t b = (axis + 1) % 3;
+    const std::size_t c = (axis + 2) % 3;
     const std::uint32_t nearB = m_net.neighbours[far][2 * b];
     const std::uint32_t nearC = m_net.neighbours[far][2 * c];
     const std::uint32_t near = m_net.neighbours[nearB][2 * c];

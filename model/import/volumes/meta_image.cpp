@@ -173,10 +173,10 @@ class MetaImageReader {
     }
     m_place.frame = Frame::lps;
     m_place.frameReason = given ? "TransformMatrix (MetaImage is LPS)" : "MetaImage is LPS";
-    for (int i = 0; i < 3; ++i) {
-      const auto k = std::size_t(3 * i);
-      m_place.toLps[i] =
-          glm::dvec4(glm::dvec3(axes[k], axes[k + 1], axes[k + 2]) * spacing[std::size_t(i)], 0.0);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t k = 3 * i;
+      m_place.toLps[int(i)] =
+          glm::dvec4(glm::dvec3(axes[k], axes[k + 1], axes[k + 2]) * spacing[i], 0.0);
     }
     const std::string_view letters = value("AnatomicalOrientation");
     if (const auto found = axesFrom(letters); found && !given) {

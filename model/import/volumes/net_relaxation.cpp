@@ -190,7 +190,6 @@ class Relaxer {
   const SurfaceNet& m_net;
   const LabelSheets& m_sheets;
   glm::vec3 m_spacing;
-  bool m_first = true;                     ///< curvature was not measured yet
   std::vector<std::uint32_t> m_firstNode;  ///< of each point in m_nodes, and one more
   std::vector<std::uint32_t> m_nodes;
   std::vector<std::uint32_t> m_firstPull;  ///< likewise in m_pulls

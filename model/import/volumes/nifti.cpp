@@ -258,9 +258,9 @@ class NiftiReader {
   /// Directions of no length are no sform, whatever its code says.
   bool sform(glm::dmat4& toRas) const {
     glm::dmat4 found(1.0);
-    for (int row = 0; row < 3; ++row)
-      for (int column = 0; column < 4; ++column)
-        found[column][row] = real(m_places->rows, std::size_t(4 * row + column));
+    for (std::size_t row = 0; row < 3; ++row)
+      for (std::size_t column = 0; column < 4; ++column)
+        found[int(column)][int(row)] = real(m_places->rows, 4 * row + column);
     if (std::abs(glm::determinant(glm::dmat3(found))) > 0.0)
       toRas = found;
     return toRas == found;

@@ -248,7 +248,7 @@ class NrrdReader {
   Status findData() {
     m_stored.bytes = m_header.data;
     if (const std::string_view name = m_header.field("data file"); !name.empty()) {
-      if (const Status status = openData(name); !status)
+      if (Status status = openData(name); !status)
         return status;
       m_stored.bytes = m_data->text();
     }

@@ -162,12 +162,9 @@ class Bzip2 : public PackedBytes::Unpacker {
       const int state = BZ2_bzDecompress(&m_stream);
       const std::size_t got = room - m_stream.avail_out;
       done += got;
-      if (state == BZ_STREAM_END)
-        m_ended = true;
-      else if (state != BZ_OK)
-        broken = true;
-      else if (got == 0 && given == m_stream.avail_in)
-        m_ended = true;
+      const bool stuck = got == 0 && given == m_stream.avail_in;
+      broken = state != BZ_OK && state != BZ_STREAM_END;
+      m_ended = state == BZ_STREAM_END || (state == BZ_OK && stuck);
     }
     return done;
   }
