@@ -108,21 +108,14 @@ constexpr Element elements[] = {
 
 constexpr Element unknown{"X", "unknown element", 2.00f, 0.76f, grey};
 
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-}
-
 }  // namespace
 
 const Element* elementOf(std::string_view symbol) {
   if (equalsIgnoringCase(symbol, "d"))
     symbol = "H";
-  const auto* const found =
-      std::find_if(std::begin(elements), std::end(elements), [symbol](const Element& element) {
-        return std::equal(symbol.begin(), symbol.end(), element.symbol.begin(),
-                          element.symbol.end(),
-                          [](char a, char b) { return lower(a) == lower(b); });
-      });
+  const auto* const found = std::find_if(
+      std::begin(elements), std::end(elements),
+      [symbol](const Element& element) { return equalsIgnoringCase(symbol, element.symbol); });
   return found == std::end(elements) ? nullptr : found;
 }
 

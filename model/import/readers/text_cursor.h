@@ -61,7 +61,7 @@ class TextCursor {
   const char* m_end;
 };
 
-/// ASCII letters of `text` equal `lower`, which is in lower case.
-bool equalsIgnoringCase(std::string_view text, std::string_view lower);
+/// Capital or small makes no difference to ASCII letters.
+bool equalsIgnoringCase(std::string_view a, std::string_view b);
 
 }  // namespace sline::model

@@ -65,11 +65,8 @@ class MetaImageReader {
     if (const Status status = findData(); !status)
       return status.error();
     Result<std::vector<LabelVolume>> volumes = decodeVoxels(m_layout, m_stored, m_options.goesOn);
-    if (!volumes) {
-      Error error = volumes.error();
-      error.file = m_data ? m_data->file() : m_source.file();
-      return error;
-    }
+    if (!volumes)
+      return volumes.error();
     std::string from;
     const LabelNames names = labelsBeside(m_source.file(), m_options.limits, from);
     for (LabelVolume& volume : *volumes) {
@@ -195,6 +192,7 @@ class MetaImageReader {
       m_stored.text = equalsIgnoringCase(value("BinaryData"), "false");
     const std::string_view name = value("ElementDataFile");
     if (equalsIgnoringCase(name, "local")) {
+      m_stored.file = m_source.file();
       m_stored.bytes = m_behind;
     } else {
       if (name.starts_with("LIST") || name.find('%') != std::string_view::npos)
@@ -209,6 +207,7 @@ class MetaImageReader {
       if (!data)
         return data.error();
       m_data = std::move(*data);
+      m_stored.file = m_data->file();
       m_stored.bytes = m_data->text();
     }
     std::int64_t skip = 0;

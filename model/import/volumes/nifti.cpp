@@ -88,15 +88,13 @@ class NiftiReader {
     if (const Status status = readLayout(); !status)
       return status.error();
     readPlace();
+    m_stored.file = m_source.file();
     m_stored.bytes = m_source.text();
     m_stored.packing = m_packing;
     m_stored.skip = m_offset;
     Result<std::vector<LabelVolume>> volumes = decodeVoxels(m_layout, m_stored, m_options.goesOn);
-    if (!volumes) {
-      Error error = volumes.error();
-      error.file = m_source.file();
-      return error;
-    }
+    if (!volumes)
+      return volumes.error();
     LabelNames names = labelsInCaret(m_extension);
     std::string from;
     if (names.empty())

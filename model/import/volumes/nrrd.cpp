@@ -109,11 +109,8 @@ class NrrdReader {
     if (const Status status = findData(); !status)
       return status.error();
     Result<std::vector<LabelVolume>> volumes = decodeVoxels(m_layout, m_stored, m_options.goesOn);
-    if (!volumes) {
-      Error error = volumes.error();
-      error.file = m_data ? m_data->file() : m_source.file();
-      return error;
-    }
+    if (!volumes)
+      return volumes.error();
     finish(*volumes);
     return LabelVolumes{std::move(*volumes), std::move(m_warnings)};
   }
@@ -246,10 +243,12 @@ class NrrdReader {
   }
 
   Status findData() {
+    m_stored.file = m_source.file();
     m_stored.bytes = m_header.data;
     if (const std::string_view name = m_header.field("data file"); !name.empty()) {
       if (Status status = openData(name); !status)
         return status;
+      m_stored.file = m_data->file();
       m_stored.bytes = m_data->text();
     }
     std::int64_t lines = 0;

@@ -214,10 +214,8 @@ class Decoder {
   std::vector<LabelVolume> m_volumes;
 };
 
-}  // namespace
-
-Result<std::vector<LabelVolume>> decodeVoxels(const VoxelLayout& layout, const VoxelBytes& stored,
-                                              const std::function<bool()>& goesOn) {
+Result<std::vector<LabelVolume>> decoded(const VoxelLayout& layout, const VoxelBytes& stored,
+                                         const std::function<bool()>& goesOn) {
   constexpr std::int64_t mostLayers = 512;
   if (layout.layers > mostLayers)
     return fault("holds " + std::to_string(layout.layers) + " volumes in one, at most " +
@@ -239,6 +237,18 @@ Result<std::vector<LabelVolume>> decodeVoxels(const VoxelLayout& layout, const V
   } catch (const std::bad_alloc&) {
     return fault("needs more memory than there is", "Close other programs");
   }
+}
+
+}  // namespace
+
+Result<std::vector<LabelVolume>> decodeVoxels(const VoxelLayout& layout, const VoxelBytes& stored,
+                                              const std::function<bool()>& goesOn) {
+  Result<std::vector<LabelVolume>> volumes = decoded(layout, stored, goesOn);
+  if (volumes)
+    return volumes;
+  Error error = volumes.error();
+  error.file = stored.file;
+  return error;
 }
 
 bool unpackedBytesHave(const VoxelBytes& stored, std::size_t at, std::string_view magic) {

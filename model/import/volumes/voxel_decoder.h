@@ -29,6 +29,7 @@ struct VoxelLayout {
 
 /// Where the numbers are. `bytes` reach to the end of the file.
 struct VoxelBytes {
+  std::string file;  ///< as the user gave it
   std::string_view bytes;
   Packing packing = Packing::none;
   bool text = false;        ///< numbers in decimal, parted by white space; not packed
@@ -37,9 +38,9 @@ struct VoxelBytes {
 };
 
 /// One volume per layer, without names, directions or place; a label's name is empty. Voxels whose
-/// value is not a number count as background, and so does one negative value. Refused, with errors
-/// that name no file: more voxels than the bytes can hold or a machine should, data that end early
-/// or cannot be unpacked, and values that are an image's rather than labels.
+/// value is not a number count as background, and so does one negative value. Refused: more voxels
+/// than the bytes can hold or a machine should, data that end early or cannot be unpacked, and
+/// values that are an image's rather than labels.
 Result<std::vector<LabelVolume>> decodeVoxels(const VoxelLayout& layout, const VoxelBytes& stored,
                                               const std::function<bool()>& goesOn);
 
