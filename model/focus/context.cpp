@@ -21,7 +21,8 @@ struct Growth {
   float full = 1.0f;   ///< and from which on its Γ stays
   float lowGamma = 0.0f;
   float highGamma = 0.0f;
-  float pen = 1.0f;       ///< at full amount, times the scene's pen
+  float lowPen = 0.0f;  ///< times the scene's pen
+  float highPen = 1.0f;
   float covering = 0.0f;  ///< how much of what lies behind it it hides
 };
 
@@ -41,36 +42,40 @@ Growth feederGrowth(const Relation& r) {
           .full = 0.6f,
           .lowGamma = 1.2f,
           .highGamma = 3.9f - less,
-          .pen = 1.0f,
-          .covering = 0.25f + 0.75f * clear(r)};
+          .lowPen = 0.8f,
+          .highPen = 1.0f,
+          .covering = 0.2f + 0.8f * clear(r)};
 }
 
 Growth neighbourGrowth(const Relation& r) {
-  return {.start = 0.08f + 0.25f * (1.0f - r.nearness),
+  return {.start = 0.06f + 0.7f * glm::smoothstep(0.05f, 0.6f, r.gap),
           .full = 1.0f,
           .lowGamma = 0.6f,
           .highGamma = glm::mix(2.4f, 1.2f, r.hides),
-          .pen = 0.85f,
-          .covering = 0.9f * clear(r)};
+          .lowPen = 0.4f,
+          .highPen = 0.9f,
+          .covering = 0.1f + 0.8f * clear(r)};
 }
 
 Growth shellGrowth(const Relation& r) {
   // What hides most says best where all this is.
-  return {.start = 0.25f + 0.2f * (1.0f - r.hides),
+  return {.start = 0.3f + 0.35f * (1.0f - r.hides),
           .full = 1.0f,
           .lowGamma = 0.0f,
           .highGamma = 1.0f,
-          .pen = 0.7f};
+          .lowPen = 0.3f,
+          .highPen = 0.75f};
 }
 
 Growth backdropGrowth(const Relation& r) {
   const float far = glm::smoothstep(0.3f, 4.0f, r.gap);
-  return {.start = 0.4f + 0.3f * far,
+  return {.start = 0.5f + 0.3f * far,
           .full = 1.0f,
           .lowGamma = 0.0f,
           .highGamma = 1.4f,
-          .pen = 0.75f,
-          .covering = 0.8f * clear(r)};
+          .lowPen = 0.25f,
+          .highPen = 0.75f,
+          .covering = 0.1f + 0.7f * clear(r)};
 }
 
 Growth growthOf(const Relation& r) {
@@ -120,8 +125,7 @@ Style contextStyle(const Relation& relation, ContextAmount amount) {
       glm::mix(growth.lowGamma, growth.highGamma, ramp(growth.start, growth.full, x)));
   style.fill = fillOf(relation, growth);
   style.opacity = Opacity::clamped(*style.fill == Fill::none ? there : there * growth.covering);
-  // Comes in as a hairline, then grows with the rest.
-  style.penWeight = growth.pen * there * (0.6f + 0.4f * x);
+  style.penWeight = there * glm::mix(growth.lowPen, growth.highPen, x * x);
   if (!*style.visible)
     style.penWeight = faintPen;
   return style;

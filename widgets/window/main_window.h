@@ -20,6 +20,7 @@ class QToolButton;
 
 namespace sline::widgets {
 
+class FocusContext;
 class GammaPanel;
 class MessageBar;
 class SectionActions;
@@ -38,6 +39,7 @@ class MainWindow : public QMainWindow {
   Viewport& viewport() { return *m_viewport; }
   StructureTree& tree() { return *m_tree; }
   Preferences& preferences() { return m_preferences; }
+  FocusContext& focus() { return *m_focus; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -73,6 +75,7 @@ class MainWindow : public QMainWindow {
   Viewport* m_viewport = nullptr;
   StructureTree* m_tree = nullptr;
   GammaPanel* m_gamma = nullptr;
+  FocusContext* m_focus = nullptr;
   SectionActions* m_sections = nullptr;
   ViewActions* m_views = nullptr;
   QLabel* m_summary = nullptr;
