@@ -20,9 +20,11 @@ class QToolButton;
 
 namespace sline::widgets {
 
+class FileActions;
 class GammaPanel;
 class MessageBar;
 class SectionActions;
+class StartPage;
 class StructureTree;
 class ViewActions;
 class Viewport;
@@ -38,6 +40,7 @@ class MainWindow : public QMainWindow {
   Viewport& viewport() { return *m_viewport; }
   StructureTree& tree() { return *m_tree; }
   Preferences& preferences() { return m_preferences; }
+  FileActions& files() { return *m_files; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -55,9 +58,9 @@ class MainWindow : public QMainWindow {
   void connectActions();
   void connectViews();
   void restore();
-  void chooseFiles();
-  void chooseFolder();
-  void openPaths(const QStringList& paths);
+  void makeFiles();
+  /// The start page while nothing is open and nothing is on its way.
+  void showStart();
   void editSelection(const QString& name,
                      model::Edited (*edit)(const model::Scene&, std::span<const model::NodeId>));
   void documentChange(const Document& before, const Document& now);
@@ -71,6 +74,8 @@ class MainWindow : public QMainWindow {
   std::optional<WindowMenus> m_menus;
   MessageBar* m_message = nullptr;
   Viewport* m_viewport = nullptr;
+  FileActions* m_files = nullptr;
+  StartPage* m_start = nullptr;
   StructureTree* m_tree = nullptr;
   GammaPanel* m_gamma = nullptr;
   SectionActions* m_sections = nullptr;
