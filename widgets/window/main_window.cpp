@@ -22,6 +22,8 @@
 #include "model/edit/tree.h"
 #include "model/edit/visibility.h"
 #include "model/files/cache_folder.h"
+#include "widgets/focus/focus_context.h"
+#include "widgets/focus/focus_panel.h"
 #include "widgets/gamma/gamma_panel.h"
 #include "widgets/preferences/preferences_dialog.h"
 #include "widgets/session/demo_scenes.h"
@@ -120,6 +122,12 @@ void MainWindow::makePanels() {
   m_gamma = new GammaPanel(m_session);
   addDockWidget(Qt::LeftDockWidgetArea, dock(tr("Structures"), "structuresPanel", m_tree));
   addDockWidget(Qt::RightDockWidgetArea, dock(tr("Line Style"), "gammaPanel", m_gamma));
+  m_focus = new FocusContext(
+      m_session, [this] { return m_viewport->camera(); }, this);
+  auto* focus = new FocusPanel(m_session, *m_focus);
+  addDockWidget(Qt::RightDockWidgetArea, dock(tr("Focus and Context"), "focusPanel", focus));
+  connect(focus, &FocusPanel::focusWanted, &m_actions[QStringLiteral("focus")], &QAction::trigger);
+  connect(m_focus, &FocusContext::failed, m_message, &MessageBar::showError);
   auto* history = new QUndoView(&m_session.history());
   history->setObjectName(QStringLiteral("history"));
   history->setAccessibleName(tr("History"));
@@ -292,7 +300,7 @@ void MainWindow::connectActions() {
   on("undo", [this] { m_session.undo(); });
   on("redo", [this] { m_session.redo(); });
   on("find", [this] { m_tree->find(); });
-  on("focus", [this] { editSelection(tr("Focus"), model::withFocus); });
+  on("focus", [this] { m_focus->focusOn(m_session.selection()); });
   on("context", [this] { editSelection(tr("Context"), model::withContext); });
   on("inherit", [this] { editSelection(tr("Inherit Γ"), model::withGammaInherited); });
   on("toggle", [this] { m_tree->view().toggleSelection(); });

@@ -21,6 +21,7 @@ class QToolButton;
 namespace sline::widgets {
 
 class FileActions;
+class FocusContext;
 class GammaPanel;
 class MessageBar;
 class SectionActions;
@@ -41,6 +42,7 @@ class MainWindow : public QMainWindow {
   StructureTree& tree() { return *m_tree; }
   Preferences& preferences() { return m_preferences; }
   FileActions& files() { return *m_files; }
+  FocusContext& focus() { return *m_focus; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -78,6 +80,7 @@ class MainWindow : public QMainWindow {
   StartPage* m_start = nullptr;
   StructureTree* m_tree = nullptr;
   GammaPanel* m_gamma = nullptr;
+  FocusContext* m_focus = nullptr;
   SectionActions* m_sections = nullptr;
   ViewActions* m_views = nullptr;
   QLabel* m_summary = nullptr;

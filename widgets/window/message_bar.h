@@ -39,7 +39,6 @@ class MessageBar : public QFrame {
   QLabel* m_text;
   QPushButton* m_details;
   QPushButton* m_remedy;
-  Kind m_kind = Kind::remark;
   QStringList m_remarks;
 };
 

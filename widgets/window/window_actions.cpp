@@ -58,8 +58,11 @@ std::vector<ActionRow> fileRows() {
 
 std::vector<ActionRow> structureRows() {
   return {
-      {QStringLiteral("focus"), tr("&Focus"), key(tr("Ctrl+E")),
-       tr("The selected structures in detail, everything else as contours"), "focus"},
+      {QStringLiteral("focus"),
+       tr("&Focus"),
+       {QKeySequence(tr("F")), QKeySequence(tr("Ctrl+E"))},
+       tr("The selected structures in detail, everything else by what it is to them"),
+       "focus"},
       {QStringLiteral("context"), tr("&Context"), key(tr("Ctrl+D")),
        tr("The selected structures as contours"), "context"},
       {QStringLiteral("inherit"), tr("&Inherit Γ"), {}, tr("Take Γ from the group above again")},
@@ -84,11 +87,8 @@ std::vector<ActionRow> viewRows() {
       {QStringLiteral("right"), tr("&Right"), key(tr("R")), tr("Seen from the patient's right")},
       {QStringLiteral("superior"), tr("&Superior"), key(tr("S")), tr("Seen from above")},
       {QStringLiteral("inferior"), tr("&Inferior"), key(tr("I")), tr("Seen from below")},
-      {QStringLiteral("fit"),
-       tr("&Fit All"),
-       {QKeySequence(tr("F")), QKeySequence(tr("Home"))},
-       tr("Bring all that is shown into the picture"),
-       "fit"},
+      {QStringLiteral("fit"), tr("&Fit All"), key(tr("Home")),
+       tr("Bring all that is shown into the picture"), "fit"},
       {QStringLiteral("sectionSagittal"), tr("&Sagittal"), key(tr("Ctrl+1")),
        tr("Cut in the plane between left and right; again: whole"), "section_sagittal"},
       {QStringLiteral("sectionCoronal"), tr("&Coronal"), key(tr("Ctrl+2")),
