@@ -58,6 +58,7 @@ const std::vector<Room>& rooms() {
       {"widgets/preferences", {}},
       {"widgets/theme", {"widgets/preferences"}},
       {"widgets/session", {"model"}},
+      {"widgets/start", {"model", "render", "widgets/session", "widgets/theme"}},
       {"widgets/focus", {"model", "widgets/session"}},
       {"widgets/gamma", {"model", "widgets/session"}},
       {"widgets/structure_tree", {"model", "widgets/session", "widgets/gamma"}},

@@ -18,9 +18,16 @@
 
 namespace sline::test {
 
+QString sealed(const QString& folder) {
+  qputenv("XDG_STATE_HOME", QFile::encodeName(folder + QStringLiteral("/state")));
+  const QString file = folder + QStringLiteral("/settings.ini");
+  // Nothing is modelled in the background, where it would be in the way.
+  QSettings(file, QSettings::IniFormat).setValue(QStringLiteral("start/demoPictures"), false);
+  return file;
+}
+
 WindowFixture::WindowFixture(widgets::PainterFactory painter)
-    : settings(folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat),
-      window(session, settings) {
+    : settings(sealed(folder.path()), QSettings::IniFormat), window(session, settings) {
   if (painter)
     viewport().setPainter(std::move(painter));
   window.resize(1200, 800);
