@@ -201,7 +201,7 @@ class FocusPanelTest : public QObject {
   void anotherDocumentBeginsAnew() {
     WindowFixture f;
     QVERIFY(openAndFocus(f));
-    QVERIFY(f.drop(m_body.path()));
+    f.session.openPaths({m_body.path().toStdString()});
     QVERIFY(f.settled());
     QVERIFY(!f.window.focus().state().analysis);
     QVERIFY(!slider(f).isEnabled());
