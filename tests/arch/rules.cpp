@@ -38,11 +38,13 @@ struct Room {
 const std::vector<Room>& rooms() {
   static const std::vector<Room> table{
       {"model/base", {}},
+      {"model/anatomy", {"model/base"}},
       {"model/geometry", {"model/base"}},
       {"model/scene", {"model/base", "model/geometry"}},
       {"model/edit", {"model/base", "model/geometry", "model/scene"}},
       {"model/demo", {"model/base", "model/files", "model/geometry", "model/scene"}},
-      {"model/import", {"model/base", "model/files", "model/geometry", "model/scene"}},
+      {"model/import",
+       {"model/anatomy", "model/base", "model/files", "model/geometry", "model/scene"}},
       {"model/files", {"model/base", "model/geometry", "model/scene"}},
       {"render/lines", {"model/base", "model/geometry", "model/scene"}},
       {"render/gpu", {"model/base"}},
