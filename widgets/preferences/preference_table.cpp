@@ -8,7 +8,7 @@ namespace sline::widgets {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("Preferences", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 
 std::vector<PreferenceRow> appearanceRows() {

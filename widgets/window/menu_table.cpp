@@ -16,7 +16,7 @@ namespace sline::widgets {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("WindowMenus", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 
 std::vector<QString> ids(std::initializer_list<const char*> words) {

@@ -12,7 +12,7 @@ namespace sline::widgets {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("WindowActions", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 
 QList<QKeySequence> key(const QKeySequence& keys) {
