@@ -4,6 +4,7 @@
 #include <QCommandLineParser>
 #include <QSettings>
 
+#include "widgets/language/language_switch.h"
 #include "widgets/session/demo_scenes.h"
 #include "widgets/theme/theme.h"
 #include "widgets/window/main_window.h"
@@ -31,13 +32,16 @@ int main(int argc, char** argv) {
   QApplication::setOrganizationName(QStringLiteral("Sline"));
   QApplication::setApplicationVersion(QStringLiteral(SLINE_VERSION));
   QCommandLineParser parser;
+  using namespace sline::widgets;
+  QSettings settings;
+  LanguageSwitch language;
+  language.use(Preferences(settings).choice(QStringLiteral("language/interface")));
   declare(parser);
   parser.process(application);
 
-  using namespace sline::widgets;
   Session session;
-  QSettings settings;
   MainWindow window(session, settings);
+  language.follow(window.preferences());
   const ThemeFollower theme(application, window.preferences());
   window.show();
   std::vector<std::filesystem::path> paths;

@@ -58,6 +58,8 @@ const std::vector<Room>& rooms() {
       {"render", {"model", "render"}},
       {"widgets/preferences", {}},
       {"widgets/theme", {"widgets/preferences"}},
+      {"widgets/help", {}},
+      {"widgets/language", {"model/anatomy", "widgets/preferences"}},
       {"widgets/session", {"model"}},
       {"widgets/gamma", {"model", "widgets/session"}},
       {"widgets/structure_tree", {"model", "widgets/session", "widgets/gamma"}},

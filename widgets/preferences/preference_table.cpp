@@ -23,6 +23,29 @@ std::vector<PreferenceRow> appearanceRows() {
            tr("What each button does in a word"), Switch{false}}};
 }
 
+std::vector<PreferenceRow> languageRows() {
+  const QString page = tr("Language");
+  return {{QStringLiteral("language/interface"), page, tr("Interface"),
+           tr("The language of menus and texts; takes effect at once"),
+           ChoiceOf{{{QStringLiteral("system"), tr("As the system")},
+                     // Each in its own language, so that whoever speaks it finds it.
+                     {QStringLiteral("en"), QStringLiteral("English")},
+                     {QStringLiteral("de"), QStringLiteral("Deutsch")},
+                     {QStringLiteral("nl"), QStringLiteral("Nederlands")},
+                     {QStringLiteral("nb"), QStringLiteral("Norsk bokmål")}},
+                    QStringLiteral("system")}},
+          {QStringLiteral("language/structures"), page, tr("Structures"),
+           tr("What known structures are called on screen; files keep their own names"),
+           ChoiceOf{{{QStringLiteral("file"), tr("As in the file")},
+                     {QStringLiteral("interface"), tr("In the interface’s language")},
+                     {QStringLiteral("latin"), tr("Latin")},
+                     {QStringLiteral("en"), tr("English")},
+                     {QStringLiteral("de"), tr("German")},
+                     {QStringLiteral("nl"), tr("Dutch")},
+                     {QStringLiteral("nb"), tr("Norwegian")}},
+                    QStringLiteral("interface")}}};
+}
+
 std::vector<PreferenceRow> pictureRows() {
   const QString page = tr("Picture");
   return {{QStringLiteral("picture/background"), page, tr("Background"),
@@ -37,7 +60,7 @@ std::vector<PreferenceRow> pictureRows() {
 
 std::vector<PreferenceRow> preferenceRows() {
   std::vector<PreferenceRow> rows = appearanceRows();
-  for (const std::vector<PreferenceRow>& more : {pictureRows()})
+  for (const std::vector<PreferenceRow>& more : {languageRows(), pictureRows()})
     rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }

@@ -14,6 +14,7 @@
 #include "model/edit/style.h"
 #include "widgets/session/document.h"
 #include "widgets/session/scene_job.h"
+#include "widgets/session/shown_names.h"
 
 namespace sline::widgets {
 
@@ -45,6 +46,9 @@ class Session : public QObject {
   bool previewing() const { return m_beforePreview.has_value(); }
   /// What edits during a drag start from: the scene before it.
   const model::Scene& sceneBeforePreview() const;
+
+  /// What structures are called on screen; not part of the document.
+  ShownNames& names() { return m_names; }
 
   const NodeIds& selection() const { return m_selection; }
   /// Ids that the scene lacks are left out.
@@ -89,6 +93,7 @@ class Session : public QObject {
   QUndoStack m_history;
   std::optional<Document> m_beforePreview;
   NodeIds m_selection;
+  ShownNames m_names;
   SceneJob* m_job = nullptr;
   int m_openings = 0;
   /// By Document::opening, so that they hold after undo, too.

@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileDialog>
@@ -25,6 +26,9 @@
 #include "model/edit/visibility.h"
 #include "model/import/file_kinds.h"
 #include "widgets/gamma/gamma_panel.h"
+#include "widgets/help/help_pages.h"
+#include "widgets/help/help_window.h"
+#include "widgets/language/languages.h"
 #include "widgets/preferences/preferences_dialog.h"
 #include "widgets/session/demo_scenes.h"
 #include "widgets/structure_tree/structure_tree.h"
@@ -32,6 +36,7 @@
 #include "widgets/viewport/viewport.h"
 #include "widgets/window/about_dialog.h"
 #include "widgets/window/controls_dialog.h"
+#include "widgets/window/controls_memory.h"
 #include "widgets/window/message_bar.h"
 #include "widgets/window/section_actions.h"
 #include "widgets/window/view_actions.h"
@@ -98,15 +103,8 @@ MainWindow::MainWindow(Session& session, QSettings& settings, QWidget* parent)
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowTabbedDocks);
   makeCentre();
-  makePanels();
-  makeStatus();
-  makeMenus();
-  makeTools();
-  connectSession();
-  connectActions();
-  connectViews();
+  makeControls();
   restore();
-  documentChange({}, session.document());
 }
 
 MainWindow::~MainWindow() = default;
@@ -141,6 +139,49 @@ void MainWindow::makePanels() {
               {380, 250}, Qt::Horizontal);
 }
 
+void MainWindow::makeControls() {
+  m_parts = new QObject(this);
+  makePanels();
+  makeStatus();
+  makeMenus();
+  makeTools();
+  connectSession();
+  connectActions();
+  connectViews();
+  nameStructures();
+  documentChange({}, m_session.document());
+}
+
+void MainWindow::remakeControls() {
+  const ControlsMemory memory(*this);
+  // What outlives the controls must not speak to those that were.
+  for (QObject* source :
+       {static_cast<QObject*>(&m_session), static_cast<QObject*>(&m_preferences),
+        static_cast<QObject*>(&m_session.history()), static_cast<QObject*>(m_viewport)})
+    source->disconnect(this);
+  delete m_parts;
+  clearControls(*this);
+  m_actions.remake(*this);
+  setLocale(QLocale());
+  makeControls();
+  memory.restore(*this);
+}
+
+void MainWindow::nameStructures() {
+  const auto follow = [this] {
+    m_session.names().setLanguage(
+        namesLanguage(m_preferences.choice(QStringLiteral("language/structures")), QLocale()));
+  };
+  connect(&m_preferences, &Preferences::changed, m_parts, follow);
+  follow();
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange)
+    remakeControls();
+  QMainWindow::changeEvent(event);
+}
+
 void MainWindow::makeStatus() {
   m_summary = new QLabel;
   m_summary->setObjectName(QStringLiteral("summary"));
@@ -159,7 +200,7 @@ void MainWindow::makeStatus() {
   statusBar()->addPermanentWidget(m_progress);
   statusBar()->addPermanentWidget(m_cancel);
   statusBar()->addPermanentWidget(m_summary);
-  jobShown(false);
+  jobShown(m_session.busy());
 }
 
 void MainWindow::jobShown(bool running) {
@@ -182,7 +223,7 @@ void MainWindow::makeMenus() {
     m_tree->view().addAction(action);
   m_views = new ViewActions(m_session, *m_viewport, m_settings, m_actions,
                             menus[QStringLiteral("savedViews")]);
-  m_sections = new SectionActions(m_session, *m_viewport, m_actions, this);
+  m_sections = new SectionActions(m_session, *m_viewport, m_actions, m_parts);
   for (QDockWidget* panel : findChildren<QDockWidget*>())
     menus[QStringLiteral("panelMenu")].addAction(panel->toggleViewAction());
   makeBackgrounds(menus[QStringLiteral("backgroundMenu")]);
@@ -279,6 +320,7 @@ void MainWindow::connectActions() {
   });
   on("remove", [this] { editSelection(tr("Remove"), model::removed); });
   on("fit", [this] { m_viewport->fitAll(); });
+  on("help", [this] { showHelp(); });
   on("controls", [this] { (new ControlsDialog(this))->open(); });
   on("preferences", [this] { (new PreferencesDialog(m_preferences, this))->open(); });
   on("about", [this] { (new AboutDialog(m_viewport->driver(), this))->open(); });
@@ -301,6 +343,17 @@ void MainWindow::connectViews() {
           &QAction::trigger);
   connect(m_gamma, &GammaPanel::contextWanted, &m_actions[QStringLiteral("context")],
           &QAction::trigger);
+}
+
+void MainWindow::showHelp() {
+  const QString page = helpPageOf(QApplication::focusWidget());
+  auto* help = findChild<HelpWindow*>();
+  if (!help)
+    help = new HelpWindow(this);
+  help->showPage(page);
+  help->show();
+  help->raise();
+  help->activateWindow();
 }
 
 void MainWindow::restore() {

@@ -43,9 +43,15 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   void makeCentre();
+  /// All but the centre.
+  void makeControls();
+  /// Again, in the language of now.
+  void remakeControls();
+  void nameStructures();
   void makePanels();
   void makeStatus();
   void makeMenus();
@@ -55,6 +61,7 @@ class MainWindow : public QMainWindow {
   void connectActions();
   void connectViews();
   void restore();
+  void showHelp();
   void chooseFiles();
   void chooseFolder();
   void openPaths(const QStringList& paths);
@@ -69,6 +76,7 @@ class MainWindow : public QMainWindow {
   Preferences m_preferences;
   WindowActions m_actions;
   std::optional<WindowMenus> m_menus;
+  QObject* m_parts = nullptr;  ///< what belongs to the controls, and goes with them
   MessageBar* m_message = nullptr;
   Viewport* m_viewport = nullptr;
   StructureTree* m_tree = nullptr;

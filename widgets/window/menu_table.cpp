@@ -49,7 +49,7 @@ std::vector<MenuRow> menuRows() {
                "sectionOff"})),
       row("backgroundMenu", tr("&Background"), {}),
       row("panelMenu", tr("Pa&nels"), {}),
-      row("helpMenu", tr("&Help"), ids({"controls", "", "about"})),
+      row("helpMenu", tr("&Help"), ids({"help", "controls", "", "about"})),
   };
 }
 

@@ -3,6 +3,7 @@
 
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPlainTextEdit>
@@ -25,26 +26,37 @@ QString sentence(std::string text) {
 }  // namespace
 
 MessageBar::MessageBar(QWidget* parent)
-    : QFrame(parent), m_text(new QLabel), m_details(new QPushButton(tr("Show all"))) {
+    : QFrame(parent), m_text(new QLabel), m_details(new QPushButton), m_close(new QToolButton) {
   setObjectName(QStringLiteral("messageBar"));
-  setAccessibleName(tr("Message"));
   m_text->setObjectName(QStringLiteral("messageText"));
   m_text->setWordWrap(true);
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_details->setObjectName(QStringLiteral("messageDetails"));
-  auto* close = new QToolButton;
-  close->setObjectName(QStringLiteral("messageClose"));
-  close->setAccessibleName(tr("Close the message"));
-  close->setText(QStringLiteral("✕"));
-  close->setAutoRaise(true);
+  m_close->setObjectName(QStringLiteral("messageClose"));
+  m_close->setText(QStringLiteral("✕"));
+  m_close->setAutoRaise(true);
+  nameControls();
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(14, 8, 8, 8);
   layout->addWidget(m_text, 1);
   layout->addWidget(m_details, 0, Qt::AlignTop);
-  layout->addWidget(close, 0, Qt::AlignTop);
-  connect(close, &QToolButton::clicked, this, &QWidget::hide);
+  layout->addWidget(m_close, 0, Qt::AlignTop);
+  connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
   connect(m_details, &QPushButton::clicked, this, &MessageBar::showDetails);
   hide();
+}
+
+void MessageBar::nameControls() {
+  setAccessibleName(tr("Message"));
+  m_close->setAccessibleName(tr("Close the message"));
+  m_details->setText(tr("Show all %n", nullptr, int(m_remarks.size())));
+}
+
+void MessageBar::changeEvent(QEvent* event) {
+  // It outlives the other controls when the language changes: what it says must not be lost.
+  if (event->type() == QEvent::LanguageChange)
+    nameControls();
+  QFrame::changeEvent(event);
 }
 
 QString MessageBar::text() const {
@@ -71,7 +83,7 @@ void MessageBar::display(Kind kind, const QString& heading, const QString& body)
                             : QStringLiteral("<b>%1</b>&ensp;").arg(heading.toHtmlEscaped());
   m_text->setText(title + body.trimmed().toHtmlEscaped());
   m_details->setVisible(m_remarks.size() > 1);
-  m_details->setText(tr("Show all %n", nullptr, int(m_remarks.size())));
+  nameControls();
   // Red for what failed, amber for what to know; dark text on either.
   setStyleSheet(kind == Kind::error
                     ? QStringLiteral("#messageBar { background: #f6d9d5; } #messageBar QLabel, "

@@ -7,6 +7,7 @@
 
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace sline::widgets {
 
@@ -21,13 +22,18 @@ class MessageBar : public QFrame {
   void showRemarks(const QStringList& remarks);
   QString text() const;
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   enum class Kind { error, remark };
   void display(Kind kind, const QString& heading, const QString& body);
   void showDetails();
+  void nameControls();
 
   QLabel* m_text;
   QPushButton* m_details;
+  QToolButton* m_close;
   QStringList m_remarks;
 };
 
