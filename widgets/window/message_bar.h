@@ -28,9 +28,11 @@ class MessageBar : public QFrame {
  private:
   enum class Kind { error, remark };
   void display(Kind kind, const QString& heading, const QString& body);
+  void dress();
   void showDetails();
   void nameControls();
 
+  Kind m_kind = Kind::remark;
   QLabel* m_text;
   QPushButton* m_details;
   QToolButton* m_close;
