@@ -95,7 +95,8 @@ Edges edges(const QString& text) {
   static const QRegularExpression front(QStringLiteral("^\\s*"));
   static const QRegularExpression back(QStringLiteral("\\s*$"));
   return {front.match(text).captured(), back.match(text).captured(),
-          text.endsWith(QStringLiteral("…")), text.endsWith(QLatin1Char(':'))};
+          text.endsWith(QStringLiteral("…")) || text.endsWith(QStringLiteral("...")),
+          text.endsWith(QLatin1Char(':'))};
 }
 
 /// What is wrong with a translation; empty where nothing is.
