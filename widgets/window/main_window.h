@@ -20,9 +20,12 @@ class QToolButton;
 
 namespace sline::widgets {
 
+class FileActions;
+class FocusContext;
 class GammaPanel;
 class MessageBar;
 class SectionActions;
+class StartPage;
 class StructureTree;
 class ViewActions;
 class Viewport;
@@ -38,6 +41,8 @@ class MainWindow : public QMainWindow {
   Viewport& viewport() { return *m_viewport; }
   StructureTree& tree() { return *m_tree; }
   Preferences& preferences() { return m_preferences; }
+  FileActions& files() { return *m_files; }
+  FocusContext& focus() { return *m_focus; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -62,9 +67,11 @@ class MainWindow : public QMainWindow {
   void connectViews();
   void restore();
   void showHelp();
-  void chooseFiles();
-  void chooseFolder();
-  void openPaths(const QStringList& paths);
+  void makeFiles();
+  void makeStart();
+  /// The start page while nothing is open and nothing is on its way.
+  void showStart();
+  void placeMessage(bool onStartPage);
   void editSelection(const QString& name,
                      model::Edited (*edit)(const model::Scene&, std::span<const model::NodeId>));
   void documentChange(const Document& before, const Document& now);
@@ -79,8 +86,11 @@ class MainWindow : public QMainWindow {
   QObject* m_parts = nullptr;  ///< what belongs to the controls, and goes with them
   MessageBar* m_message = nullptr;
   Viewport* m_viewport = nullptr;
+  FileActions* m_files = nullptr;
+  StartPage* m_start = nullptr;
   StructureTree* m_tree = nullptr;
   GammaPanel* m_gamma = nullptr;
+  FocusContext* m_focus = nullptr;
   SectionActions* m_sections = nullptr;
   ViewActions* m_views = nullptr;
   QLabel* m_summary = nullptr;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/window/message_bar.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -28,7 +29,12 @@ QString sentence(std::string text) {
 }  // namespace
 
 MessageBar::MessageBar(QWidget* parent)
-    : QFrame(parent), m_text(new QLabel), m_details(new QPushButton), m_close(new QToolButton) {
+    : QFrame(parent),
+      m_text(new QLabel),
+      m_details(new QPushButton),
+      m_close(new QToolButton),
+      m_remedy(new QPushButton) {
+  m_remedy->setObjectName(QStringLiteral("messageRemedy"));
   setObjectName(QStringLiteral("messageBar"));
   m_text->setObjectName(QStringLiteral("messageText"));
   m_text->setWordWrap(true);
@@ -42,6 +48,7 @@ MessageBar::MessageBar(QWidget* parent)
   layout->setContentsMargins(14, 8, 8, 8);
   layout->addWidget(m_text, 1);
   layout->addWidget(m_details, 0, Qt::AlignTop);
+  layout->addWidget(m_remedy, 0, Qt::AlignTop);
   layout->addWidget(m_close, 0, Qt::AlignTop);
   connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
   connect(m_details, &QPushButton::clicked, this, &MessageBar::showDetails);
@@ -72,14 +79,28 @@ void MessageBar::showRemarks(const QStringList& remarks) {
   display(Kind::remark, tr("Opened, with remarks"), remarks.value(0));
 }
 
+void MessageBar::showNotice(const QString& heading, const QString& body, QAction& action) {
+  m_remarks.clear();
+  m_remedy->setText(QString(action.text()).remove(QLatin1Char('&')));
+  disconnect(m_remedy, &QPushButton::clicked, nullptr, nullptr);
+  connect(m_remedy, &QPushButton::clicked, &action, &QAction::trigger);
+  display(Kind::notice, heading, sentence(body.toStdString()));
+}
+
+void MessageBar::hideNotice() {
+  if (m_kind == Kind::notice)
+    hide();
+}
+
 void MessageBar::display(Kind kind, const QString& heading, const QString& body) {
   const QString title = heading.isEmpty()
                             ? QString()
                             : QStringLiteral("<b>%1</b>&ensp;").arg(heading.toHtmlEscaped());
   m_text->setText(title + body.trimmed().toHtmlEscaped());
+  m_kind = kind;
+  m_remedy->setVisible(kind == Kind::notice);
   m_details->setVisible(m_remarks.size() > 1);
   nameControls();
-  m_kind = kind;
   dress();
   show();
 }
