@@ -11,6 +11,10 @@
         <source>Meshes, label volumes, DICOM segmentations, molecules, folders of them, 3D Slicer scenes, scene files.</source>
         <translation>Netze, Labelvolumen, DICOM-Segmentierungen, Moleküle, Ordner davon, 3D-Slicer-Szenen, Szenendateien.</translation>
     </message>
+    <message>
+        <source>Opens a scene that the program models itself: %1.</source>
+        <translation>Öffnet eine Szene, die das Programm selbst modelliert: %1.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets</name>
@@ -183,10 +187,6 @@
         <translation>Dateien ö&amp;ffnen …</translation>
     </message>
     <message>
-        <source>Open mesh files or a 3D Slicer scene</source>
-        <translation>Netzdateien oder eine 3D-Slicer-Szene öffnen</translation>
-    </message>
-    <message>
         <source>Open &amp;Folder…</source>
         <translation>&amp;Ordner öffnen …</translation>
     </message>
@@ -253,10 +253,6 @@
     <message>
         <source>Ctrl+E</source>
         <translation>Ctrl+E</translation>
-    </message>
-    <message>
-        <source>The selected structures in detail, everything else as contours</source>
-        <translation>Die gewählten Strukturen in allen Einzelheiten, alles andere als Konturen</translation>
     </message>
     <message>
         <source>&amp;Context</source>
@@ -602,6 +598,230 @@
         <source>Norwegian</source>
         <translation>Norwegisch</translation>
     </message>
+    <message>
+        <source>hides up to %1 % of it</source>
+        <translation>verdeckt bis zu %1 % davon</translation>
+    </message>
+    <message>
+        <source>%1 mm away</source>
+        <translation>%1 mm entfernt</translation>
+    </message>
+    <message>
+        <source>Chosen</source>
+        <translation>Gewählt</translation>
+    </message>
+    <message>
+        <source>Thin and long, comes to it</source>
+        <translation>Dünn und lang, führt hin</translation>
+    </message>
+    <message>
+        <source>Where %1 comes from</source>
+        <translation>Woher %1 kommt</translation>
+    </message>
+    <message>
+        <source>Lies against it</source>
+        <translation>Liegt an</translation>
+    </message>
+    <message>
+        <source>Lies outside, %1</source>
+        <translation>Liegt außen, %1</translation>
+    </message>
+    <message>
+        <source>In focus</source>
+        <translation>Im Fokus</translation>
+    </message>
+    <message>
+        <source>Vessel or duct</source>
+        <translation>Gefäß oder Gang</translation>
+    </message>
+    <message>
+        <source>Vessels and ducts</source>
+        <translation>Gefäße und Gänge</translation>
+    </message>
+    <message>
+        <source>Neighbour</source>
+        <translation>Nachbar</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Nachbarn</translation>
+    </message>
+    <message>
+        <source>Shell</source>
+        <translation>Hülle</translation>
+    </message>
+    <message>
+        <source>Shells around it</source>
+        <translation>Hüllen ringsum</translation>
+    </message>
+    <message>
+        <source>Backdrop</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Keep unsaved work after</source>
+        <translation>Ungespeichertes sichern nach</translation>
+    </message>
+    <message>
+        <source>How long after a change a copy is kept, which is offered after a crash</source>
+        <translation>Wie lange nach einer Änderung eine Kopie angelegt wird, die nach einem Absturz angeboten wird</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Never</source>
+        <translation>Nie</translation>
+    </message>
+    <message>
+        <source>Its rights do not let it be written to</source>
+        <translation>Ihre Rechte erlauben kein Schreiben</translation>
+    </message>
+    <message>
+        <source>A newer version of the program has written it; what is unknown here is not shown</source>
+        <translation>Eine neuere Version des Programms hat sie geschrieben; was hier unbekannt ist, wird nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>It was saved after this copy was made</source>
+        <translation>Sie wurde gespeichert, nachdem diese Kopie entstand</translation>
+    </message>
+    <message>
+        <source>Another program has changed it since</source>
+        <translation>Ein anderes Programm hat sie seitdem geändert</translation>
+    </message>
+    <message>
+        <source>“%1” is there already. Replace it?</source>
+        <translation>„%1“ gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Open Files</source>
+        <translation>Dateien öffnen</translation>
+    </message>
+    <message>
+        <source>Meshes and scenes (%1);;All files (*)</source>
+        <translation>Netze und Szenen (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open Folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Sline scenes (*.sline)</source>
+        <translation>Sline-Szenen (*.sline)</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>Änderungen an „%1“ speichern?</translation>
+    </message>
+    <message>
+        <source>Changes that are not saved will be lost.</source>
+        <translation>Nicht gespeicherte Änderungen gehen verloren.</translation>
+    </message>
+    <message>
+        <source>Go back to “%1” as it was saved last?</source>
+        <translation>Zu „%1“ zurückkehren, wie es zuletzt gespeichert wurde?</translation>
+    </message>
+    <message>
+        <source>Undo brings back what was changed since.</source>
+        <translation>Rückgängig bringt zurück, was seitdem geändert wurde.</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Zurückkehren</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>A scene without anything in it</source>
+        <translation>Eine Szene ohne Inhalt</translation>
+    </message>
+    <message>
+        <source>Open scenes, meshes, label volumes and other files</source>
+        <translation>Szenen, Netze, Labelvolumen und andere Dateien öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Write the scene file</source>
+        <translation>Die Szenendatei schreiben</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>Write another scene file and go on with that</source>
+        <translation>Eine andere Szenendatei schreiben und mit ihr weitermachen</translation>
+    </message>
+    <message>
+        <source>Save a Cop&amp;y…</source>
+        <translation>&amp;Kopie speichern …</translation>
+    </message>
+    <message>
+        <source>Write another scene file and go on with this one</source>
+        <translation>Eine andere Szenendatei schreiben und mit dieser weitermachen</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert to Saved…</source>
+        <translation>Zum &amp;Gespeicherten zurück …</translation>
+    </message>
+    <message>
+        <source>Read the scene file again; what was changed since is undone</source>
+        <translation>Die Szenendatei erneut lesen; was seitdem geändert wurde, ist zurückgenommen</translation>
+    </message>
+    <message>
+        <source>Recover &amp;Unsaved Work…</source>
+        <translation>Ungespeichertes &amp;wiederherstellen …</translation>
+    </message>
+    <message>
+        <source>What was kept when the program did not end as it should</source>
+        <translation>Was gesichert wurde, als das Programm nicht ordentlich endete</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Close the scene and go to the start page</source>
+        <translation>Die Szene schließen und zur Startseite gehen</translation>
+    </message>
+    <message>
+        <source>The selected structures in detail, everything else by what it is to them</source>
+        <translation>Die gewählten Strukturen in allen Einzelheiten, alles andere nach dem, was es für sie ist</translation>
+    </message>
+    <message>
+        <source>&amp;Help on This</source>
+        <translation>&amp;Hilfe hierzu</translation>
+    </message>
+    <message>
+        <source>The page about the panel that has the keyboard</source>
+        <translation>Die Seite zu dem Bedienfeld, das die Tastatur hat</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -645,6 +865,181 @@ OpenGL: %3</translation>
     <message>
         <source>Mouse</source>
         <translation>Maus</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FileActions</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Ohne Titel</translation>
+    </message>
+    <message>
+        <source>Saving %1…</source>
+        <translation>%1 wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>it is no longer there</source>
+        <translation>sie ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>Open it from where it is now</source>
+        <translation>Öffne sie dort, wo sie jetzt ist</translation>
+    </message>
+    <message>
+        <source>Save a Copy</source>
+        <translation>Kopie speichern</translation>
+    </message>
+    <message>
+        <source>Save As</source>
+        <translation>Speichern unter</translation>
+    </message>
+    <message>
+        <source>%1 (read-only)</source>
+        <translation>%1 (schreibgeschützt)</translation>
+    </message>
+    <message>
+        <source>%1[*] – Sline</source>
+        <translation>%1[*] – Sline</translation>
+    </message>
+    <message>
+        <source>Sline</source>
+        <translation>Sline</translation>
+    </message>
+    <message>
+        <source>%1 is open read-only</source>
+        <translation>%1 ist nur zum Lesen geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Clear List</source>
+        <translation>Liste &amp;leeren</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FocusContext</name>
+    <message>
+        <source>Focus</source>
+        <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>Focus from this view</source>
+        <translation>Fokus aus dieser Ansicht</translation>
+    </message>
+    <message>
+        <source>Focus all round</source>
+        <translation>Fokus ringsum</translation>
+    </message>
+    <message>
+        <source>nothing is left to focus on</source>
+        <translation>es bleibt nichts für den Fokus übrig</translation>
+    </message>
+    <message>
+        <source>Select something that no section takes away</source>
+        <translation>Wähle etwas, das kein Schnitt wegnimmt</translation>
+    </message>
+    <message>
+        <source>Role in the context</source>
+        <translation>Rolle im Kontext</translation>
+    </message>
+    <message>
+        <source>Hidden structures in the context</source>
+        <translation>Ausgeblendete Strukturen im Kontext</translation>
+    </message>
+    <message>
+        <source>Context %1 %</source>
+        <translation>Kontext %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FocusPanel</name>
+    <message>
+        <source>As you said</source>
+        <translation>Wie von dir bestimmt</translation>
+    </message>
+    <message>
+        <source>Focus on Selection</source>
+        <translation>Auswahl in den Fokus</translation>
+    </message>
+    <message>
+        <source>These in detail, everything else by what it is to them</source>
+        <translation>Diese in allen Einzelheiten, alles andere nach dem, was es für sie ist</translation>
+    </message>
+    <message>
+        <source>How much context</source>
+        <translation>Wie viel Kontext</translation>
+    </message>
+    <message>
+        <source>Focus alone</source>
+        <translation>Nur Fokus</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>All Round</source>
+        <translation>Ringsum</translation>
+    </message>
+    <message>
+        <source>Nothing hides the focus from whatever side it is seen</source>
+        <translation>Nichts verdeckt den Fokus, von welcher Seite man ihn auch sieht</translation>
+    </message>
+    <message>
+        <source>This View</source>
+        <translation>Diese Ansicht</translation>
+    </message>
+    <message>
+        <source>Nothing hides the focus as it is seen now; what lies behind it may be solid</source>
+        <translation>Nichts verdeckt den Fokus, wie man ihn jetzt sieht; was dahinter liegt, darf deckend sein</translation>
+    </message>
+    <message>
+        <source>What each structure is to the focus</source>
+        <translation>Was jede Struktur für den Fokus ist</translation>
+    </message>
+    <message>
+        <source>Treat as</source>
+        <translation>Behandeln als</translation>
+    </message>
+    <message>
+        <source>&amp;Treat as</source>
+        <translation>Be&amp;handeln als</translation>
+    </message>
+    <message>
+        <source>Nothing in focus</source>
+        <translation>Nichts im Fokus</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures in focus</source>
+        <translation>
+            <numerusform>%n Struktur im Fokus</numerusform>
+            <numerusform>%n Strukturen im Fokus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Looking at what surrounds it…</source>
+        <translation>Die Umgebung wird untersucht …</translation>
+    </message>
+    <message>
+        <source>Select a structure in the list or in the picture.</source>
+        <translation>Wähle eine Struktur in der Liste oder im Bild.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Also what was hidden</source>
+        <translation>Auch Ausgeblendetes</translation>
+    </message>
+    <message numerus="yes">
+        <source>Also %n hidden structures</source>
+        <translation>
+            <numerusform>Auch %n ausgeblendete Struktur</numerusform>
+            <numerusform>Auch %n ausgeblendete Strukturen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -750,6 +1145,43 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::HelpWindow</name>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Search in help</source>
+        <translation>In der Hilfe suchen</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vor</translation>
+    </message>
+    <message>
+        <source>Open in the Browser?</source>
+        <translation>Im Browser öffnen?</translation>
+    </message>
+    <message>
+        <source>This link leads out of the program, to
+%1</source>
+        <translation>Dieser Verweis führt aus dem Programm hinaus, zu
+%1</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::MainWindow</name>
     <message>
         <source>Structures: %1   Triangles: %2</source>
@@ -792,10 +1224,6 @@ OpenGL: %3</translation>
         <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
-        <source>Focus</source>
-        <translation>Fokus</translation>
-    </message>
-    <message>
         <source>Context</source>
         <translation>Kontext</translation>
     </message>
@@ -820,24 +1248,8 @@ OpenGL: %3</translation>
         <translation>Dreht um diese Stelle an %1</translation>
     </message>
     <message>
-        <source>Open Files</source>
-        <translation>Dateien öffnen</translation>
-    </message>
-    <message>
-        <source>Meshes and scenes (%1);;All files (*)</source>
-        <translation>Netze und Szenen (%1);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Open Folder</source>
-        <translation>Ordner öffnen</translation>
-    </message>
-    <message>
-        <source>Sline</source>
-        <translation>Sline</translation>
-    </message>
-    <message>
-        <source>%1 – Sline</source>
-        <translation>%1 – Sline</translation>
+        <source>Focus and Context</source>
+        <translation>Fokus und Kontext</translation>
     </message>
 </context>
 <context>
@@ -875,6 +1287,52 @@ OpenGL: %3</translation>
     <message>
         <source>%1:</source>
         <translation>%1:</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::RecoveryDialog</name>
+    <message>
+        <source>Recover Unsaved Work</source>
+        <translation>Ungespeichertes wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Später</translation>
+    </message>
+    <message>
+        <source>The program did not end as it should. It had kept:</source>
+        <translation>Das Programm endete nicht ordentlich. Es hatte gesichert:</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::RecoveryList</name>
+    <message>
+        <source>A damaged copy</source>
+        <translation>Eine beschädigte Kopie</translation>
+    </message>
+    <message>
+        <source>never saved</source>
+        <translation>nie gespeichert</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>Delete the unsaved work on “%1”?</source>
+        <translation>Ungespeicherte Arbeit an „%1“ löschen?</translation>
+    </message>
+    <message>
+        <source>It cannot be brought back.</source>
+        <translation>Sie lässt sich nicht zurückholen.</translation>
     </message>
 </context>
 <context>
@@ -934,6 +1392,57 @@ OpenGL: %3</translation>
     <message>
         <source>Open %1</source>
         <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>Close %1</source>
+        <translation>%1 schließen</translation>
+    </message>
+    <message>
+        <source>Revert to Saved</source>
+        <translation>Zum Gespeicherten zurück</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StartPage</name>
+    <message>
+        <source>Opened Last</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Demos, Modelled by the Program</source>
+        <translation>Demos, vom Programm modelliert</translation>
+    </message>
+    <message>
+        <source>Sline</source>
+        <translation>Sline</translation>
+    </message>
+    <message>
+        <source>Focus-and-context line drawings of anatomy</source>
+        <translation>Linienzeichnungen der Anatomie mit Fokus und Kontext</translation>
+    </message>
+    <message>
+        <source>Open Files…</source>
+        <translation>Dateien öffnen …</translation>
+    </message>
+    <message>
+        <source>Open Folder…</source>
+        <translation>Ordner öffnen …</translation>
+    </message>
+    <message>
+        <source>or drop files and folders into this window</source>
+        <translation>oder Dateien und Ordner in dieses Fenster ziehen</translation>
+    </message>
+    <message>
+        <source>The program did not end as it should. It had kept:</source>
+        <translation>Das Programm endete nicht ordentlich. Es hatte gesichert:</translation>
+    </message>
+    <message>
+        <source>no longer there</source>
+        <translation>nicht mehr da</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,23 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en">
 <context>
+    <name>sline::widgets::FocusPanel</name>
+    <message numerus="yes">
+        <source>%n structures in focus</source>
+        <translation>
+            <numerusform>%n structure in focus</numerusform>
+            <numerusform>%n structures in focus</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Also %n hidden structures</source>
+        <translation>
+            <numerusform>Also %n hidden structure</numerusform>
+            <numerusform>Also %n hidden structures</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::GammaPanel</name>
     <message numerus="yes">
         <source>%n items</source>

@@ -11,6 +11,10 @@
         <source>Meshes, label volumes, DICOM segmentations, molecules, folders of them, 3D Slicer scenes, scene files.</source>
         <translation>Nett, etikettvolumer, DICOM-segmenteringer, molekyler, mapper med slike, 3D Slicer-scener, scenefiler.</translation>
     </message>
+    <message>
+        <source>Opens a scene that the program models itself: %1.</source>
+        <translation>Åpner en scene som programmet selv modellerer: %1.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets</name>
@@ -183,10 +187,6 @@
         <translation>&amp;Åpne filer …</translation>
     </message>
     <message>
-        <source>Open mesh files or a 3D Slicer scene</source>
-        <translation>Åpne nettfiler eller en 3D Slicer-scene</translation>
-    </message>
-    <message>
         <source>Open &amp;Folder…</source>
         <translation>Åpne &amp;mappe …</translation>
     </message>
@@ -253,10 +253,6 @@
     <message>
         <source>Ctrl+E</source>
         <translation>Ctrl+E</translation>
-    </message>
-    <message>
-        <source>The selected structures in detail, everything else as contours</source>
-        <translation>De valgte strukturene i detalj, alt annet som konturer</translation>
     </message>
     <message>
         <source>&amp;Context</source>
@@ -602,6 +598,230 @@
         <source>Norwegian</source>
         <translation>Norsk</translation>
     </message>
+    <message>
+        <source>hides up to %1 % of it</source>
+        <translation>dekker inntil %1 % av det</translation>
+    </message>
+    <message>
+        <source>%1 mm away</source>
+        <translation>%1 mm unna</translation>
+    </message>
+    <message>
+        <source>Chosen</source>
+        <translation>Valgt</translation>
+    </message>
+    <message>
+        <source>Thin and long, comes to it</source>
+        <translation>Tynn og lang, fører dit</translation>
+    </message>
+    <message>
+        <source>Where %1 comes from</source>
+        <translation>Der %1 kommer fra</translation>
+    </message>
+    <message>
+        <source>Lies against it</source>
+        <translation>Ligger inntil</translation>
+    </message>
+    <message>
+        <source>Lies outside, %1</source>
+        <translation>Ligger utenfor, %1</translation>
+    </message>
+    <message>
+        <source>In focus</source>
+        <translation>I fokus</translation>
+    </message>
+    <message>
+        <source>Vessel or duct</source>
+        <translation>Kar eller gang</translation>
+    </message>
+    <message>
+        <source>Vessels and ducts</source>
+        <translation>Kar og ganger</translation>
+    </message>
+    <message>
+        <source>Neighbour</source>
+        <translation>Nabo</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Naboer</translation>
+    </message>
+    <message>
+        <source>Shell</source>
+        <translation>Skall</translation>
+    </message>
+    <message>
+        <source>Shells around it</source>
+        <translation>Skall rundt</translation>
+    </message>
+    <message>
+        <source>Backdrop</source>
+        <translation>Bakgrunn</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Filer</translation>
+    </message>
+    <message>
+        <source>Keep unsaved work after</source>
+        <translation>Ta vare på ulagret arbeid etter</translation>
+    </message>
+    <message>
+        <source>How long after a change a copy is kept, which is offered after a crash</source>
+        <translation>Hvor lenge etter en endring en kopi lagres, som tilbys etter en krasj</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Never</source>
+        <translation>Aldri</translation>
+    </message>
+    <message>
+        <source>Its rights do not let it be written to</source>
+        <translation>Rettighetene tillater ikke skriving</translation>
+    </message>
+    <message>
+        <source>A newer version of the program has written it; what is unknown here is not shown</source>
+        <translation>En nyere versjon av programmet har skrevet den; det som er ukjent her, vises ikke</translation>
+    </message>
+    <message>
+        <source>It was saved after this copy was made</source>
+        <translation>Den ble lagret etter at denne kopien ble laget</translation>
+    </message>
+    <message>
+        <source>Another program has changed it since</source>
+        <translation>Et annet program har endret den siden</translation>
+    </message>
+    <message>
+        <source>“%1” is there already. Replace it?</source>
+        <translation>«%1» finnes fra før. Vil du erstatte den?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Erstatt</translation>
+    </message>
+    <message>
+        <source>Open Files</source>
+        <translation>Åpne filer</translation>
+    </message>
+    <message>
+        <source>Meshes and scenes (%1);;All files (*)</source>
+        <translation>Nett og scener (%1);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Open Folder</source>
+        <translation>Åpne mappe</translation>
+    </message>
+    <message>
+        <source>Sline scenes (*.sline)</source>
+        <translation>Sline-scener (*.sline)</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>Vil du lagre endringene i «%1»?</translation>
+    </message>
+    <message>
+        <source>Changes that are not saved will be lost.</source>
+        <translation>Endringer som ikke lagres, går tapt.</translation>
+    </message>
+    <message>
+        <source>Go back to “%1” as it was saved last?</source>
+        <translation>Vil du gå tilbake til «%1» slik den sist ble lagret?</translation>
+    </message>
+    <message>
+        <source>Undo brings back what was changed since.</source>
+        <translation>Angre henter tilbake det som er endret siden.</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Tilbakestill</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>Sist &amp;brukte</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Ny</translation>
+    </message>
+    <message>
+        <source>A scene without anything in it</source>
+        <translation>En scene uten noe i</translation>
+    </message>
+    <message>
+        <source>Open scenes, meshes, label volumes and other files</source>
+        <translation>Åpne scener, nett, etikettvolumer og andre filer</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Lagre</translation>
+    </message>
+    <message>
+        <source>Write the scene file</source>
+        <translation>Skriv scenefilen</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Lagre &amp;som …</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>Write another scene file and go on with that</source>
+        <translation>Skriv en annen scenefil og fortsett med den</translation>
+    </message>
+    <message>
+        <source>Save a Cop&amp;y…</source>
+        <translation>Lagre en k&amp;opi …</translation>
+    </message>
+    <message>
+        <source>Write another scene file and go on with this one</source>
+        <translation>Skriv en annen scenefil og fortsett med denne</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert to Saved…</source>
+        <translation>&amp;Tilbake til lagret …</translation>
+    </message>
+    <message>
+        <source>Read the scene file again; what was changed since is undone</source>
+        <translation>Les scenefilen på nytt; det som er endret siden, er borte</translation>
+    </message>
+    <message>
+        <source>Recover &amp;Unsaved Work…</source>
+        <translation>Gjenopprett &amp;ulagret arbeid …</translation>
+    </message>
+    <message>
+        <source>What was kept when the program did not end as it should</source>
+        <translation>Det som ble tatt vare på da programmet ikke avsluttet som det skulle</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>Lu&amp;kk</translation>
+    </message>
+    <message>
+        <source>Close the scene and go to the start page</source>
+        <translation>Lukk scenen og gå til startsiden</translation>
+    </message>
+    <message>
+        <source>The selected structures in detail, everything else by what it is to them</source>
+        <translation>De valgte strukturene i detalj, alt annet etter hva det er for dem</translation>
+    </message>
+    <message>
+        <source>&amp;Help on This</source>
+        <translation>&amp;Hjelp om dette</translation>
+    </message>
+    <message>
+        <source>The page about the panel that has the keyboard</source>
+        <translation>Siden om panelet som har tastaturet</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -645,6 +865,181 @@ OpenGL: %3</translation>
     <message>
         <source>Mouse</source>
         <translation>Mus</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FileActions</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Uten navn</translation>
+    </message>
+    <message>
+        <source>Saving %1…</source>
+        <translation>Lagrer %1 …</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 er lagret</translation>
+    </message>
+    <message>
+        <source>it is no longer there</source>
+        <translation>den er ikke der lenger</translation>
+    </message>
+    <message>
+        <source>Open it from where it is now</source>
+        <translation>Åpne den der den er nå</translation>
+    </message>
+    <message>
+        <source>Save a Copy</source>
+        <translation>Lagre en kopi</translation>
+    </message>
+    <message>
+        <source>Save As</source>
+        <translation>Lagre som</translation>
+    </message>
+    <message>
+        <source>%1 (read-only)</source>
+        <translation>%1 (skrivebeskyttet)</translation>
+    </message>
+    <message>
+        <source>%1[*] – Sline</source>
+        <translation>%1[*] – Sline</translation>
+    </message>
+    <message>
+        <source>Sline</source>
+        <translation>Sline</translation>
+    </message>
+    <message>
+        <source>%1 is open read-only</source>
+        <translation>%1 er åpnet skrivebeskyttet</translation>
+    </message>
+    <message>
+        <source>&amp;Clear List</source>
+        <translation>&amp;Tøm listen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FocusContext</name>
+    <message>
+        <source>Focus</source>
+        <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>Focus from this view</source>
+        <translation>Fokus fra denne visningen</translation>
+    </message>
+    <message>
+        <source>Focus all round</source>
+        <translation>Fokus rundt hele</translation>
+    </message>
+    <message>
+        <source>nothing is left to focus on</source>
+        <translation>det er ingenting igjen å fokusere på</translation>
+    </message>
+    <message>
+        <source>Select something that no section takes away</source>
+        <translation>Velg noe som ikke tas bort av et snitt</translation>
+    </message>
+    <message>
+        <source>Role in the context</source>
+        <translation>Rolle i konteksten</translation>
+    </message>
+    <message>
+        <source>Hidden structures in the context</source>
+        <translation>Skjulte strukturer i konteksten</translation>
+    </message>
+    <message>
+        <source>Context %1 %</source>
+        <translation>Kontekst %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FocusPanel</name>
+    <message>
+        <source>As you said</source>
+        <translation>Som du sa</translation>
+    </message>
+    <message>
+        <source>Focus on Selection</source>
+        <translation>Fokus på utvalget</translation>
+    </message>
+    <message>
+        <source>These in detail, everything else by what it is to them</source>
+        <translation>Disse i detalj, alt annet etter hva det er for dem</translation>
+    </message>
+    <message>
+        <source>How much context</source>
+        <translation>Hvor mye kontekst</translation>
+    </message>
+    <message>
+        <source>Focus alone</source>
+        <translation>Bare fokus</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>All Round</source>
+        <translation>Rundt hele</translation>
+    </message>
+    <message>
+        <source>Nothing hides the focus from whatever side it is seen</source>
+        <translation>Ingenting dekker fokus, uansett hvilken side den ses fra</translation>
+    </message>
+    <message>
+        <source>This View</source>
+        <translation>Denne visningen</translation>
+    </message>
+    <message>
+        <source>Nothing hides the focus as it is seen now; what lies behind it may be solid</source>
+        <translation>Ingenting dekker fokus slik den ses nå; det som ligger bak, kan være dekkende</translation>
+    </message>
+    <message>
+        <source>What each structure is to the focus</source>
+        <translation>Hva hver struktur er for fokus</translation>
+    </message>
+    <message>
+        <source>Treat as</source>
+        <translation>Behandle som</translation>
+    </message>
+    <message>
+        <source>&amp;Treat as</source>
+        <translation>&amp;Behandle som</translation>
+    </message>
+    <message>
+        <source>Nothing in focus</source>
+        <translation>Ingenting i fokus</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures in focus</source>
+        <translation>
+            <numerusform>%n struktur i fokus</numerusform>
+            <numerusform>%n strukturer i fokus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Looking at what surrounds it…</source>
+        <translation>Ser på det som er rundt …</translation>
+    </message>
+    <message>
+        <source>Select a structure in the list or in the picture.</source>
+        <translation>Velg en struktur i listen eller i bildet.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Also what was hidden</source>
+        <translation>Også det som var skjult</translation>
+    </message>
+    <message numerus="yes">
+        <source>Also %n hidden structures</source>
+        <translation>
+            <numerusform>Også %n skjult struktur</numerusform>
+            <numerusform>Også %n skjulte strukturer</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -750,6 +1145,43 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::HelpWindow</name>
+    <message>
+        <source>Help</source>
+        <translation>Hjelp</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Side</translation>
+    </message>
+    <message>
+        <source>Search in help</source>
+        <translation>Søk i hjelpen</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Innhold</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Tilbake</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Fram</translation>
+    </message>
+    <message>
+        <source>Open in the Browser?</source>
+        <translation>Åpne i nettleseren?</translation>
+    </message>
+    <message>
+        <source>This link leads out of the program, to
+%1</source>
+        <translation>Denne lenken fører ut av programmet, til
+%1</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::MainWindow</name>
     <message>
         <source>Structures: %1   Triangles: %2</source>
@@ -792,10 +1224,6 @@ OpenGL: %3</translation>
         <translation>&amp;Gjør om</translation>
     </message>
     <message>
-        <source>Focus</source>
-        <translation>Fokus</translation>
-    </message>
-    <message>
         <source>Context</source>
         <translation>Kontekst</translation>
     </message>
@@ -820,24 +1248,8 @@ OpenGL: %3</translation>
         <translation>Dreier rundt dette stedet på %1</translation>
     </message>
     <message>
-        <source>Open Files</source>
-        <translation>Åpne filer</translation>
-    </message>
-    <message>
-        <source>Meshes and scenes (%1);;All files (*)</source>
-        <translation>Nett og scener (%1);;Alle filer (*)</translation>
-    </message>
-    <message>
-        <source>Open Folder</source>
-        <translation>Åpne mappe</translation>
-    </message>
-    <message>
-        <source>Sline</source>
-        <translation>Sline</translation>
-    </message>
-    <message>
-        <source>%1 – Sline</source>
-        <translation>%1 – Sline</translation>
+        <source>Focus and Context</source>
+        <translation>Fokus og kontekst</translation>
     </message>
 </context>
 <context>
@@ -875,6 +1287,52 @@ OpenGL: %3</translation>
     <message>
         <source>%1:</source>
         <translation>%1:</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::RecoveryDialog</name>
+    <message>
+        <source>Recover Unsaved Work</source>
+        <translation>Gjenopprett ulagret arbeid</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Senere</translation>
+    </message>
+    <message>
+        <source>The program did not end as it should. It had kept:</source>
+        <translation>Programmet avsluttet ikke som det skulle. Det hadde tatt vare på:</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::RecoveryList</name>
+    <message>
+        <source>A damaged copy</source>
+        <translation>En skadet kopi</translation>
+    </message>
+    <message>
+        <source>never saved</source>
+        <translation>aldri lagret</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Gjenopprett</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>Delete the unsaved work on “%1”?</source>
+        <translation>Vil du slette det ulagrede arbeidet med «%1»?</translation>
+    </message>
+    <message>
+        <source>It cannot be brought back.</source>
+        <translation>Det kan ikke hentes tilbake.</translation>
     </message>
 </context>
 <context>
@@ -934,6 +1392,57 @@ OpenGL: %3</translation>
     <message>
         <source>Open %1</source>
         <translation>Åpne %1</translation>
+    </message>
+    <message>
+        <source>Close %1</source>
+        <translation>Lukk %1</translation>
+    </message>
+    <message>
+        <source>Revert to Saved</source>
+        <translation>Tilbake til lagret</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StartPage</name>
+    <message>
+        <source>Opened Last</source>
+        <translation>Sist åpnet</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Demos, Modelled by the Program</source>
+        <translation>Demoer, modellert av programmet</translation>
+    </message>
+    <message>
+        <source>Sline</source>
+        <translation>Sline</translation>
+    </message>
+    <message>
+        <source>Focus-and-context line drawings of anatomy</source>
+        <translation>Strektegninger av anatomi med fokus og kontekst</translation>
+    </message>
+    <message>
+        <source>Open Files…</source>
+        <translation>Åpne filer …</translation>
+    </message>
+    <message>
+        <source>Open Folder…</source>
+        <translation>Åpne mappe …</translation>
+    </message>
+    <message>
+        <source>or drop files and folders into this window</source>
+        <translation>eller slipp filer og mapper i dette vinduet</translation>
+    </message>
+    <message>
+        <source>The program did not end as it should. It had kept:</source>
+        <translation>Programmet avsluttet ikke som det skulle. Det hadde tatt vare på:</translation>
+    </message>
+    <message>
+        <source>no longer there</source>
+        <translation>ikke der lenger</translation>
     </message>
 </context>
 <context>

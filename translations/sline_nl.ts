@@ -11,6 +11,10 @@
         <source>Meshes, label volumes, DICOM segmentations, molecules, folders of them, 3D Slicer scenes, scene files.</source>
         <translation>Meshes, labelvolumes, DICOM-segmentaties, moleculen, mappen daarvan, 3D Slicer-scènes, scènebestanden.</translation>
     </message>
+    <message>
+        <source>Opens a scene that the program models itself: %1.</source>
+        <translation>Opent een scène die het programma zelf modelleert: %1.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets</name>
@@ -183,10 +187,6 @@
         <translation>Bestanden &amp;openen…</translation>
     </message>
     <message>
-        <source>Open mesh files or a 3D Slicer scene</source>
-        <translation>Meshbestanden of een 3D Slicer-scène openen</translation>
-    </message>
-    <message>
         <source>Open &amp;Folder…</source>
         <translation>&amp;Map openen…</translation>
     </message>
@@ -253,10 +253,6 @@
     <message>
         <source>Ctrl+E</source>
         <translation>Ctrl+E</translation>
-    </message>
-    <message>
-        <source>The selected structures in detail, everything else as contours</source>
-        <translation>De gekozen structuren in detail, al het andere als contouren</translation>
     </message>
     <message>
         <source>&amp;Context</source>
@@ -602,6 +598,230 @@
         <source>Norwegian</source>
         <translation>Noors</translation>
     </message>
+    <message>
+        <source>hides up to %1 % of it</source>
+        <translation>bedekt tot %1 % ervan</translation>
+    </message>
+    <message>
+        <source>%1 mm away</source>
+        <translation>%1 mm ervandaan</translation>
+    </message>
+    <message>
+        <source>Chosen</source>
+        <translation>Gekozen</translation>
+    </message>
+    <message>
+        <source>Thin and long, comes to it</source>
+        <translation>Dun en lang, komt erbij</translation>
+    </message>
+    <message>
+        <source>Where %1 comes from</source>
+        <translation>Waar %1 vandaan komt</translation>
+    </message>
+    <message>
+        <source>Lies against it</source>
+        <translation>Ligt ertegenaan</translation>
+    </message>
+    <message>
+        <source>Lies outside, %1</source>
+        <translation>Ligt erbuiten, %1</translation>
+    </message>
+    <message>
+        <source>In focus</source>
+        <translation>In focus</translation>
+    </message>
+    <message>
+        <source>Vessel or duct</source>
+        <translation>Vat of gang</translation>
+    </message>
+    <message>
+        <source>Vessels and ducts</source>
+        <translation>Vaten en gangen</translation>
+    </message>
+    <message>
+        <source>Neighbour</source>
+        <translation>Buur</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Buren</translation>
+    </message>
+    <message>
+        <source>Shell</source>
+        <translation>Omhulsel</translation>
+    </message>
+    <message>
+        <source>Shells around it</source>
+        <translation>Omhulsels eromheen</translation>
+    </message>
+    <message>
+        <source>Backdrop</source>
+        <translation>Achtergrond</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Keep unsaved work after</source>
+        <translation>Niet-opgeslagen werk bewaren na</translation>
+    </message>
+    <message>
+        <source>How long after a change a copy is kept, which is offered after a crash</source>
+        <translation>Hoelang na een wijziging een kopie wordt bewaard, die na een crash wordt aangeboden</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Never</source>
+        <translation>Nooit</translation>
+    </message>
+    <message>
+        <source>Its rights do not let it be written to</source>
+        <translation>De rechten staan schrijven niet toe</translation>
+    </message>
+    <message>
+        <source>A newer version of the program has written it; what is unknown here is not shown</source>
+        <translation>Een nieuwere versie van het programma heeft het geschreven; wat hier onbekend is, wordt niet getoond</translation>
+    </message>
+    <message>
+        <source>It was saved after this copy was made</source>
+        <translation>Het is opgeslagen nadat deze kopie gemaakt is</translation>
+    </message>
+    <message>
+        <source>Another program has changed it since</source>
+        <translation>Een ander programma heeft het sindsdien gewijzigd</translation>
+    </message>
+    <message>
+        <source>“%1” is there already. Replace it?</source>
+        <translation>‘%1’ bestaat al. Vervangen?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Vervangen</translation>
+    </message>
+    <message>
+        <source>Open Files</source>
+        <translation>Bestanden openen</translation>
+    </message>
+    <message>
+        <source>Meshes and scenes (%1);;All files (*)</source>
+        <translation>Meshes en scènes (%1);;Alle bestanden (*)</translation>
+    </message>
+    <message>
+        <source>Open Folder</source>
+        <translation>Map openen</translation>
+    </message>
+    <message>
+        <source>Sline scenes (*.sline)</source>
+        <translation>Sline-scènes (*.sline)</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>Wijzigingen in ‘%1’ opslaan?</translation>
+    </message>
+    <message>
+        <source>Changes that are not saved will be lost.</source>
+        <translation>Niet-opgeslagen wijzigingen gaan verloren.</translation>
+    </message>
+    <message>
+        <source>Go back to “%1” as it was saved last?</source>
+        <translation>Terug naar ‘%1’ zoals het laatst is opgeslagen?</translation>
+    </message>
+    <message>
+        <source>Undo brings back what was changed since.</source>
+        <translation>Ongedaan maken brengt terug wat sindsdien is gewijzigd.</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Terugzetten</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>Onlangs ge&amp;opend</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Nieuw</translation>
+    </message>
+    <message>
+        <source>A scene without anything in it</source>
+        <translation>Een scène zonder iets erin</translation>
+    </message>
+    <message>
+        <source>Open scenes, meshes, label volumes and other files</source>
+        <translation>Scènes, meshes, labelvolumes en andere bestanden openen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>Op&amp;slaan</translation>
+    </message>
+    <message>
+        <source>Write the scene file</source>
+        <translation>Het scènebestand schrijven</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Opslaan &amp;als…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>Write another scene file and go on with that</source>
+        <translation>Een ander scènebestand schrijven en daarmee verdergaan</translation>
+    </message>
+    <message>
+        <source>Save a Cop&amp;y…</source>
+        <translation>&amp;Kopie opslaan…</translation>
+    </message>
+    <message>
+        <source>Write another scene file and go on with this one</source>
+        <translation>Een ander scènebestand schrijven en met dit verdergaan</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert to Saved…</source>
+        <translation>&amp;Terug naar opgeslagen…</translation>
+    </message>
+    <message>
+        <source>Read the scene file again; what was changed since is undone</source>
+        <translation>Het scènebestand opnieuw lezen; wat sindsdien is gewijzigd, vervalt</translation>
+    </message>
+    <message>
+        <source>Recover &amp;Unsaved Work…</source>
+        <translation>Niet-opgeslagen &amp;werk herstellen…</translation>
+    </message>
+    <message>
+        <source>What was kept when the program did not end as it should</source>
+        <translation>Wat bewaard is toen het programma niet goed eindigde</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>Sl&amp;uiten</translation>
+    </message>
+    <message>
+        <source>Close the scene and go to the start page</source>
+        <translation>De scène sluiten en naar de startpagina gaan</translation>
+    </message>
+    <message>
+        <source>The selected structures in detail, everything else by what it is to them</source>
+        <translation>De gekozen structuren in detail, al het andere naar wat het voor ze is</translation>
+    </message>
+    <message>
+        <source>&amp;Help on This</source>
+        <translation>&amp;Hulp hierbij</translation>
+    </message>
+    <message>
+        <source>The page about the panel that has the keyboard</source>
+        <translation>De pagina over het paneel dat het toetsenbord heeft</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -645,6 +865,181 @@ OpenGL: %3</translation>
     <message>
         <source>Mouse</source>
         <translation>Muis</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FileActions</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Naamloos</translation>
+    </message>
+    <message>
+        <source>Saving %1…</source>
+        <translation>%1 opslaan…</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 opgeslagen</translation>
+    </message>
+    <message>
+        <source>it is no longer there</source>
+        <translation>het is er niet meer</translation>
+    </message>
+    <message>
+        <source>Open it from where it is now</source>
+        <translation>Open het waar het nu is</translation>
+    </message>
+    <message>
+        <source>Save a Copy</source>
+        <translation>Kopie opslaan</translation>
+    </message>
+    <message>
+        <source>Save As</source>
+        <translation>Opslaan als</translation>
+    </message>
+    <message>
+        <source>%1 (read-only)</source>
+        <translation>%1 (alleen-lezen)</translation>
+    </message>
+    <message>
+        <source>%1[*] – Sline</source>
+        <translation>%1[*] – Sline</translation>
+    </message>
+    <message>
+        <source>Sline</source>
+        <translation>Sline</translation>
+    </message>
+    <message>
+        <source>%1 is open read-only</source>
+        <translation>%1 is alleen-lezen geopend</translation>
+    </message>
+    <message>
+        <source>&amp;Clear List</source>
+        <translation>Lijst &amp;wissen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FocusContext</name>
+    <message>
+        <source>Focus</source>
+        <translation>Focus</translation>
+    </message>
+    <message>
+        <source>Focus from this view</source>
+        <translation>Focus vanuit dit aanzicht</translation>
+    </message>
+    <message>
+        <source>Focus all round</source>
+        <translation>Focus rondom</translation>
+    </message>
+    <message>
+        <source>nothing is left to focus on</source>
+        <translation>er blijft niets over voor de focus</translation>
+    </message>
+    <message>
+        <source>Select something that no section takes away</source>
+        <translation>Kies iets wat geen doorsnede weghaalt</translation>
+    </message>
+    <message>
+        <source>Role in the context</source>
+        <translation>Rol in de context</translation>
+    </message>
+    <message>
+        <source>Hidden structures in the context</source>
+        <translation>Verborgen structuren in de context</translation>
+    </message>
+    <message>
+        <source>Context %1 %</source>
+        <translation>Context %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FocusPanel</name>
+    <message>
+        <source>As you said</source>
+        <translation>Zoals je zei</translation>
+    </message>
+    <message>
+        <source>Focus on Selection</source>
+        <translation>Focus op selectie</translation>
+    </message>
+    <message>
+        <source>These in detail, everything else by what it is to them</source>
+        <translation>Deze in detail, al het andere naar wat het voor ze is</translation>
+    </message>
+    <message>
+        <source>How much context</source>
+        <translation>Hoeveel context</translation>
+    </message>
+    <message>
+        <source>Focus alone</source>
+        <translation>Alleen focus</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>All Round</source>
+        <translation>Rondom</translation>
+    </message>
+    <message>
+        <source>Nothing hides the focus from whatever side it is seen</source>
+        <translation>Niets bedekt de focus, van welke kant ook gezien</translation>
+    </message>
+    <message>
+        <source>This View</source>
+        <translation>Dit aanzicht</translation>
+    </message>
+    <message>
+        <source>Nothing hides the focus as it is seen now; what lies behind it may be solid</source>
+        <translation>Niets bedekt de focus zoals die nu gezien wordt; wat erachter ligt mag dekkend zijn</translation>
+    </message>
+    <message>
+        <source>What each structure is to the focus</source>
+        <translation>Wat elke structuur voor de focus is</translation>
+    </message>
+    <message>
+        <source>Treat as</source>
+        <translation>Behandelen als</translation>
+    </message>
+    <message>
+        <source>&amp;Treat as</source>
+        <translation>&amp;Behandelen als</translation>
+    </message>
+    <message>
+        <source>Nothing in focus</source>
+        <translation>Niets in focus</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures in focus</source>
+        <translation>
+            <numerusform>%n structuur in focus</numerusform>
+            <numerusform>%n structuren in focus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Looking at what surrounds it…</source>
+        <translation>De omgeving wordt bekeken…</translation>
+    </message>
+    <message>
+        <source>Select a structure in the list or in the picture.</source>
+        <translation>Kies een structuur in de lijst of in het beeld.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Also what was hidden</source>
+        <translation>Ook wat verborgen was</translation>
+    </message>
+    <message numerus="yes">
+        <source>Also %n hidden structures</source>
+        <translation>
+            <numerusform>Ook %n verborgen structuur</numerusform>
+            <numerusform>Ook %n verborgen structuren</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -750,6 +1145,43 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::HelpWindow</name>
+    <message>
+        <source>Help</source>
+        <translation>Help</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Pagina</translation>
+    </message>
+    <message>
+        <source>Search in help</source>
+        <translation>Zoeken in de help</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhoud</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Terug</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vooruit</translation>
+    </message>
+    <message>
+        <source>Open in the Browser?</source>
+        <translation>Openen in de browser?</translation>
+    </message>
+    <message>
+        <source>This link leads out of the program, to
+%1</source>
+        <translation>Deze koppeling leidt buiten het programma, naar
+%1</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::MainWindow</name>
     <message>
         <source>Structures: %1   Triangles: %2</source>
@@ -792,10 +1224,6 @@ OpenGL: %3</translation>
         <translation>Opn&amp;ieuw</translation>
     </message>
     <message>
-        <source>Focus</source>
-        <translation>Focus</translation>
-    </message>
-    <message>
         <source>Context</source>
         <translation>Context</translation>
     </message>
@@ -820,24 +1248,8 @@ OpenGL: %3</translation>
         <translation>Draait om deze plek op %1</translation>
     </message>
     <message>
-        <source>Open Files</source>
-        <translation>Bestanden openen</translation>
-    </message>
-    <message>
-        <source>Meshes and scenes (%1);;All files (*)</source>
-        <translation>Meshes en scènes (%1);;Alle bestanden (*)</translation>
-    </message>
-    <message>
-        <source>Open Folder</source>
-        <translation>Map openen</translation>
-    </message>
-    <message>
-        <source>Sline</source>
-        <translation>Sline</translation>
-    </message>
-    <message>
-        <source>%1 – Sline</source>
-        <translation>%1 – Sline</translation>
+        <source>Focus and Context</source>
+        <translation>Focus en context</translation>
     </message>
 </context>
 <context>
@@ -875,6 +1287,52 @@ OpenGL: %3</translation>
     <message>
         <source>%1:</source>
         <translation>%1:</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::RecoveryDialog</name>
+    <message>
+        <source>Recover Unsaved Work</source>
+        <translation>Niet-opgeslagen werk herstellen</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Later</translation>
+    </message>
+    <message>
+        <source>The program did not end as it should. It had kept:</source>
+        <translation>Het programma is niet goed geëindigd. Het had bewaard:</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::RecoveryList</name>
+    <message>
+        <source>A damaged copy</source>
+        <translation>Een beschadigde kopie</translation>
+    </message>
+    <message>
+        <source>never saved</source>
+        <translation>nooit opgeslagen</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Herstellen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>Delete the unsaved work on “%1”?</source>
+        <translation>Niet-opgeslagen werk aan ‘%1’ verwijderen?</translation>
+    </message>
+    <message>
+        <source>It cannot be brought back.</source>
+        <translation>Het kan niet worden teruggehaald.</translation>
     </message>
 </context>
 <context>
@@ -934,6 +1392,57 @@ OpenGL: %3</translation>
     <message>
         <source>Open %1</source>
         <translation>%1 openen</translation>
+    </message>
+    <message>
+        <source>Close %1</source>
+        <translation>%1 sluiten</translation>
+    </message>
+    <message>
+        <source>Revert to Saved</source>
+        <translation>Terug naar opgeslagen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StartPage</name>
+    <message>
+        <source>Opened Last</source>
+        <translation>Laatst geopend</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Demos, Modelled by the Program</source>
+        <translation>Demo’s, door het programma gemodelleerd</translation>
+    </message>
+    <message>
+        <source>Sline</source>
+        <translation>Sline</translation>
+    </message>
+    <message>
+        <source>Focus-and-context line drawings of anatomy</source>
+        <translation>Lijntekeningen van anatomie met focus en context</translation>
+    </message>
+    <message>
+        <source>Open Files…</source>
+        <translation>Bestanden openen…</translation>
+    </message>
+    <message>
+        <source>Open Folder…</source>
+        <translation>Map openen…</translation>
+    </message>
+    <message>
+        <source>or drop files and folders into this window</source>
+        <translation>of sleep bestanden en mappen naar dit venster</translation>
+    </message>
+    <message>
+        <source>The program did not end as it should. It had kept:</source>
+        <translation>Het programma is niet goed geëindigd. Het had bewaard:</translation>
+    </message>
+    <message>
+        <source>no longer there</source>
+        <translation>niet meer aanwezig</translation>
     </message>
 </context>
 <context>
