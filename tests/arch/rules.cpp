@@ -38,6 +38,7 @@ struct Room {
 const std::vector<Room>& rooms() {
   static const std::vector<Room> table{
       {"model/base", {}},
+      {"model/anatomy", {"model/base"}},
       {"model/geometry", {"model/base"}},
       {"model/scene", {"model/base", "model/geometry"}},
       {"model/edit", {"model/base", "model/geometry", "model/scene"}},
@@ -46,7 +47,8 @@ const std::vector<Room>& rooms() {
       {"model/demo",
        {"model/base", "model/files", "model/geometry", "model/isosurface", "model/scene"}},
       {"model/import",
-       {"model/base", "model/files", "model/geometry", "model/isosurface", "model/scene"}},
+       {"model/anatomy", "model/base", "model/files", "model/geometry", "model/isosurface",
+        "model/scene"}},
       {"model/files", {"model/base", "model/geometry", "model/scene"}},
       {"render/lines", {"model/base", "model/geometry", "model/scene"}},
       {"render/gpu", {"model/base"}},
@@ -60,6 +62,8 @@ const std::vector<Room>& rooms() {
       {"render", {"model", "render"}},
       {"widgets/preferences", {}},
       {"widgets/theme", {"widgets/preferences"}},
+      {"widgets/help", {}},
+      {"widgets/language", {"model/anatomy", "widgets/preferences"}},
       {"widgets/session", {"model"}},
       {"widgets/start", {"model", "render", "widgets/session", "widgets/theme"}},
       {"widgets/focus", {"model", "widgets/session"}},

@@ -125,6 +125,8 @@ void Viewport::changeEvent(QEvent* event) {
   QOpenGLWidget::changeEvent(event);
   if (event->type() == QEvent::FontChange)
     placeLetters();
+  if (event->type() == QEvent::LanguageChange)
+    setAccessibleName(tr("Picture"));
 }
 
 void Viewport::refresh() {
@@ -336,7 +338,7 @@ void Viewport::picked(const std::optional<Pick>& pick, PickFor purpose) {
     if (!node)
       return;
     m_pivot = pick->position;
-    emit pivotChosen(QString::fromStdString(node->name));
+    emit pivotChosen(m_session.names().shown(node->name));
     return;
   }
   NodeIds ids;

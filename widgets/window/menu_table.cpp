@@ -16,7 +16,7 @@ namespace sline::widgets {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("WindowMenus", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 
 std::vector<QString> ids(std::initializer_list<const char*> words) {
@@ -51,7 +51,7 @@ std::vector<MenuRow> menuRows() {
                "sectionOff"})),
       row("backgroundMenu", tr("&Background"), {}),
       row("panelMenu", tr("Pa&nels"), {}),
-      row("helpMenu", tr("&Help"), ids({"controls", "", "about"})),
+      row("helpMenu", tr("&Help"), ids({"help", "controls", "", "about"})),
   };
 }
 

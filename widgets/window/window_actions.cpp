@@ -12,7 +12,7 @@ namespace sline::widgets {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("WindowActions", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 
 QList<QKeySequence> key(const QKeySequence& keys) {
@@ -101,6 +101,8 @@ std::vector<ActionRow> viewRows() {
        tr("Take all sections away")},
       {QStringLiteral("keyLight"), tr("&Key Light"), key(tr("K")),
        tr("Light from the upper left on what is shaded"), "key_light"},
+      {QStringLiteral("help"), tr("&Help on This"), key(QKeySequence(Qt::Key_F1)),
+       tr("The page about the panel that has the keyboard")},
       {QStringLiteral("controls"), tr("&Mouse and Keys"), key(tr("H")),
        tr("What the mouse and the keys do")},
       {QStringLiteral("about"), tr("&About Sline"), {}, tr("What this program is")}};
@@ -116,6 +118,13 @@ std::vector<ActionRow> actionRows() {
 }
 
 WindowActions::WindowActions(QWidget& window) {
+  remake(window);
+}
+
+void WindowActions::remake(QWidget& window) {
+  for (const auto& [id, action] : m_actions)
+    delete action;
+  m_actions.clear();
   for (const ActionRow& row : actionRows()) {
     auto* action = new QAction(row.text, &window);
     action->setObjectName(row.id);
