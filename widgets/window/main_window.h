@@ -23,6 +23,7 @@ namespace sline::widgets {
 class GammaPanel;
 class MessageBar;
 class SectionActions;
+class StructureActions;
 class StructureTree;
 class ViewActions;
 class Viewport;
@@ -58,8 +59,6 @@ class MainWindow : public QMainWindow {
   void chooseFiles();
   void chooseFolder();
   void openPaths(const QStringList& paths);
-  void editSelection(const QString& name,
-                     model::Edited (*edit)(const model::Scene&, std::span<const model::NodeId>));
   void documentChange(const Document& before, const Document& now);
   void updateActions();
   void jobShown(bool running);
@@ -74,6 +73,7 @@ class MainWindow : public QMainWindow {
   StructureTree* m_tree = nullptr;
   GammaPanel* m_gamma = nullptr;
   SectionActions* m_sections = nullptr;
+  StructureActions* m_structures = nullptr;
   ViewActions* m_views = nullptr;
   QLabel* m_summary = nullptr;
   QLabel* m_job = nullptr;
