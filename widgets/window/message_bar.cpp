@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/window/message_bar.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -27,7 +28,11 @@ QString sentence(std::string text) {
 }  // namespace
 
 MessageBar::MessageBar(QWidget* parent)
-    : QFrame(parent), m_text(new QLabel), m_details(new QPushButton(tr("Show all"))) {
+    : QFrame(parent),
+      m_text(new QLabel),
+      m_details(new QPushButton(tr("Show all"))),
+      m_remedy(new QPushButton) {
+  m_remedy->setObjectName(QStringLiteral("messageRemedy"));
   setObjectName(QStringLiteral("messageBar"));
   setAccessibleName(tr("Message"));
   m_text->setObjectName(QStringLiteral("messageText"));
@@ -43,6 +48,7 @@ MessageBar::MessageBar(QWidget* parent)
   layout->setContentsMargins(14, 8, 8, 8);
   layout->addWidget(m_text, 1);
   layout->addWidget(m_details, 0, Qt::AlignTop);
+  layout->addWidget(m_remedy, 0, Qt::AlignTop);
   layout->addWidget(close, 0, Qt::AlignTop);
   connect(close, &QToolButton::clicked, this, &QWidget::hide);
   connect(m_details, &QPushButton::clicked, this, &MessageBar::showDetails);
@@ -67,14 +73,28 @@ void MessageBar::showRemarks(const QStringList& remarks) {
   display(Kind::remark, tr("Opened, with remarks"), remarks.value(0));
 }
 
+void MessageBar::showNotice(const QString& heading, const QString& body, QAction& action) {
+  m_remarks.clear();
+  m_remedy->setText(QString(action.text()).remove(QLatin1Char('&')));
+  m_remedy->disconnect(this);
+  connect(m_remedy, &QPushButton::clicked, this, [&action] { action.trigger(); });
+  display(Kind::notice, heading, sentence(body.toStdString()));
+}
+
+void MessageBar::hideNotice() {
+  if (m_kind == Kind::notice)
+    hide();
+}
+
 void MessageBar::display(Kind kind, const QString& heading, const QString& body) {
   const QString title = heading.isEmpty()
                             ? QString()
                             : QStringLiteral("<b>%1</b>&ensp;").arg(heading.toHtmlEscaped());
   m_text->setText(title + body.trimmed().toHtmlEscaped());
+  m_kind = kind;
+  m_remedy->setVisible(kind == Kind::notice);
   m_details->setVisible(m_remarks.size() > 1);
   m_details->setText(tr("Show all %n", nullptr, int(m_remarks.size())));
-  m_kind = kind;
   dress();
   show();
 }

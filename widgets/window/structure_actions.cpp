@@ -48,7 +48,6 @@ void StructureActions::connectLooks() {
   const auto on = [this](const char* id, auto function) {
     connect(&m_actions[QLatin1String(id)], &QAction::triggered, this, function);
   };
-  on("focus", [this] { edit(tr("Focus"), model::withFocus); });
   on("context", [this] { edit(tr("Context"), model::withContext); });
   on("ghost", [this] { ghostNodes(m_session, m_session.selection()); });
   for (const InheritRow& row : inheritRows)
