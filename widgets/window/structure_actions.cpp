@@ -39,16 +39,16 @@ StructureActions::StructureActions(Session& session, StructureTree& tree, Viewpo
   showState();
 }
 
-void StructureActions::edit(const QString& name, Edit edit) {
+void StructureActions::editSelection(const QString& name, Edit made) {
   if (!m_session.selection().empty())
-    m_session.apply(name, edit(m_session.scene(), m_session.selection()));
+    m_session.apply(name, made(m_session.scene(), m_session.selection()));
 }
 
 void StructureActions::connectLooks() {
   const auto on = [this](const char* id, auto function) {
     connect(&m_actions[QLatin1String(id)], &QAction::triggered, this, function);
   };
-  on("context", [this] { edit(tr("Context"), model::withContext); });
+  on("context", [this] { editSelection(tr("Context"), model::withContext); });
   on("ghost", [this] { ghostNodes(m_session, m_session.selection()); });
   for (const InheritRow& row : inheritRows)
     on(row.action, [this, row] { inherit(m_session, m_session.selection(), row.what); });

@@ -23,7 +23,7 @@ class StructureActions : public QObject {
   using Edit = model::Edited (*)(const model::Scene&, std::span<const model::NodeId>);
   void connectLooks();
   void connectTree();
-  void edit(const QString& name, Edit edit);
+  void editSelection(const QString& name, Edit made);
   /// Opens the editor of the name of a group that was just made.
   void nameGroup(model::NodeId group);
   void showState();
