@@ -19,9 +19,6 @@
 #include <algorithm>
 #include <array>
 
-#include "model/edit/emphasis.h"
-#include "model/edit/tree.h"
-#include "model/edit/visibility.h"
 #include "model/files/cache_folder.h"
 #include "widgets/focus/focus_context.h"
 #include "widgets/focus/focus_panel.h"
@@ -41,6 +38,7 @@
 #include "widgets/window/file_actions.h"
 #include "widgets/window/message_bar.h"
 #include "widgets/window/section_actions.h"
+#include "widgets/window/structure_actions.h"
 #include "widgets/window/view_actions.h"
 
 namespace sline::widgets {
@@ -225,6 +223,7 @@ void MainWindow::makeMenus() {
     m_tree->view().addAction(action);
   m_views = new ViewActions(m_session, *m_viewport, m_settings, m_actions,
                             menus[QStringLiteral("savedViews")]);
+  m_structures = new StructureActions(m_session, *m_tree, *m_viewport, m_actions, m_parts);
   m_sections = new SectionActions(m_session, *m_viewport, m_actions, m_parts);
   for (QDockWidget* panel : findChildren<QDockWidget*>())
     menus[QStringLiteral("panelMenu")].addAction(panel->toggleViewAction());
@@ -315,7 +314,6 @@ void MainWindow::makeTools() {
 
 void MainWindow::connectSession() {
   connect(&m_session, &Session::documentChanged, this, &MainWindow::documentChange);
-  connect(&m_session, &Session::selectionChanged, this, &MainWindow::updateActions);
   connect(&m_session, &Session::failed, m_message, &MessageBar::showError);
   connect(&m_session, &Session::remarked, m_message, &MessageBar::showRemarks);
   connect(&m_session, &Session::jobStarted, this, [this](const QString& title) {
@@ -357,17 +355,6 @@ void MainWindow::connectActions() {
   on("redo", [this] { m_session.redo(); });
   on("find", [this] { m_tree->find(); });
   on("focus", [this] { m_focus->focusOn(m_session.selection()); });
-  on("context", [this] { editSelection(tr("Context"), model::withContext); });
-  on("inherit", [this] { editSelection(tr("Inherit Γ"), model::withGammaInherited); });
-  on("toggle", [this] { m_tree->view().toggleSelection(); });
-  on("isolate", [this] { editSelection(tr("Isolate"), model::withOnlyVisible); });
-  on("showAll", [this] {
-    NodeIds all;
-    for (const model::Node& node : m_session.scene().nodes())
-      all.push_back(node.id);
-    m_session.apply(tr("Show All"), model::withShown(m_session.scene(), all));
-  });
-  on("remove", [this] { editSelection(tr("Remove"), model::removed); });
   on("fit", [this] { m_viewport->fitAll(); });
   on("help", [this] { showHelp(); });
   on("controls", [this] { (new ControlsDialog(this))->open(); });
@@ -437,13 +424,6 @@ void MainWindow::dropEvent(QDropEvent* event) {
   m_files->dropped(paths);
 }
 
-void MainWindow::editSelection(const QString& name,
-                               model::Edited (*edit)(const model::Scene&,
-                                                     std::span<const model::NodeId>)) {
-  if (!m_session.selection().empty())
-    m_session.apply(name, edit(m_session.scene(), m_session.selection()));
-}
-
 void MainWindow::documentChange(const Document& before, const Document& now) {
   if (before.opening != now.opening || now.opening == 0) {
     m_summary->setText(now.opening == 0 ? QString() : summaryOf(now.scene));
@@ -453,9 +433,6 @@ void MainWindow::documentChange(const Document& before, const Document& now) {
 }
 
 void MainWindow::updateActions() {
-  const bool any = !m_session.selection().empty();
-  for (const char* id : {"focus", "context", "inherit", "toggle", "isolate", "remove"})
-    m_actions[QLatin1String(id)].setEnabled(any);
   m_actions[QStringLiteral("reload")].setEnabled(m_session.canReload());
 }
 
