@@ -50,6 +50,10 @@ class Session : public QObject {
   /// Ids that the scene lacks are left out.
   void select(NodeIds ids);
 
+  /// The section that is being worked on, where the scene has it.
+  std::optional<model::SectionId> activeSection() const;
+  void activateSection(std::optional<model::SectionId> id);
+
   /// Reads the files and folders in the background; the scene becomes the document when it is
   /// there (one undo step). A job that is under way is cancelled.
   void openPaths(std::vector<std::filesystem::path> paths);
@@ -66,6 +70,8 @@ class Session : public QObject {
   /// Also at each step of a drag; compare the two to see what differs.
   void documentChanged(const sline::widgets::Document& before, const sline::widgets::Document& now);
   void selectionChanged();
+  /// Another one was activated; that it left the scene, or came back, is a change of the document.
+  void activeSectionChanged();
   void jobStarted(const QString& title);
   void jobProgressed(double done, const QString& what);
   void jobEnded();
@@ -89,6 +95,7 @@ class Session : public QObject {
   QUndoStack m_history;
   std::optional<Document> m_beforePreview;
   NodeIds m_selection;
+  std::optional<model::SectionId> m_activeSection;
   SceneJob* m_job = nullptr;
   int m_openings = 0;
   /// By Document::opening, so that they hold after undo, too.
