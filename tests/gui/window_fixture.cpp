@@ -17,9 +17,19 @@
 
 namespace sline::test {
 
+namespace {
+
+/// Views change at once: what is looked at next is there when the key was pressed.
+QSettings& withoutFlights(QSettings& settings) {
+  settings.setValue(QStringLiteral("navigation/flights"), false);
+  return settings;
+}
+
+}  // namespace
+
 WindowFixture::WindowFixture(widgets::PainterFactory painter)
     : settings(folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat),
-      window(session, settings) {
+      window(session, withoutFlights(settings)) {
   if (painter)
     viewport().setPainter(std::move(painter));
   window.resize(1200, 800);

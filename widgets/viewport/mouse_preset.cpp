@@ -77,7 +77,7 @@ QString meaningOf(Kind kind) {
 /// All drags that do the same, in one row.
 ControlRow dragRow(MousePreset preset, Kind kind) {
   QStringList hands;
-  for (const MouseRow& row : mouseRows(preset))
+  for (const MouseRow& row : presetRows(preset))
     if (row.kind == kind)
       hands << handText(row);
   return {hands.join(QStringLiteral(", ")), meaningOf(kind)};
@@ -85,7 +85,7 @@ ControlRow dragRow(MousePreset preset, Kind kind) {
 
 }  // namespace
 
-std::span<const MouseRow> mouseRows(MousePreset preset) {
+std::span<const MouseRow> presetRows(MousePreset preset) {
   switch (preset) {
     case MousePreset::slicer:
       return slicerRows;
@@ -101,7 +101,7 @@ std::optional<CameraDrag::Kind> dragOf(MousePreset preset, Qt::MouseButton butto
   // A key of the number pad or a group switch held down means nothing here.
   const Qt::KeyboardModifiers counted =
       keys & (Qt::ShiftModifier | Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier);
-  for (const MouseRow& row : mouseRows(preset))
+  for (const MouseRow& row : presetRows(preset))
     if (row.button == button && row.keys == counted)
       return row.kind;
   return std::nullopt;
@@ -140,9 +140,10 @@ std::vector<ControlRow> controlRows(MousePreset preset) {
       {tr("Arrow keys"), tr("Turn by %1°").arg(QLocale().toString(5))},
       {control + tr("Arrow keys"), tr("Move the picture")},
       {tr("Plus, minus"), tr("Zoom")},
+      {tr("Space in the list"), tr("Show or hide the selected structures")},
       {tr("Escape during a drag"), tr("As it was before")}};
   rows.insert(rows.end(), others.begin(), others.end());
-  std::erase_if(rows, [](const ControlRow& row) { return row.hand.isEmpty(); });
+  std::erase_if(rows, [](const ControlRow& row) { return row.control.isEmpty(); });
   return rows;
 }
 

@@ -20,7 +20,7 @@ struct MouseRow {
   Qt::KeyboardModifiers keys;
   CameraDrag::Kind kind = CameraDrag::Kind::orbit;
 };
-std::span<const MouseRow> mouseRows(MousePreset preset);
+std::span<const MouseRow> presetRows(MousePreset preset);
 /// Absent where such a drag does nothing.
 std::optional<CameraDrag::Kind> dragOf(MousePreset preset, Qt::MouseButton button,
                                        Qt::KeyboardModifiers keys);
@@ -35,9 +35,9 @@ std::vector<MousePresetName> mousePresetNames();
 /// The first one for an unknown id.
 MousePreset mousePresetNamed(const QString& id);
 
-/// A row of help: what hand and keys do, and what comes of it.
+/// A row of help: what is done with mouse or keys, and what comes of it.
 struct ControlRow {
-  QString hand;
+  QString control;
   QString meaning;
 };
 /// All that mouse, touchpad and the viewport's own keys do.

@@ -3,9 +3,11 @@
 #include "widgets/viewport/viewport.h"
 
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <algorithm>
 #include <cmath>
 
+#include "render/picture/layer.h"
 #include "widgets/viewport/framing.h"
 
 namespace sline::widgets {
@@ -80,6 +82,10 @@ void Viewport::initializeGL() {
   closeGraphics();
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::closeGraphics,
           Qt::UniqueConnection);
+  const auto text = [gl = context()->functions()](GLenum name) {
+    return QString::fromUtf8(reinterpret_cast<const char*>(gl->glGetString(name)));
+  };
+  m_driver = text(GL_RENDERER) + QStringLiteral(", ") + text(GL_VERSION);
   openGraphics();
 }
 
@@ -124,8 +130,13 @@ void Viewport::rebuildGraphics() {
 void Viewport::paintGL() {
   if (!m_handoff)
     return;
-  if (m_shown == 0)
+  if (m_shown == 0) {
+    // Paper until there is a picture.
+    const glm::vec4 paper = render::backgroundColour(m_background);
+    context()->functions()->glClearColor(paper.r, paper.g, paper.b, 1.0f);
+    context()->functions()->glClear(GL_COLOR_BUFFER_BIT);
     m_handoff->warmUp();
+  }
   const std::uint64_t shown = m_handoff->show(pixels());
   if (shown == m_shown)
     return;

@@ -4,12 +4,16 @@
 
 #include <QMainWindow>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
+#include "widgets/preferences/preferences.h"
 #include "widgets/session/session.h"
+#include "widgets/window/menu_table.h"
 #include "widgets/window/window_actions.h"
 
 class QLabel;
+class QMenu;
 class QProgressBar;
 class QSettings;
 class QToolButton;
@@ -19,6 +23,7 @@ namespace sline::widgets {
 class GammaPanel;
 class MessageBar;
 class SectionActions;
+class SectionsPanel;
 class StructureTree;
 class ViewActions;
 class Viewport;
@@ -33,6 +38,7 @@ class MainWindow : public QMainWindow {
 
   Viewport& viewport() { return *m_viewport; }
   StructureTree& tree() { return *m_tree; }
+  Preferences& preferences() { return m_preferences; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -44,10 +50,7 @@ class MainWindow : public QMainWindow {
   void makePanels();
   void makeStatus();
   void makeMenus();
-  void makeFileMenu();
-  void makeStructureMenu();
-  void makeViewMenu();
-  void makeHelpMenu();
+  void makeBackgrounds(QMenu& menu);
   void makeTools();
   void connectSession();
   void connectActions();
@@ -64,12 +67,15 @@ class MainWindow : public QMainWindow {
 
   Session& m_session;
   QSettings& m_settings;
+  Preferences m_preferences;
   WindowActions m_actions;
+  std::optional<WindowMenus> m_menus;
   MessageBar* m_message = nullptr;
   Viewport* m_viewport = nullptr;
   StructureTree* m_tree = nullptr;
   GammaPanel* m_gamma = nullptr;
   SectionActions* m_sections = nullptr;
+  SectionsPanel* m_sectionsPanel = nullptr;
   ViewActions* m_views = nullptr;
   QLabel* m_summary = nullptr;
   QLabel* m_job = nullptr;

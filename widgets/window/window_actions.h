@@ -18,6 +18,7 @@ struct ActionRow {
   QString text;
   QList<QKeySequence> keys;
   QString tip;
+  const char* icon = nullptr;  ///< of widgets/theme/icons.h
 };
 
 /// In the order in which help lists them.
@@ -33,8 +34,5 @@ class WindowActions {
  private:
   std::map<QString, QAction*> m_actions;
 };
-
-/// Mouse and keys as a table in HTML.
-QString controlsHelp();
 
 }  // namespace sline::widgets
