@@ -12,6 +12,7 @@
 #include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <array>
 
 #include "widgets/sections/new_section.h"
@@ -199,6 +200,12 @@ void SectionsPanel::showActive() {
   const model::Section* section = m_sections->at(row);
   if (row != m_list->currentIndex().row())
     m_list->setCurrentIndex(m_sections->index(row, 0));
+  // Room for names, unless sections differ in what they cut.
+  const auto& all = m_session.scene().sections();
+  m_list->setColumnHidden(SectionList::scope,
+                          std::all_of(all.begin(), all.end(), [](const model::Section& each) {
+                            return each.scope == model::rootId;
+                          }));
   m_flip->setEnabled(section);
   m_remove->setEnabled(section);
   m_details->setVisible(section);

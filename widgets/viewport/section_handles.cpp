@@ -17,7 +17,7 @@ namespace {
 
 constexpr float arrowLength = 40.0f;  ///< pixels
 constexpr float reach = 11.0f;        ///< pixels: as far as a press may miss a grip
-constexpr float border = 26.0f;       ///< pixels: grips nearer to the picture's edge are moved in
+constexpr float border = 14.0f;       ///< pixels: grips nearer to the picture's edge are moved in
 constexpr float margin = 1.06f;       ///< of the rectangle around what is cut
 /// Seen along a direction by less than its sine, it is too short on screen to drag along.
 constexpr float endOnSine = 0.26f;
@@ -75,6 +75,19 @@ bool inPicture(const std::optional<glm::vec2>& p, const glm::vec2& size) {
          p->y <= size.y - border;
 }
 
+/// Where the arrow stands: in the middle of the upper edge, or as far up as the picture reaches.
+std::optional<glm::vec2> footOf(const SectionFrame& frame, const model::Camera& camera,
+                                const glm::vec2& size) {
+  constexpr int steps = 50;
+  for (int i = steps; i >= -steps; --i) {
+    const float part = float(i) / float(steps);
+    const auto at = pixelOf(camera, frame.centre + part * frame.halfV * frame.v, size);
+    if (inPicture(at, size))
+      return at;
+  }
+  return std::nullopt;
+}
+
 glm::vec2 middle(const std::vector<glm::vec2>& points) {
   glm::vec2 sum(0.0f);
   for (const glm::vec2& p : points)
@@ -128,13 +141,9 @@ std::optional<SectionHandles> sectionHandles(const SectionFrame& frame, const mo
     if (const auto pixel = pixelOf(camera, p, size))
       handles.outline.push_back(*pixel);
   const std::vector<glm::vec2> seen = withinPicture(handles.outline, size);
-  const auto top = pixelOf(camera, c + v, size);
-  if (inPicture(top, size))
-    handles.slide = *top;
-  else if (!seen.empty())
-    handles.slide = middle(seen);
-  else
+  if (seen.empty())
     return std::nullopt;
+  handles.slide = footOf(frame, camera, size).value_or(middle(seen));
 
   const model::CameraFrame axes = model::cameraFrame(camera);
   const glm::vec3 sight = sightThrough(camera, handles.slide, size).direction;
