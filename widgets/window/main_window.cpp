@@ -27,6 +27,7 @@
 #include "widgets/help/help_window.h"
 #include "widgets/language/languages.h"
 #include "widgets/preferences/preferences_dialog.h"
+#include "widgets/sections/sections_panel.h"
 #include "widgets/session/demo_scenes.h"
 #include "widgets/start/start_page.h"
 #include "widgets/structure_tree/structure_tree.h"
@@ -37,6 +38,8 @@
 #include "widgets/window/controls_memory.h"
 #include "widgets/window/file_actions.h"
 #include "widgets/window/message_bar.h"
+#include "widgets/window/picture_habits.h"
+#include "widgets/window/picture_menu.h"
 #include "widgets/window/section_actions.h"
 #include "widgets/window/structure_actions.h"
 #include "widgets/window/view_actions.h"
@@ -123,6 +126,9 @@ void MainWindow::makePanels() {
   auto* focus = new FocusPanel(m_session, *m_focus);
   addDockWidget(Qt::RightDockWidgetArea, dock(tr("Focus and Context"), "focusPanel", focus));
   connect(focus, &FocusPanel::focusWanted, &m_actions[QStringLiteral("focus")], &QAction::trigger);
+  m_sectionsPanel = new SectionsPanel(m_session);
+  QDockWidget* sections = dock(tr("Sections"), "sectionsPanel", m_sectionsPanel);
+  addDockWidget(Qt::RightDockWidgetArea, sections);
   auto* history = new QUndoView(&m_session.history());
   history->setObjectName(QStringLiteral("history"));
   history->setAccessibleName(tr("History"));
@@ -225,6 +231,10 @@ void MainWindow::makeMenus() {
                             menus[QStringLiteral("savedViews")]);
   m_structures = new StructureActions(m_session, *m_tree, *m_viewport, m_actions, m_parts);
   m_sections = new SectionActions(m_session, *m_viewport, m_actions, m_parts);
+  connect(m_sections, &SectionActions::refused, m_message, &MessageBar::showError);
+  m_sections->fillAddMenu(m_sectionsPanel->addButton());
+  new PictureHabits(*m_viewport, m_preferences, m_actions, m_parts);
+  new PictureMenu(m_session, *m_viewport, *m_sections, *m_menus, m_parts);
   for (QDockWidget* panel : findChildren<QDockWidget*>())
     menus[QStringLiteral("panelMenu")].addAction(panel->toggleViewAction());
   makeBackgrounds(menus[QStringLiteral("backgroundMenu")]);
@@ -357,7 +367,8 @@ void MainWindow::connectActions() {
   on("focus", [this] { m_focus->focusOn(m_session.selection()); });
   on("fit", [this] { m_viewport->fitAll(); });
   on("help", [this] { showHelp(); });
-  on("controls", [this] { (new ControlsDialog(this))->open(); });
+  on("controls",
+     [this] { (new ControlsDialog(controlRows(m_viewport->mousePreset()), this))->open(); });
   on("preferences", [this] { (new PreferencesDialog(m_preferences, this))->open(); });
   on("about", [this] { (new AboutDialog(m_viewport->driver(), this))->open(); });
 }

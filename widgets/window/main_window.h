@@ -27,6 +27,7 @@ class MessageBar;
 class SectionActions;
 class StartPage;
 class StructureActions;
+class SectionsPanel;
 class StructureTree;
 class ViewActions;
 class Viewport;
@@ -92,6 +93,7 @@ class MainWindow : public QMainWindow {
   FocusContext* m_focus = nullptr;
   SectionActions* m_sections = nullptr;
   StructureActions* m_structures = nullptr;
+  SectionsPanel* m_sectionsPanel = nullptr;
   ViewActions* m_views = nullptr;
   QLabel* m_summary = nullptr;
   QLabel* m_job = nullptr;
