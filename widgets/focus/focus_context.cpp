@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/focus/focus_context.h"
 
+#include <QCoreApplication>
 #include <QScopedValueRollback>
 #include <QTimer>
 #include <algorithm>
@@ -15,7 +16,9 @@ constexpr std::size_t mostRecords = 60;
 constexpr int shortly = 50;  // milliseconds
 
 QString amountStep(model::ContextAmount amount) {
-  return FocusContext::tr("Context %1 %").arg(qRound(100.0f * amount.value()));
+  // lupdate does not know the class by its short name here.
+  return QCoreApplication::translate("sline::widgets::FocusContext", "Context %1 %")
+      .arg(qRound(100.0f * amount.value()));
 }
 }  // namespace
 

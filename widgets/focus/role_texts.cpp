@@ -13,7 +13,7 @@ using model::ContextRole;
 using model::RoleReason;
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("FocusRoles", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 
 QString nameOf(const model::Scene& scene, model::NodeId id) {
