@@ -11,8 +11,8 @@
 namespace sline::widgets {
 
 namespace {
-/// Scenes share their meshes, so a few hundred are small.
-constexpr std::size_t mostRecords = 500;
+/// As far back as it is still known what was in focus.
+constexpr std::size_t mostRecords = 60;
 constexpr int shortly = 50;  // milliseconds
 
 QString amountStep(model::ContextAmount amount) {
@@ -183,9 +183,9 @@ void FocusContext::stepTo(model::ContextAmount amount) {
 }
 
 void FocusContext::documentChange(const Document& before, const Document& now) {
-  if (m_applying)
+  if (m_applying || m_session.previewing())
     return;
-  if (m_dragging && !m_session.previewing()) {  // somebody else ended the drag
+  if (m_dragging) {  // somebody else ended the drag
     m_dragging = false;
     m_state.amount = m_beforeDrag;
   }

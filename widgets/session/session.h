@@ -63,6 +63,10 @@ class Session : public QObject {
   /// Ids that the scene lacks are left out.
   void select(NodeIds ids);
 
+  /// The section that is being worked on, where the scene has it.
+  std::optional<model::SectionId> activeSection() const;
+  void activateSection(std::optional<model::SectionId> id);
+
   /// Reads the files and folders in the background; the scene becomes the document when it is
   /// there (one undo step). A job that is under way is cancelled.
   void openPaths(std::vector<std::filesystem::path> paths);
@@ -91,6 +95,8 @@ class Session : public QObject {
   void fileChanged();
   /// What was asked for is there. Nothing for what was made.
   void opened(const std::vector<std::filesystem::path>& paths);
+  /// Another one was activated; that it left the scene, or came back, is a change of the document.
+  void activeSectionChanged();
   void jobStarted(const QString& title);
   void jobProgressed(double done, const QString& what);
   void jobEnded();
@@ -120,6 +126,7 @@ class Session : public QObject {
   std::optional<Document> m_beforePreview;
   NodeIds m_selection;
   ShownNames m_names;
+  std::optional<model::SectionId> m_activeSection;
   SceneJob* m_job = nullptr;
   bool m_modified = false;
   int m_openings = 0;

@@ -19,9 +19,6 @@
 #include <algorithm>
 #include <array>
 
-#include "model/edit/emphasis.h"
-#include "model/edit/tree.h"
-#include "model/edit/visibility.h"
 #include "model/files/cache_folder.h"
 #include "widgets/focus/focus_context.h"
 #include "widgets/focus/focus_panel.h"
@@ -30,6 +27,7 @@
 #include "widgets/help/help_window.h"
 #include "widgets/language/languages.h"
 #include "widgets/preferences/preferences_dialog.h"
+#include "widgets/sections/sections_panel.h"
 #include "widgets/session/demo_scenes.h"
 #include "widgets/start/start_page.h"
 #include "widgets/structure_tree/structure_tree.h"
@@ -40,7 +38,10 @@
 #include "widgets/window/controls_memory.h"
 #include "widgets/window/file_actions.h"
 #include "widgets/window/message_bar.h"
+#include "widgets/window/picture_habits.h"
+#include "widgets/window/picture_menu.h"
 #include "widgets/window/section_actions.h"
+#include "widgets/window/structure_actions.h"
 #include "widgets/window/view_actions.h"
 
 namespace sline::widgets {
@@ -125,6 +126,9 @@ void MainWindow::makePanels() {
   auto* focus = new FocusPanel(m_session, *m_focus);
   addDockWidget(Qt::RightDockWidgetArea, dock(tr("Focus and Context"), "focusPanel", focus));
   connect(focus, &FocusPanel::focusWanted, &m_actions[QStringLiteral("focus")], &QAction::trigger);
+  m_sectionsPanel = new SectionsPanel(m_session);
+  QDockWidget* sections = dock(tr("Sections"), "sectionsPanel", m_sectionsPanel);
+  addDockWidget(Qt::RightDockWidgetArea, sections);
   auto* history = new QUndoView(&m_session.history());
   history->setObjectName(QStringLiteral("history"));
   history->setAccessibleName(tr("History"));
@@ -225,7 +229,12 @@ void MainWindow::makeMenus() {
     m_tree->view().addAction(action);
   m_views = new ViewActions(m_session, *m_viewport, m_settings, m_actions,
                             menus[QStringLiteral("savedViews")]);
+  m_structures = new StructureActions(m_session, *m_tree, *m_viewport, m_actions, m_parts);
   m_sections = new SectionActions(m_session, *m_viewport, m_actions, m_parts);
+  connect(m_sections, &SectionActions::refused, m_message, &MessageBar::showError);
+  m_sections->fillAddMenu(m_sectionsPanel->addButton());
+  new PictureHabits(*m_viewport, m_preferences, m_actions, m_parts);
+  new PictureMenu(m_session, *m_viewport, *m_sections, *m_menus, m_parts);
   for (QDockWidget* panel : findChildren<QDockWidget*>())
     menus[QStringLiteral("panelMenu")].addAction(panel->toggleViewAction());
   makeBackgrounds(menus[QStringLiteral("backgroundMenu")]);
@@ -315,7 +324,6 @@ void MainWindow::makeTools() {
 
 void MainWindow::connectSession() {
   connect(&m_session, &Session::documentChanged, this, &MainWindow::documentChange);
-  connect(&m_session, &Session::selectionChanged, this, &MainWindow::updateActions);
   connect(&m_session, &Session::failed, m_message, &MessageBar::showError);
   connect(&m_session, &Session::remarked, m_message, &MessageBar::showRemarks);
   connect(&m_session, &Session::jobStarted, this, [this](const QString& title) {
@@ -357,20 +365,10 @@ void MainWindow::connectActions() {
   on("redo", [this] { m_session.redo(); });
   on("find", [this] { m_tree->find(); });
   on("focus", [this] { m_focus->focusOn(m_session.selection()); });
-  on("context", [this] { editSelection(tr("Context"), model::withContext); });
-  on("inherit", [this] { editSelection(tr("Inherit Γ"), model::withGammaInherited); });
-  on("toggle", [this] { m_tree->view().toggleSelection(); });
-  on("isolate", [this] { editSelection(tr("Isolate"), model::withOnlyVisible); });
-  on("showAll", [this] {
-    NodeIds all;
-    for (const model::Node& node : m_session.scene().nodes())
-      all.push_back(node.id);
-    m_session.apply(tr("Show All"), model::withShown(m_session.scene(), all));
-  });
-  on("remove", [this] { editSelection(tr("Remove"), model::removed); });
   on("fit", [this] { m_viewport->fitAll(); });
   on("help", [this] { showHelp(); });
-  on("controls", [this] { (new ControlsDialog(this))->open(); });
+  on("controls",
+     [this] { (new ControlsDialog(controlRows(m_viewport->mousePreset()), this))->open(); });
   on("preferences", [this] { (new PreferencesDialog(m_preferences, this))->open(); });
   on("about", [this] { (new AboutDialog(m_viewport->driver(), this))->open(); });
 }
@@ -437,13 +435,6 @@ void MainWindow::dropEvent(QDropEvent* event) {
   m_files->dropped(paths);
 }
 
-void MainWindow::editSelection(const QString& name,
-                               model::Edited (*edit)(const model::Scene&,
-                                                     std::span<const model::NodeId>)) {
-  if (!m_session.selection().empty())
-    m_session.apply(name, edit(m_session.scene(), m_session.selection()));
-}
-
 void MainWindow::documentChange(const Document& before, const Document& now) {
   if (before.opening != now.opening || now.opening == 0) {
     m_summary->setText(now.opening == 0 ? QString() : summaryOf(now.scene));
@@ -453,9 +444,6 @@ void MainWindow::documentChange(const Document& before, const Document& now) {
 }
 
 void MainWindow::updateActions() {
-  const bool any = !m_session.selection().empty();
-  for (const char* id : {"focus", "context", "inherit", "toggle", "isolate", "remove"})
-    m_actions[QLatin1String(id)].setEnabled(any);
   m_actions[QStringLiteral("reload")].setEnabled(m_session.canReload());
 }
 

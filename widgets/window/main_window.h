@@ -26,6 +26,8 @@ class GammaPanel;
 class MessageBar;
 class SectionActions;
 class StartPage;
+class StructureActions;
+class SectionsPanel;
 class StructureTree;
 class ViewActions;
 class Viewport;
@@ -72,8 +74,6 @@ class MainWindow : public QMainWindow {
   /// The start page while nothing is open and nothing is on its way.
   void showStart();
   void placeMessage(bool onStartPage);
-  void editSelection(const QString& name,
-                     model::Edited (*edit)(const model::Scene&, std::span<const model::NodeId>));
   void documentChange(const Document& before, const Document& now);
   void updateActions();
   void jobShown(bool running);
@@ -92,6 +92,8 @@ class MainWindow : public QMainWindow {
   GammaPanel* m_gamma = nullptr;
   FocusContext* m_focus = nullptr;
   SectionActions* m_sections = nullptr;
+  StructureActions* m_structures = nullptr;
+  SectionsPanel* m_sectionsPanel = nullptr;
   ViewActions* m_views = nullptr;
   QLabel* m_summary = nullptr;
   QLabel* m_job = nullptr;

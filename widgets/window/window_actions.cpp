@@ -56,7 +56,7 @@ std::vector<ActionRow> fileRows() {
            tr("Type a few letters of a name")}};
 }
 
-std::vector<ActionRow> structureRows() {
+std::vector<ActionRow> lookRows() {
   return {
       {QStringLiteral("focus"),
        tr("&Focus"),
@@ -65,16 +65,55 @@ std::vector<ActionRow> structureRows() {
        "focus"},
       {QStringLiteral("context"), tr("&Context"), key(tr("Ctrl+D")),
        tr("The selected structures as contours"), "context"},
-      {QStringLiteral("inherit"), tr("&Inherit Γ"), {}, tr("Take Γ from the group above again")},
+      {QStringLiteral("ghost"), tr("&Ghost"), key(tr("Ctrl+Shift+D")),
+       tr("The selected structures as outlines under a veil"), "ghost"},
+      {QStringLiteral("colour"), tr("Co&lour…"), {}, tr("Another colour for the selected")},
+      {QStringLiteral("inherit"), tr("Inherit &Γ"), {}, tr("Take Γ from the group above again")},
+      {QStringLiteral("inheritColour"),
+       tr("Inherit &Colour"),
+       {},
+       tr("Take the colour from the group above again")},
+      {QStringLiteral("inheritOpacity"),
+       tr("Inherit &Opacity"),
+       {},
+       tr("Take the opacity from the group above again")},
+      {QStringLiteral("inheritAll"),
+       tr("Inherit &All"),
+       {},
+       tr("Take the whole look from the group above again")},
       {QStringLiteral("toggle"),
        tr("Show or &Hide"),
        {},
        tr("Hide the selected structures, or show them again (Space in the list)"),
        "toggle"},
-      {QStringLiteral("isolate"), tr("I&solate"), key(tr("/")), tr("Hide everything else"),
-       "isolate"},
+      {QStringLiteral("isolate"), tr("I&solate"), key(tr("/")),
+       tr("Show the selected structures and nothing else; again: everything"), "isolate"},
+      {QStringLiteral("hideOthers"), tr("Hide &Others"), key(tr("Shift+H")),
+       tr("Hide all but the selected structures")},
       {QStringLiteral("showAll"), tr("Show &All"), key(tr("Ctrl+Shift+H")), tr("Hide nothing"),
-       "show_all"},
+       "show_all"}};
+}
+
+std::vector<ActionRow> structureRows() {
+  return {
+      {QStringLiteral("zoomTo"),
+       tr("&Zoom To"),
+       {QKeySequence(tr("Z")), QKeySequence(tr(".")),
+        QKeySequence(int(Qt::KeypadModifier) | Qt::Key_Period),
+        QKeySequence(int(Qt::KeypadModifier) | Qt::Key_Comma)},
+       tr("Bring the selected structures into the picture, and turn around them"),
+       "zoom_to"},
+      {QStringLiteral("rename"), tr("Re&name"), key(tr("F2")), tr("Another name")},
+      {QStringLiteral("newGroup"), tr("Ne&w Group"), key(tr("Ctrl+Shift+N")), tr("An empty group")},
+      {QStringLiteral("group"), tr("Grou&p"), key(tr("Ctrl+G")),
+       tr("The selected structures in a group of their own"), "group"},
+      {QStringLiteral("ungroup"), tr("&Ungroup"), key(tr("Ctrl+Shift+G")),
+       tr("Dissolve the selected groups; what is in them keeps its look")},
+      {QStringLiteral("lock"), tr("Loc&k"), key(tr("Ctrl+L")),
+       tr("What is locked keeps its look, name and place and cannot be clicked in the picture"),
+       "lock"},
+      {QStringLiteral("properties"), tr("Propert&ies…"), key(tr("Alt+Return")),
+       tr("Where it came from, how large it is, how it is drawn")},
       {QStringLiteral("remove"), tr("&Remove"), key(QKeySequence::Delete),
        tr("Take the selected structures out of the scene"), "remove"}};
 }
@@ -95,6 +134,8 @@ std::vector<ActionRow> viewRows() {
        tr("Cut in the plane between front and back; again: whole"), "section_coronal"},
       {QStringLiteral("sectionAxial"), tr("&Axial"), key(tr("Ctrl+3")),
        tr("Cut in the plane between upper and lower; again: whole"), "section_axial"},
+      {QStringLiteral("sectionFacing"), tr("&Facing the View"), key(tr("Ctrl+4")),
+       tr("Cut across the line of sight")},
       {QStringLiteral("sectionFlip"), tr("&Flip"), key(tr("X")),
        tr("Keep the other side of each section"), "section_flip"},
       {QStringLiteral("sectionOff"), tr("&Whole Again"), key(tr("Ctrl+0")),
@@ -103,6 +144,19 @@ std::vector<ActionRow> viewRows() {
        tr("Light from the upper left on what is shaded"), "key_light"},
       {QStringLiteral("help"), tr("&Help on This"), key(QKeySequence(Qt::Key_F1)),
        tr("The page about the panel that has the keyboard")},
+      {QStringLiteral("showCube"),
+       tr("&Orientation Cube"),
+       {},
+       tr("The body's sides in the corner of the picture; a click looks from there")},
+      {QStringLiteral("showScaleBar"), tr("Scale &Bar"), {}, tr("How long a centimetre is")},
+      {QStringLiteral("showNames"),
+       tr("&Names under the Mouse"),
+       {},
+       tr("What a structure is called where the mouse rests")},
+      {QStringLiteral("showFrameTime"),
+       tr("Picture &Time"),
+       {},
+       tr("How long the last picture took to draw")},
       {QStringLiteral("controls"), tr("&Mouse and Keys"), key(tr("H")),
        tr("What the mouse and the keys do")},
       {QStringLiteral("about"), tr("&About Sline"), {}, tr("What this program is")}};
@@ -112,7 +166,7 @@ std::vector<ActionRow> viewRows() {
 
 std::vector<ActionRow> actionRows() {
   std::vector<ActionRow> rows = fileRows();
-  for (const std::vector<ActionRow>& more : {structureRows(), viewRows()})
+  for (const std::vector<ActionRow>& more : {lookRows(), structureRows(), viewRows()})
     rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }
@@ -144,14 +198,14 @@ QAction& WindowActions::operator[](const QString& id) const {
   return *found->second;
 }
 
-std::vector<ControlRow> mouseRows() {
-  return {{tr("Left drag"), tr("Turn around the pivot")},
-          {tr("Middle drag, Shift + left drag"), tr("Move the picture")},
-          {tr("Wheel"), tr("Zoom to the mouse")},
-          {tr("Click"), tr("Select what is seen there; Ctrl adds to the selection")},
-          {tr("Double click"), tr("Turn around this place from now on")},
-          {tr("Space in the list"), tr("Show or hide the selected structures")},
-          {tr("Escape during a drag"), tr("As it was before")}};
+std::vector<ControlRow> listRows() {
+  return {{tr("Space"), tr("Show or hide the selected structures")},
+          {tr("Enter"), tr("Bring the selected structures into the picture")},
+          {tr("Drag over eyes or locks"), tr("Set them all alike")},
+          {tr("Alt + click on an eye"), tr("Show this and nothing else; again: everything")},
+          {tr("Middle click on Γ or colour"), tr("Take it from the group above again")},
+          {tr("Drag rows"), tr("Put them elsewhere, or into another group")},
+          {tr("Double click on a name"), tr("Another name")}};
 }
 
 }  // namespace sline::widgets
