@@ -2,6 +2,20 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>Sections</name>
+    <message>
+        <source>%1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>StructureTreeModel</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+</context>
+<context>
     <name>main</name>
     <message>
         <source>Turns segmented anatomy into focus-and-context line illustrations.</source>
@@ -14,6 +28,17 @@
     <message>
         <source>Opens a scene that the program models itself: %1.</source>
         <translation>Öffnet eine Szene, die das Programm selbst modelliert: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>model</name>
+    <message>
+        <source>Group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New Group</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -168,7 +193,7 @@
     </message>
     <message>
         <source>&amp;Background</source>
-        <translation>&amp;Hintergrund</translation>
+        <translation>Hin&amp;tergrund</translation>
     </message>
     <message>
         <source>Pa&amp;nels</source>
@@ -197,10 +222,6 @@
     <message>
         <source>Open all meshes in a folder</source>
         <translation>Alle Netze in einem Ordner öffnen</translation>
-    </message>
-    <message>
-        <source>&amp;Reload from Source</source>
-        <translation>Von der Quelle &amp;neu laden</translation>
     </message>
     <message>
         <source>Read meshes again whose files have changed</source>
@@ -267,16 +288,12 @@
         <translation>Die gewählten Strukturen als Konturen</translation>
     </message>
     <message>
-        <source>&amp;Inherit Γ</source>
-        <translation>Γ er&amp;ben</translation>
-    </message>
-    <message>
         <source>Take Γ from the group above again</source>
         <translation>Γ wieder von der Gruppe darüber nehmen</translation>
     </message>
     <message>
         <source>Show or &amp;Hide</source>
-        <translation>Ein- oder aus&amp;blenden</translation>
+        <translation>Ein- oder &amp;ausblenden</translation>
     </message>
     <message>
         <source>Hide the selected structures, or show them again (Space in the list)</source>
@@ -291,12 +308,8 @@
         <translation>/</translation>
     </message>
     <message>
-        <source>Hide everything else</source>
-        <translation>Alles andere ausblenden</translation>
-    </message>
-    <message>
         <source>Show &amp;All</source>
-        <translation>&amp;Alle zeigen</translation>
+        <translation>A&amp;lle zeigen</translation>
     </message>
     <message>
         <source>Ctrl+Shift+H</source>
@@ -503,10 +516,6 @@
         <translation>Um den Drehpunkt drehen</translation>
     </message>
     <message>
-        <source>Middle drag, Shift + left drag</source>
-        <translation>Ziehen mit der Mitteltaste, Umschalt + Ziehen mit links</translation>
-    </message>
-    <message>
         <source>Move the picture</source>
         <translation>Das Bild verschieben</translation>
     </message>
@@ -523,20 +532,12 @@
         <translation>Klick</translation>
     </message>
     <message>
-        <source>Select what is seen there; Ctrl adds to the selection</source>
-        <translation>Wählen, was dort zu sehen ist; Strg fügt zur Auswahl hinzu</translation>
-    </message>
-    <message>
         <source>Double click</source>
         <translation>Doppelklick</translation>
     </message>
     <message>
         <source>Turn around this place from now on</source>
         <translation>Von nun an um diese Stelle drehen</translation>
-    </message>
-    <message>
-        <source>Space in the list</source>
-        <translation>Leertaste in der Liste</translation>
     </message>
     <message>
         <source>Show or hide the selected structures</source>
@@ -822,6 +823,650 @@
         <source>The page about the panel that has the keyboard</source>
         <translation>Die Seite zu dem Bedienfeld, das die Tastatur hat</translation>
     </message>
+    <message>
+        <source>Cut away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Orientation cube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The body&apos;s sides in the corner of the picture; a click looks from there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale bar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>True at the depth of what the picture turns around</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Names under the mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What a structure is called where the mouse rests</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time that a picture takes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In milliseconds, in the corner of the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>Mouse buttons as in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which buttons and keys turn, move and zoom the picture; H shows them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sline</source>
+        <translation>Sline</translation>
+    </message>
+    <message>
+        <source>3D Slicer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Short flights between views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Off: the picture changes at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sagittal section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coronal section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Axial section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Oblique section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whole scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>Isolieren</translation>
+    </message>
+    <message>
+        <source>Hide Others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show All</source>
+        <translation>Alle zeigen</translation>
+    </message>
+    <message>
+        <source>Ghost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inherit Γ</source>
+        <translation>Γ erben</translation>
+    </message>
+    <message>
+        <source>Inherit Colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inherit Opacity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inherit All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ungroup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, inherited</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>solid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>veil</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>simplified from %1 triangles, at most %2 mm off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>smoothed in %1 steps, at most %2 mm off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>refined in %1 steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 faces mended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>moved as its scene says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as in the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>made by the program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coordinates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Γ</source>
+        <translation>Γ</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Between the lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line width</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Gezeigt</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>by the group above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm (right–left, front–back, foot–head)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none: the surface has holes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, of %2 closed surfaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cm²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Middle drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right drag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom: upwards is nearer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Roll the picture around its middle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two fingers on a touchpad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the picture; pinch to zoom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select what is seen there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add to the selection, or take away from it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select the next structure behind; after the last the first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What can be done with the structure there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag the arrow of a section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the plane; with Ctrl in whole steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click on the arrow&apos;s head</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the other side of the section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a ring of a section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tilt the plane; with Ctrl in steps of 15°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn by %1°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plus, minus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Inherit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Over the Picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re&amp;load from Source</source>
+        <translation>Von der &amp;Quelle neu laden</translation>
+    </message>
+    <message>
+        <source>&amp;Ghost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>The selected structures as outlines under a veil</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Co&amp;lour…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another colour for the selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inherit &amp;Γ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inherit &amp;Colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the colour from the group above again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inherit &amp;Opacity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the opacity from the group above again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inherit &amp;All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the whole look from the group above again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the selected structures and nothing else; again: everything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide &amp;Others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+H</source>
+        <translation>Shift+H</translation>
+    </message>
+    <message>
+        <source>Hide all but the selected structures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Zoom To</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>.</source>
+        <translation>.</translation>
+    </message>
+    <message>
+        <source>Bring the selected structures into the picture, and turn around them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>Another name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ne&amp;w Group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+N</source>
+        <translation>Ctrl+Shift+N</translation>
+    </message>
+    <message>
+        <source>An empty group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Grou&amp;p</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>The selected structures in a group of their own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Ungroup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+G</source>
+        <translation>Ctrl+Shift+G</translation>
+    </message>
+    <message>
+        <source>Dissolve the selected groups; what is in them keeps its look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loc&amp;k</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+L</source>
+        <translation>Ctrl+L</translation>
+    </message>
+    <message>
+        <source>What is locked keeps its look, name and place and cannot be clicked in the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Propert&amp;ies…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt+Return</source>
+        <translation>Alt+Return</translation>
+    </message>
+    <message>
+        <source>Where it came from, how large it is, how it is drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Facing the View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+4</source>
+        <translation>Ctrl+4</translation>
+    </message>
+    <message>
+        <source>Cut across the line of sight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Orientation Cube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale &amp;Bar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How long a centimetre is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Names under the Mouse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture &amp;Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How long the last picture took to draw</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Space</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Bring the selected structures into the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag over eyes or locks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set them all alike</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt + click on an eye</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show this and nothing else; again: everything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Middle click on Γ or colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take it from the group above again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put them elsewhere, or into another group</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double click on a name</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -865,6 +1510,21 @@ OpenGL: %3</translation>
     <message>
         <source>Mouse</source>
         <translation>Maus</translation>
+    </message>
+    <message>
+        <source>List of structures</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::CubeMark</name>
+    <message>
+        <source>Orientation cube</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The keys A, P, L, R, S and I look from the same sides.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1224,32 +1884,16 @@ OpenGL: %3</translation>
         <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
-        <source>Context</source>
-        <translation>Kontext</translation>
-    </message>
-    <message>
-        <source>Inherit Γ</source>
-        <translation>Γ erben</translation>
-    </message>
-    <message>
-        <source>Isolate</source>
-        <translation>Isolieren</translation>
-    </message>
-    <message>
-        <source>Show All</source>
-        <translation>Alle zeigen</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
         <source>Turning around this place on %1</source>
         <translation>Dreht um diese Stelle an %1</translation>
     </message>
     <message>
         <source>Focus and Context</source>
         <translation>Fokus und Kontext</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1276,6 +1920,39 @@ OpenGL: %3</translation>
     <message>
         <source>What was left out or mended</source>
         <translation>Was weggelassen oder ausgebessert wurde</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PictureMarks</name>
+    <message>
+        <source>%1 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at %2 % size</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PictureMenu</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 und %n weitere</numerusform>
+            <numerusform>%1 und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Section &amp;Here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section Here, of &amp;This Alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn &amp;Around This Place</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1336,11 +2013,26 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
-    <name>sline::widgets::SectionActions</name>
+    <name>sline::widgets::ScaleBarMark</name>
     <message>
-        <source>%1 Section</source>
-        <translation>Schnitt: %1</translation>
+        <source>%1 m</source>
+        <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 cm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SectionActions</name>
     <message>
         <source>Without %1 Section</source>
         <translation>Ohne Schnitt: %1</translation>
@@ -1352,6 +2044,155 @@ OpenGL: %3</translation>
     <message>
         <source>Whole Again</source>
         <translation>Wieder ganz</translation>
+    </message>
+    <message>
+        <source>&amp;Sagittal</source>
+        <translation>&amp;Sagittal</translation>
+    </message>
+    <message>
+        <source>&amp;Coronal</source>
+        <translation>&amp;Koronal</translation>
+    </message>
+    <message>
+        <source>&amp;Axial</source>
+        <translation>&amp;Axial</translation>
+    </message>
+    <message>
+        <source>&amp;Facing the View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be added: a structure can have %2 sections at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take another section away first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of %1 alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SectionList</name>
+    <message>
+        <source>Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section On</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Section Off</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SectionTool</name>
+    <message>
+        <source>%1°</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flip Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tilt Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SectionsPanel</name>
+    <message>
+        <source>Sections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a section plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the other side of this section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>Take this section away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Flip Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Towards the left, the back or the head; of an oblique section along its normal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hatched cut faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hatched Cut Faces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Cuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete Section</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Selected: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What a Section Cuts</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1401,6 +2242,22 @@ OpenGL: %3</translation>
         <source>Revert to Saved</source>
         <translation>Zum Gespeicherten zurück</translation>
     </message>
+    <message>
+        <source>Lock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StartPage</name>
@@ -1446,6 +2303,31 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::StructureActions</name>
+    <message>
+        <source>Context</source>
+        <translation>Kontext</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StructureDelegate</name>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StructureProperties</name>
+    <message>
+        <source>Properties</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::StructureTree</name>
     <message>
         <source>Filter structures by name</source>
@@ -1459,13 +2341,24 @@ OpenGL: %3</translation>
         <source>Colour</source>
         <translation>Farbe</translation>
     </message>
+    <message>
+        <source>Words in any order. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No structure is called so</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures – Enter selects them</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StructureTreeModel</name>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 bis %2</translation>
-    </message>
     <message>
         <source>Hidden</source>
         <translation>Ausgeblendet</translation>
@@ -1477,10 +2370,6 @@ OpenGL: %3</translation>
     <message>
         <source>Shown</source>
         <translation>Gezeigt</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>Farbe</translation>
     </message>
     <message>
         <source>Γ %1</source>
@@ -1506,6 +2395,42 @@ OpenGL: %3</translation>
         <source>Γ</source>
         <translation>Γ</translation>
     </message>
+    <message>
+        <source>%1, its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour, its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours of what is in it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour, from the group above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>opacity %1 %, its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>opacity %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not locked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locked by the group above: keeps its look, name and place and cannot be clicked in the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locked: keeps its look, name and place and cannot be clicked in the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StructureTreeView</name>
@@ -1514,12 +2439,8 @@ OpenGL: %3</translation>
         <translation>Strukturen</translation>
     </message>
     <message>
-        <source>Hide</source>
-        <translation>Ausblenden</translation>
-    </message>
-    <message>
-        <source>Show</source>
-        <translation>Zeigen</translation>
+        <source>Locked</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1538,6 +2459,17 @@ OpenGL: %3</translation>
     <message>
         <source>Picture</source>
         <translation>Bild</translation>
+    </message>
+</context>
+<context>
+    <name>std</name>
+    <message>
+        <source>%1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

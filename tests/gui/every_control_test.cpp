@@ -10,6 +10,7 @@
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QDialog>
+#include <QDir>
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QMenu>
@@ -60,6 +61,13 @@ struct Open : WindowFixture {
         button->click();
   }
 };
+
+/// For eyes: SLINE_SCREENSHOTS names a folder that takes the pictures.
+void keep(QWidget& widget, const QString& name) {
+  const QString folder = qEnvironmentVariable("SLINE_SCREENSHOTS");
+  if (!folder.isEmpty())
+    QVERIFY(QDir().mkpath(folder) && widget.grab().save(folder + '/' + name + ".png"));
+}
 
 QString nameOf(QWidget* widget) {
   const QAccessibleInterface* seen = QAccessible::queryAccessibleInterface(widget);
@@ -178,6 +186,7 @@ class EveryControlTest : public QObject {
       QCoreApplication::processEvents();
       clipped << clippedTexts(f.window);
     }
+    keep(f.window, QStringLiteral("window-") + language);
     f.control<widgets::MessageBar>("messageBar")
         .showRemarks({QStringLiteral("one"), QStringLiteral("two")});
     QCoreApplication::processEvents();
@@ -205,6 +214,7 @@ class EveryControlTest : public QObject {
           pages->setCurrentIndex(page);
         QCoreApplication::processEvents();
         clipped << clippedTexts(*dialog);
+        keep(*dialog, QStringLiteral("%1%2-%3").arg(action).arg(page).arg(language));
       }
       dialog->close();
       QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
