@@ -2,20 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
-    <name>Sections</name>
-    <message>
-        <source>%1 mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>StructureTreeModel</name>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 bis %2</translation>
-    </message>
-</context>
-<context>
     <name>main</name>
     <message>
         <source>Turns segmented anatomy into focus-and-context line illustrations.</source>
@@ -28,17 +14,6 @@
     <message>
         <source>Opens a scene that the program models itself: %1.</source>
         <translation>Öffnet eine Szene, die das Programm selbst modelliert: %1.</translation>
-    </message>
-</context>
-<context>
-    <name>model</name>
-    <message>
-        <source>Group</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>New Group</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -825,39 +800,39 @@
     </message>
     <message>
         <source>Cut away</source>
-        <translation type="unfinished"></translation>
+        <translation>Weggeschnitten</translation>
     </message>
     <message>
         <source>Orientation cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Orientierungswürfel</translation>
     </message>
     <message>
         <source>The body&apos;s sides in the corner of the picture; a click looks from there</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Seiten des Körpers in der Ecke des Bildes; ein Klick blickt von dort</translation>
     </message>
     <message>
         <source>Scale bar</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstab</translation>
     </message>
     <message>
         <source>True at the depth of what the picture turns around</source>
-        <translation type="unfinished"></translation>
+        <translation>Gilt in der Tiefe dessen, worum sich das Bild dreht</translation>
     </message>
     <message>
         <source>Names under the mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>Namen unter der Maus</translation>
     </message>
     <message>
         <source>What a structure is called where the mouse rests</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie eine Struktur heißt, auf der die Maus ruht</translation>
     </message>
     <message>
         <source>Time that a picture takes</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit, die ein Bild braucht</translation>
     </message>
     <message>
         <source>In milliseconds, in the corner of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>In Millisekunden, in der Ecke des Bildes</translation>
     </message>
     <message>
         <source>Mouse</source>
@@ -865,11 +840,11 @@
     </message>
     <message>
         <source>Mouse buttons as in</source>
-        <translation type="unfinished"></translation>
+        <translation>Maustasten wie in</translation>
     </message>
     <message>
         <source>Which buttons and keys turn, move and zoom the picture; H shows them</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Tasten das Bild drehen, verschieben und zoomen; H zeigt sie</translation>
     </message>
     <message>
         <source>Sline</source>
@@ -877,39 +852,39 @@
     </message>
     <message>
         <source>3D Slicer</source>
-        <translation type="unfinished"></translation>
+        <translation>3D Slicer</translation>
     </message>
     <message>
         <source>Blender</source>
-        <translation type="unfinished"></translation>
+        <translation>Blender</translation>
     </message>
     <message>
         <source>Short flights between views</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurze Flüge zwischen Ansichten</translation>
     </message>
     <message>
         <source>Off: the picture changes at once</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus: das Bild wechselt sofort</translation>
     </message>
     <message>
         <source>Sagittal section</source>
-        <translation type="unfinished"></translation>
+        <translation>Sagittalschnitt</translation>
     </message>
     <message>
         <source>Coronal section</source>
-        <translation type="unfinished"></translation>
+        <translation>Koronalschnitt</translation>
     </message>
     <message>
         <source>Axial section</source>
-        <translation type="unfinished"></translation>
+        <translation>Axialschnitt</translation>
     </message>
     <message>
         <source>Oblique section</source>
-        <translation type="unfinished"></translation>
+        <translation>Schräger Schnitt</translation>
     </message>
     <message>
         <source>Whole scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganze Szene</translation>
     </message>
     <message>
         <source>Hide</source>
@@ -921,11 +896,11 @@
     </message>
     <message>
         <source>Unlock</source>
-        <translation type="unfinished"></translation>
+        <translation>Entsperren</translation>
     </message>
     <message>
         <source>Lock</source>
-        <translation type="unfinished"></translation>
+        <translation>Sperren</translation>
     </message>
     <message>
         <source>Isolate</source>
@@ -933,7 +908,7 @@
     </message>
     <message>
         <source>Hide Others</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere ausblenden</translation>
     </message>
     <message>
         <source>Show All</source>
@@ -941,7 +916,7 @@
     </message>
     <message>
         <source>Ghost</source>
-        <translation type="unfinished"></translation>
+        <translation>Geist</translation>
     </message>
     <message>
         <source>Inherit Γ</source>
@@ -949,19 +924,19 @@
     </message>
     <message>
         <source>Inherit Colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe erben</translation>
     </message>
     <message>
         <source>Inherit Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>Deckkraft erben</translation>
     </message>
     <message>
         <source>Inherit All</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles erben</translation>
     </message>
     <message>
         <source>Ungroup</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppe auflösen</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -969,83 +944,83 @@
     </message>
     <message>
         <source>Move</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschieben</translation>
     </message>
     <message>
         <source>%1, its own</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, eigenes</translation>
     </message>
     <message>
         <source>%1, inherited</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, geerbt</translation>
     </message>
     <message>
         <source>open</source>
-        <translation type="unfinished"></translation>
+        <translation>offen</translation>
     </message>
     <message>
         <source>solid</source>
-        <translation type="unfinished"></translation>
+        <translation>deckend</translation>
     </message>
     <message>
         <source>tint</source>
-        <translation type="unfinished"></translation>
+        <translation>Tönung</translation>
     </message>
     <message>
         <source>veil</source>
-        <translation type="unfinished"></translation>
+        <translation>Schleier</translation>
     </message>
     <message>
         <source>simplified from %1 triangles, at most %2 mm off</source>
-        <translation type="unfinished"></translation>
+        <translation>vereinfacht aus %1 Dreiecken, höchstens %2 mm daneben</translation>
     </message>
     <message>
         <source>smoothed in %1 steps, at most %2 mm off</source>
-        <translation type="unfinished"></translation>
+        <translation>geglättet in %1 Schritten, höchstens %2 mm daneben</translation>
     </message>
     <message>
         <source>refined in %1 steps</source>
-        <translation type="unfinished"></translation>
+        <translation>verfeinert in %1 Schritten</translation>
     </message>
     <message>
         <source>%1 faces mended</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Flächen ausgebessert</translation>
     </message>
     <message>
         <source>moved as its scene says</source>
-        <translation type="unfinished"></translation>
+        <translation>verschoben, wie ihre Szene sagt</translation>
     </message>
     <message>
         <source>as in the file</source>
-        <translation type="unfinished"></translation>
+        <translation>wie in der Datei</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei</translation>
     </message>
     <message>
         <source>made by the program</source>
-        <translation type="unfinished"></translation>
+        <translation>vom Programm erzeugt</translation>
     </message>
     <message>
         <source>Part of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Teil der Datei</translation>
     </message>
     <message>
         <source>Coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaten</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>Import</translation>
     </message>
     <message>
         <source>Γ</source>
@@ -1057,23 +1032,23 @@
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>Deckkraft</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>Between the lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen den Linien</translation>
     </message>
     <message>
         <source>Line width</source>
-        <translation type="unfinished"></translation>
+        <translation>Linienstärke</translation>
     </message>
     <message>
         <source>%1 ×</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ×</translation>
     </message>
     <message>
         <source>Shown</source>
@@ -1081,151 +1056,151 @@
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>ja</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>nein</translation>
     </message>
     <message>
         <source>Locked</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesperrt</translation>
     </message>
     <message>
         <source>by the group above</source>
-        <translation type="unfinished"></translation>
+        <translation>durch die Gruppe darüber</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>In</source>
-        <translation type="unfinished"></translation>
+        <translation>In</translation>
     </message>
     <message>
         <source>Triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreiecke</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>%1 × %2 × %3 mm (right–left, front–back, foot–head)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 × %3 mm (rechts–links, vorn–hinten, Fuß–Kopf)</translation>
     </message>
     <message>
         <source>none: the surface has holes</source>
-        <translation type="unfinished"></translation>
+        <translation>keines: die Oberfläche hat Löcher</translation>
     </message>
     <message>
         <source>%1 ml</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ml</translation>
     </message>
     <message>
         <source>%1, of %2 closed surfaces</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, von %2 geschlossenen Oberflächen</translation>
     </message>
     <message>
         <source>%1 cm²</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 cm²</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen</translation>
     </message>
     <message>
         <source>Middle drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen mit der Mitteltaste</translation>
     </message>
     <message>
         <source>Right drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen mit rechts</translation>
     </message>
     <message>
         <source>Zoom: upwards is nearer</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoomen: nach oben ist näher</translation>
     </message>
     <message>
         <source>Roll the picture around its middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild um seine Mitte rollen</translation>
     </message>
     <message>
         <source>Two fingers on a touchpad</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Finger auf dem Touchpad</translation>
     </message>
     <message>
         <source>Move the picture; pinch to zoom</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild verschieben; spreizen zum Zoomen</translation>
     </message>
     <message>
         <source>Select what is seen there</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen, was dort zu sehen ist</translation>
     </message>
     <message>
         <source>Add to the selection, or take away from it</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur Auswahl hinzufügen oder daraus nehmen</translation>
     </message>
     <message>
         <source>Select the next structure behind; after the last the first</source>
-        <translation type="unfinished"></translation>
+        <translation>Die nächste Struktur dahinter wählen; nach der letzten die erste</translation>
     </message>
     <message>
         <source>Right click</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechtsklick</translation>
     </message>
     <message>
         <source>What can be done with the structure there</source>
-        <translation type="unfinished"></translation>
+        <translation>Was sich mit der Struktur dort tun lässt</translation>
     </message>
     <message>
         <source>Drag the arrow of a section</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Pfeil eines Schnitts ziehen</translation>
     </message>
     <message>
         <source>Move the plane; with Ctrl in whole steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ebene verschieben; mit Strg in ganzen Schritten</translation>
     </message>
     <message>
         <source>Click on the arrow&apos;s head</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick auf die Pfeilspitze</translation>
     </message>
     <message>
         <source>Keep the other side of the section</source>
-        <translation type="unfinished"></translation>
+        <translation>Die andere Seite des Schnitts behalten</translation>
     </message>
     <message>
         <source>Drag a ring of a section</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Ring eines Schnitts ziehen</translation>
     </message>
     <message>
         <source>Tilt the plane; with Ctrl in steps of 15°</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ebene kippen; mit Strg in Schritten von 15°</translation>
     </message>
     <message>
         <source>Arrow keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Pfeiltasten</translation>
     </message>
     <message>
         <source>Turn by %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>Um %1° drehen</translation>
     </message>
     <message>
         <source>Plus, minus</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus, Minus</translation>
     </message>
     <message>
         <source>Zoom</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoomen</translation>
     </message>
     <message>
         <source>&amp;Inherit</source>
-        <translation type="unfinished"></translation>
+        <translation>E&amp;rben</translation>
     </message>
     <message>
         <source>&amp;Over the Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Ü&amp;ber dem Bild</translation>
     </message>
     <message>
         <source>Re&amp;load from Source</source>
@@ -1233,7 +1208,7 @@
     </message>
     <message>
         <source>&amp;Ghost</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Geist</translation>
     </message>
     <message>
         <source>Ctrl+Shift+D</source>
@@ -1241,51 +1216,51 @@
     </message>
     <message>
         <source>The selected structures as outlines under a veil</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählten Strukturen als Umrisse unter einem Schleier</translation>
     </message>
     <message>
         <source>Co&amp;lour…</source>
-        <translation type="unfinished"></translation>
+        <translation>Far&amp;be …</translation>
     </message>
     <message>
         <source>Another colour for the selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine andere Farbe für die gewählten</translation>
     </message>
     <message>
         <source>Inherit &amp;Γ</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Γ erben</translation>
     </message>
     <message>
         <source>Inherit &amp;Colour</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Farbe erben</translation>
     </message>
     <message>
         <source>Take the colour from the group above again</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Farbe wieder von der Gruppe darüber nehmen</translation>
     </message>
     <message>
         <source>Inherit &amp;Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Deckkraft erben</translation>
     </message>
     <message>
         <source>Take the opacity from the group above again</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Deckkraft wieder von der Gruppe darüber nehmen</translation>
     </message>
     <message>
         <source>Inherit &amp;All</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Alles erben</translation>
     </message>
     <message>
         <source>Take the whole look from the group above again</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ganze Aussehen wieder von der Gruppe darüber nehmen</translation>
     </message>
     <message>
         <source>Show the selected structures and nothing else; again: everything</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur die gewählten Strukturen zeigen; noch einmal: alles</translation>
     </message>
     <message>
         <source>Hide &amp;Others</source>
-        <translation type="unfinished"></translation>
+        <translation>An&amp;dere ausblenden</translation>
     </message>
     <message>
         <source>Shift+H</source>
@@ -1293,11 +1268,11 @@
     </message>
     <message>
         <source>Hide all but the selected structures</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle außer den gewählten Strukturen ausblenden</translation>
     </message>
     <message>
         <source>&amp;Zoom To</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Heranzoomen</translation>
     </message>
     <message>
         <source>Z</source>
@@ -1309,11 +1284,11 @@
     </message>
     <message>
         <source>Bring the selected structures into the picture, and turn around them</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählten Strukturen ins Bild bringen und um sie drehen</translation>
     </message>
     <message>
         <source>Re&amp;name</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Umbenennen</translation>
     </message>
     <message>
         <source>F2</source>
@@ -1321,11 +1296,11 @@
     </message>
     <message>
         <source>Another name</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein anderer Name</translation>
     </message>
     <message>
         <source>Ne&amp;w Group</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Neue Gruppe</translation>
     </message>
     <message>
         <source>Ctrl+Shift+N</source>
@@ -1333,11 +1308,11 @@
     </message>
     <message>
         <source>An empty group</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine leere Gruppe</translation>
     </message>
     <message>
         <source>Grou&amp;p</source>
-        <translation type="unfinished"></translation>
+        <translation>Gru&amp;ppieren</translation>
     </message>
     <message>
         <source>Ctrl+G</source>
@@ -1345,11 +1320,11 @@
     </message>
     <message>
         <source>The selected structures in a group of their own</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählten Strukturen in einer eigenen Gruppe</translation>
     </message>
     <message>
         <source>&amp;Ungroup</source>
-        <translation type="unfinished"></translation>
+        <translation>Gruppe auflö&amp;sen</translation>
     </message>
     <message>
         <source>Ctrl+Shift+G</source>
@@ -1357,11 +1332,11 @@
     </message>
     <message>
         <source>Dissolve the selected groups; what is in them keeps its look</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählten Gruppen auflösen; was in ihnen ist, behält sein Aussehen</translation>
     </message>
     <message>
         <source>Loc&amp;k</source>
-        <translation type="unfinished"></translation>
+        <translation>Spe&amp;rren</translation>
     </message>
     <message>
         <source>Ctrl+L</source>
@@ -1369,11 +1344,11 @@
     </message>
     <message>
         <source>What is locked keeps its look, name and place and cannot be clicked in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Was gesperrt ist, behält Aussehen, Namen und Platz und lässt sich im Bild nicht anklicken</translation>
     </message>
     <message>
         <source>Propert&amp;ies…</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigens&amp;chaften …</translation>
     </message>
     <message>
         <source>Alt+Return</source>
@@ -1381,11 +1356,11 @@
     </message>
     <message>
         <source>Where it came from, how large it is, how it is drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>Woher sie kommt, wie groß sie ist, wie sie gezeichnet wird</translation>
     </message>
     <message>
         <source>&amp;Facing the View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Quer zum Blick</translation>
     </message>
     <message>
         <source>Ctrl+4</source>
@@ -1393,31 +1368,31 @@
     </message>
     <message>
         <source>Cut across the line of sight</source>
-        <translation type="unfinished"></translation>
+        <translation>Quer zur Blickrichtung schneiden</translation>
     </message>
     <message>
         <source>&amp;Orientation Cube</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Orientierungswürfel</translation>
     </message>
     <message>
         <source>Scale &amp;Bar</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Maßstab</translation>
     </message>
     <message>
         <source>How long a centimetre is</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie lang ein Zentimeter ist</translation>
     </message>
     <message>
         <source>&amp;Names under the Mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Namen unter der Maus</translation>
     </message>
     <message>
         <source>Picture &amp;Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild&amp;zeit</translation>
     </message>
     <message>
         <source>How long the last picture took to draw</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie lange das Zeichnen des letzten Bildes gedauert hat</translation>
     </message>
     <message>
         <source>Space</source>
@@ -1429,43 +1404,55 @@
     </message>
     <message>
         <source>Bring the selected structures into the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählten Strukturen ins Bild bringen</translation>
     </message>
     <message>
         <source>Drag over eyes or locks</source>
-        <translation type="unfinished"></translation>
+        <translation>Über Augen oder Schlösser ziehen</translation>
     </message>
     <message>
         <source>Set them all alike</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle gleich setzen</translation>
     </message>
     <message>
         <source>Alt + click on an eye</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt + Klick auf ein Auge</translation>
     </message>
     <message>
         <source>Show this and nothing else; again: everything</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur dies zeigen; noch einmal: alles</translation>
     </message>
     <message>
         <source>Middle click on Γ or colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittelklick auf Γ oder Farbe</translation>
     </message>
     <message>
         <source>Take it from the group above again</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wieder von der Gruppe darüber nehmen</translation>
     </message>
     <message>
         <source>Drag rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeilen ziehen</translation>
     </message>
     <message>
         <source>Put them elsewhere, or into another group</source>
-        <translation type="unfinished"></translation>
+        <translation>An eine andere Stelle oder in eine andere Gruppe legen</translation>
     </message>
     <message>
         <source>Double click on a name</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppelklick auf einen Namen</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>New Group</source>
+        <translation>Neue Gruppe</translation>
     </message>
 </context>
 <context>
@@ -1513,18 +1500,18 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>List of structures</source>
-        <translation type="unfinished"></translation>
+        <translation>Liste der Strukturen</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::CubeMark</name>
     <message>
         <source>Orientation cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Orientierungswürfel</translation>
     </message>
     <message>
         <source>The keys A, P, L, R, S and I look from the same sides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tasten A, P, L, R, S und I blicken von denselben Seiten.</translation>
     </message>
 </context>
 <context>
@@ -1893,7 +1880,7 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Sections</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitte</translation>
     </message>
 </context>
 <context>
@@ -1926,11 +1913,11 @@ OpenGL: %3</translation>
     <name>sline::widgets::PictureMarks</name>
     <message>
         <source>%1 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ms</translation>
     </message>
     <message>
         <source>%1 at %2 % size</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bei %2 % Größe</translation>
     </message>
 </context>
 <context>
@@ -1944,15 +1931,15 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Section &amp;Here</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt &amp;hier</translation>
     </message>
     <message>
         <source>Section Here, of &amp;This Alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt hier, nur von &amp;diesem</translation>
     </message>
     <message>
         <source>Turn &amp;Around This Place</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Um diese Stelle drehen</translation>
     </message>
 </context>
 <context>
@@ -2016,19 +2003,19 @@ OpenGL: %3</translation>
     <name>sline::widgets::ScaleBarMark</name>
     <message>
         <source>%1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 m</translation>
     </message>
     <message>
         <source>%1 cm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 cm</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Scale: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Maßstab: %1</translation>
     </message>
 </context>
 <context>
@@ -2059,88 +2046,88 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>&amp;Facing the View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Quer zum Blick</translation>
     </message>
     <message>
         <source>%1 cannot be added: a structure can have %2 sections at most</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 lässt sich nicht hinzufügen: eine Struktur kann höchstens %2 Schnitte haben</translation>
     </message>
     <message>
         <source>Take another section away first</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimm zuerst einen anderen Schnitt weg</translation>
     </message>
     <message>
         <source>Of %1 alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur von %1</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::SectionList</name>
     <message>
         <source>Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt</translation>
     </message>
     <message>
         <source>Position</source>
-        <translation type="unfinished"></translation>
+        <translation>Lage</translation>
     </message>
     <message>
         <source>Cuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Schneidet</translation>
     </message>
     <message>
         <source>Rename Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt umbenennen</translation>
     </message>
     <message>
         <source>Section On</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt ein</translation>
     </message>
     <message>
         <source>Section Off</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt aus</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::SectionTool</name>
     <message>
         <source>%1°</source>
-        <translation type="unfinished"></translation>
+        <translation>%1°</translation>
     </message>
     <message>
         <source>Flip Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt umdrehen</translation>
     </message>
     <message>
         <source>Tilt Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt kippen</translation>
     </message>
     <message>
         <source>Move Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt verschieben</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::SectionsPanel</name>
     <message>
         <source>Sections</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitte</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu</translation>
     </message>
     <message>
         <source>Add a section plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Schnittebene hinzufügen</translation>
     </message>
     <message>
         <source>Flip</source>
-        <translation type="unfinished"></translation>
+        <translation>Umdrehen</translation>
     </message>
     <message>
         <source>Keep the other side of this section</source>
-        <translation type="unfinished"></translation>
+        <translation>Die andere Seite dieses Schnitts behalten</translation>
     </message>
     <message>
         <source>Delete</source>
@@ -2148,51 +2135,51 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Take this section away</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen Schnitt wegnehmen</translation>
     </message>
     <message>
         <source>Flip Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt umdrehen</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Towards the left, the back or the head; of an oblique section along its normal</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach links, hinten oder zum Kopf; bei einem schrägen Schnitt entlang seiner Normalen</translation>
     </message>
     <message>
         <source>Hatched cut faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Schraffierte Schnittflächen</translation>
     </message>
     <message>
         <source>Move Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt verschieben</translation>
     </message>
     <message>
         <source>Hatched Cut Faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Schraffierte Schnittflächen</translation>
     </message>
     <message>
         <source>&amp;Position</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Lage</translation>
     </message>
     <message>
         <source>&amp;Cuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Schn&amp;eidet</translation>
     </message>
     <message>
         <source>Delete Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Schnitt löschen</translation>
     </message>
     <message>
         <source>Selected: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewählt: %1</translation>
     </message>
     <message>
         <source>What a Section Cuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Was ein Schnitt schneidet</translation>
     </message>
 </context>
 <context>
@@ -2244,11 +2231,11 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Lock</source>
-        <translation type="unfinished"></translation>
+        <translation>Sperren</translation>
     </message>
     <message>
         <source>Unlock</source>
-        <translation type="unfinished"></translation>
+        <translation>Entsperren</translation>
     </message>
     <message>
         <source>Show</source>
@@ -2313,18 +2300,18 @@ OpenGL: %3</translation>
     <name>sline::widgets::StructureDelegate</name>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::StructureProperties</name>
     <message>
         <source>Properties</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigenschaften</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kopieren</translation>
     </message>
 </context>
 <context>
@@ -2343,17 +2330,17 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Words in any order. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wörter in beliebiger Reihenfolge. Eingabe wählt alle passenden, Pfeil ab führt in die Liste, Esc zeigt wieder alle.</translation>
     </message>
     <message>
         <source>No structure is called so</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Struktur heißt so</translation>
     </message>
     <message numerus="yes">
         <source>%n structures – Enter selects them</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Struktur – Eingabe wählt sie</numerusform>
+            <numerusform>%n Strukturen – Eingabe wählt sie</numerusform>
         </translation>
     </message>
 </context>
@@ -2397,39 +2384,43 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>%1, its own</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, eigenes</translation>
     </message>
     <message>
         <source>Colour, its own</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe, eigene</translation>
     </message>
     <message>
         <source>Colours of what is in it</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben dessen, was darin ist</translation>
     </message>
     <message>
         <source>Colour, from the group above</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe, von der Gruppe darüber</translation>
     </message>
     <message>
         <source>opacity %1 %, its own</source>
-        <translation type="unfinished"></translation>
+        <translation>Deckkraft %1 %, eigene</translation>
     </message>
     <message>
         <source>opacity %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Deckkraft %1 %</translation>
     </message>
     <message>
         <source>Not locked</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht gesperrt</translation>
     </message>
     <message>
         <source>Locked by the group above: keeps its look, name and place and cannot be clicked in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Durch die Gruppe darüber gesperrt: behält Aussehen, Namen und Platz und lässt sich im Bild nicht anklicken</translation>
     </message>
     <message>
         <source>Locked: keeps its look, name and place and cannot be clicked in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesperrt: behält Aussehen, Namen und Platz und lässt sich im Bild nicht anklicken</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
     </message>
 </context>
 <context>
@@ -2440,7 +2431,7 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Locked</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesperrt</translation>
     </message>
 </context>
 <context>
@@ -2459,17 +2450,6 @@ OpenGL: %3</translation>
     <message>
         <source>Picture</source>
         <translation>Bild</translation>
-    </message>
-</context>
-<context>
-    <name>std</name>
-    <message>
-        <source>%1 %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Group</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -77,7 +77,7 @@
     <message numerus="yes">
         <source>%n structures – Enter selects them</source>
         <translation>
-            <numerusform>%n structures – Enter selects them</numerusform>
+            <numerusform>%n structure – Enter selects it</numerusform>
             <numerusform>%n structures – Enter selects them</numerusform>
         </translation>
     </message>

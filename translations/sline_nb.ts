@@ -2,20 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="nb_NO" sourcelanguage="en">
 <context>
-    <name>Sections</name>
-    <message>
-        <source>%1 mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>StructureTreeModel</name>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 til %2</translation>
-    </message>
-</context>
-<context>
     <name>main</name>
     <message>
         <source>Turns segmented anatomy into focus-and-context line illustrations.</source>
@@ -28,17 +14,6 @@
     <message>
         <source>Opens a scene that the program models itself: %1.</source>
         <translation>Åpner en scene som programmet selv modellerer: %1.</translation>
-    </message>
-</context>
-<context>
-    <name>model</name>
-    <message>
-        <source>Group</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>New Group</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -825,39 +800,39 @@
     </message>
     <message>
         <source>Cut away</source>
-        <translation type="unfinished"></translation>
+        <translation>Skåret bort</translation>
     </message>
     <message>
         <source>Orientation cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Orienteringskube</translation>
     </message>
     <message>
         <source>The body&apos;s sides in the corner of the picture; a click looks from there</source>
-        <translation type="unfinished"></translation>
+        <translation>Kroppens sider i hjørnet av bildet; et klikk ser derfra</translation>
     </message>
     <message>
         <source>Scale bar</source>
-        <translation type="unfinished"></translation>
+        <translation>Målestokk</translation>
     </message>
     <message>
         <source>True at the depth of what the picture turns around</source>
-        <translation type="unfinished"></translation>
+        <translation>Gjelder i dybden der bildet dreier</translation>
     </message>
     <message>
         <source>Names under the mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>Navn under musen</translation>
     </message>
     <message>
         <source>What a structure is called where the mouse rests</source>
-        <translation type="unfinished"></translation>
+        <translation>Hva en struktur heter der musen hviler</translation>
     </message>
     <message>
         <source>Time that a picture takes</source>
-        <translation type="unfinished"></translation>
+        <translation>Tiden et bilde tar</translation>
     </message>
     <message>
         <source>In milliseconds, in the corner of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>I millisekunder, i hjørnet av bildet</translation>
     </message>
     <message>
         <source>Mouse</source>
@@ -865,11 +840,11 @@
     </message>
     <message>
         <source>Mouse buttons as in</source>
-        <translation type="unfinished"></translation>
+        <translation>Museknapper som i</translation>
     </message>
     <message>
         <source>Which buttons and keys turn, move and zoom the picture; H shows them</source>
-        <translation type="unfinished"></translation>
+        <translation>Hvilke knapper og taster som dreier, flytter og zoomer bildet; H viser dem</translation>
     </message>
     <message>
         <source>Sline</source>
@@ -877,39 +852,39 @@
     </message>
     <message>
         <source>3D Slicer</source>
-        <translation type="unfinished"></translation>
+        <translation>3D Slicer</translation>
     </message>
     <message>
         <source>Blender</source>
-        <translation type="unfinished"></translation>
+        <translation>Blender</translation>
     </message>
     <message>
         <source>Short flights between views</source>
-        <translation type="unfinished"></translation>
+        <translation>Korte overganger mellom visninger</translation>
     </message>
     <message>
         <source>Off: the picture changes at once</source>
-        <translation type="unfinished"></translation>
+        <translation>Av: bildet skifter straks</translation>
     </message>
     <message>
         <source>Sagittal section</source>
-        <translation type="unfinished"></translation>
+        <translation>Sagittalt snitt</translation>
     </message>
     <message>
         <source>Coronal section</source>
-        <translation type="unfinished"></translation>
+        <translation>Koronalt snitt</translation>
     </message>
     <message>
         <source>Axial section</source>
-        <translation type="unfinished"></translation>
+        <translation>Aksialt snitt</translation>
     </message>
     <message>
         <source>Oblique section</source>
-        <translation type="unfinished"></translation>
+        <translation>Skrått snitt</translation>
     </message>
     <message>
         <source>Whole scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Hele scenen</translation>
     </message>
     <message>
         <source>Hide</source>
@@ -921,11 +896,11 @@
     </message>
     <message>
         <source>Unlock</source>
-        <translation type="unfinished"></translation>
+        <translation>Lås opp</translation>
     </message>
     <message>
         <source>Lock</source>
-        <translation type="unfinished"></translation>
+        <translation>Lås</translation>
     </message>
     <message>
         <source>Isolate</source>
@@ -933,7 +908,7 @@
     </message>
     <message>
         <source>Hide Others</source>
-        <translation type="unfinished"></translation>
+        <translation>Skjul andre</translation>
     </message>
     <message>
         <source>Show All</source>
@@ -941,7 +916,7 @@
     </message>
     <message>
         <source>Ghost</source>
-        <translation type="unfinished"></translation>
+        <translation>Skygge</translation>
     </message>
     <message>
         <source>Inherit Γ</source>
@@ -949,19 +924,19 @@
     </message>
     <message>
         <source>Inherit Colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Arv farge</translation>
     </message>
     <message>
         <source>Inherit Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>Arv dekkevne</translation>
     </message>
     <message>
         <source>Inherit All</source>
-        <translation type="unfinished"></translation>
+        <translation>Arv alt</translation>
     </message>
     <message>
         <source>Ungroup</source>
-        <translation type="unfinished"></translation>
+        <translation>Løs opp gruppe</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -969,83 +944,83 @@
     </message>
     <message>
         <source>Move</source>
-        <translation type="unfinished"></translation>
+        <translation>Flytt</translation>
     </message>
     <message>
         <source>%1, its own</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, egen</translation>
     </message>
     <message>
         <source>%1, inherited</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, arvet</translation>
     </message>
     <message>
         <source>open</source>
-        <translation type="unfinished"></translation>
+        <translation>åpen</translation>
     </message>
     <message>
         <source>solid</source>
-        <translation type="unfinished"></translation>
+        <translation>dekkende</translation>
     </message>
     <message>
         <source>tint</source>
-        <translation type="unfinished"></translation>
+        <translation>tone</translation>
     </message>
     <message>
         <source>veil</source>
-        <translation type="unfinished"></translation>
+        <translation>slør</translation>
     </message>
     <message>
         <source>simplified from %1 triangles, at most %2 mm off</source>
-        <translation type="unfinished"></translation>
+        <translation>forenklet fra %1 trekanter, høyst %2 mm feil</translation>
     </message>
     <message>
         <source>smoothed in %1 steps, at most %2 mm off</source>
-        <translation type="unfinished"></translation>
+        <translation>glattet i %1 trinn, høyst %2 mm feil</translation>
     </message>
     <message>
         <source>refined in %1 steps</source>
-        <translation type="unfinished"></translation>
+        <translation>forfinet i %1 trinn</translation>
     </message>
     <message>
         <source>%1 faces mended</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 flater reparert</translation>
     </message>
     <message>
         <source>moved as its scene says</source>
-        <translation type="unfinished"></translation>
+        <translation>flyttet slik scenen sier</translation>
     </message>
     <message>
         <source>as in the file</source>
-        <translation type="unfinished"></translation>
+        <translation>som i filen</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Fil</translation>
     </message>
     <message>
         <source>made by the program</source>
-        <translation type="unfinished"></translation>
+        <translation>laget av programmet</translation>
     </message>
     <message>
         <source>Part of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Del av filen</translation>
     </message>
     <message>
         <source>Coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinater</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Enhet</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>Import</translation>
     </message>
     <message>
         <source>Γ</source>
@@ -1057,23 +1032,23 @@
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>Dekkevne</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>Between the lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Mellom linjene</translation>
     </message>
     <message>
         <source>Line width</source>
-        <translation type="unfinished"></translation>
+        <translation>Linjebredde</translation>
     </message>
     <message>
         <source>%1 ×</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ×</translation>
     </message>
     <message>
         <source>Shown</source>
@@ -1081,151 +1056,151 @@
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>ja</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>nei</translation>
     </message>
     <message>
         <source>Locked</source>
-        <translation type="unfinished"></translation>
+        <translation>Låst</translation>
     </message>
     <message>
         <source>by the group above</source>
-        <translation type="unfinished"></translation>
+        <translation>av gruppen over</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Navn</translation>
     </message>
     <message>
         <source>In</source>
-        <translation type="unfinished"></translation>
+        <translation>I</translation>
     </message>
     <message>
         <source>Triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Trekanter</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Størrelse</translation>
     </message>
     <message>
         <source>%1 × %2 × %3 mm (right–left, front–back, foot–head)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 × %3 mm (høyre–venstre, foran–bak, fot–hode)</translation>
     </message>
     <message>
         <source>none: the surface has holes</source>
-        <translation type="unfinished"></translation>
+        <translation>ingen: overflaten har hull</translation>
     </message>
     <message>
         <source>%1 ml</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ml</translation>
     </message>
     <message>
         <source>%1, of %2 closed surfaces</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, av %2 lukkede overflater</translation>
     </message>
     <message>
         <source>%1 cm²</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 cm²</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volum</translation>
     </message>
     <message>
         <source>Middle drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Dra med midtknappen</translation>
     </message>
     <message>
         <source>Right drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Dra med høyre</translation>
     </message>
     <message>
         <source>Zoom: upwards is nearer</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoom: oppover er nærmere</translation>
     </message>
     <message>
         <source>Roll the picture around its middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Rull bildet rundt midten</translation>
     </message>
     <message>
         <source>Two fingers on a touchpad</source>
-        <translation type="unfinished"></translation>
+        <translation>To fingre på en styreplate</translation>
     </message>
     <message>
         <source>Move the picture; pinch to zoom</source>
-        <translation type="unfinished"></translation>
+        <translation>Flytt bildet; klyp for å zoome</translation>
     </message>
     <message>
         <source>Select what is seen there</source>
-        <translation type="unfinished"></translation>
+        <translation>Velg det som ses der</translation>
     </message>
     <message>
         <source>Add to the selection, or take away from it</source>
-        <translation type="unfinished"></translation>
+        <translation>Legg til utvalget, eller ta bort fra det</translation>
     </message>
     <message>
         <source>Select the next structure behind; after the last the first</source>
-        <translation type="unfinished"></translation>
+        <translation>Velg neste struktur bak; etter den siste den første</translation>
     </message>
     <message>
         <source>Right click</source>
-        <translation type="unfinished"></translation>
+        <translation>Høyreklikk</translation>
     </message>
     <message>
         <source>What can be done with the structure there</source>
-        <translation type="unfinished"></translation>
+        <translation>Hva som kan gjøres med strukturen der</translation>
     </message>
     <message>
         <source>Drag the arrow of a section</source>
-        <translation type="unfinished"></translation>
+        <translation>Dra pilen til et snitt</translation>
     </message>
     <message>
         <source>Move the plane; with Ctrl in whole steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Flytt planet; med Ctrl i hele trinn</translation>
     </message>
     <message>
         <source>Click on the arrow&apos;s head</source>
-        <translation type="unfinished"></translation>
+        <translation>Klikk på pilspissen</translation>
     </message>
     <message>
         <source>Keep the other side of the section</source>
-        <translation type="unfinished"></translation>
+        <translation>Behold den andre siden av snittet</translation>
     </message>
     <message>
         <source>Drag a ring of a section</source>
-        <translation type="unfinished"></translation>
+        <translation>Dra en ring på et snitt</translation>
     </message>
     <message>
         <source>Tilt the plane; with Ctrl in steps of 15°</source>
-        <translation type="unfinished"></translation>
+        <translation>Vipp planet; med Ctrl i trinn på 15°</translation>
     </message>
     <message>
         <source>Arrow keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Piltaster</translation>
     </message>
     <message>
         <source>Turn by %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>Drei %1°</translation>
     </message>
     <message>
         <source>Plus, minus</source>
-        <translation type="unfinished"></translation>
+        <translation>Pluss, minus</translation>
     </message>
     <message>
         <source>Zoom</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoom</translation>
     </message>
     <message>
         <source>&amp;Inherit</source>
-        <translation type="unfinished"></translation>
+        <translation>A&amp;rv</translation>
     </message>
     <message>
         <source>&amp;Over the Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Over bildet</translation>
     </message>
     <message>
         <source>Re&amp;load from Source</source>
@@ -1233,7 +1208,7 @@
     </message>
     <message>
         <source>&amp;Ghost</source>
-        <translation type="unfinished"></translation>
+        <translation>Sk&amp;ygge</translation>
     </message>
     <message>
         <source>Ctrl+Shift+D</source>
@@ -1241,51 +1216,51 @@
     </message>
     <message>
         <source>The selected structures as outlines under a veil</source>
-        <translation type="unfinished"></translation>
+        <translation>De valgte strukturene som omriss under et slør</translation>
     </message>
     <message>
         <source>Co&amp;lour…</source>
-        <translation type="unfinished"></translation>
+        <translation>Far&amp;ge …</translation>
     </message>
     <message>
         <source>Another colour for the selected</source>
-        <translation type="unfinished"></translation>
+        <translation>En annen farge for de valgte</translation>
     </message>
     <message>
         <source>Inherit &amp;Γ</source>
-        <translation type="unfinished"></translation>
+        <translation>Arv &amp;Γ</translation>
     </message>
     <message>
         <source>Inherit &amp;Colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Arv &amp;farge</translation>
     </message>
     <message>
         <source>Take the colour from the group above again</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta fargen fra gruppen over igjen</translation>
     </message>
     <message>
         <source>Inherit &amp;Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>Arv &amp;dekkevne</translation>
     </message>
     <message>
         <source>Take the opacity from the group above again</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta dekkevnen fra gruppen over igjen</translation>
     </message>
     <message>
         <source>Inherit &amp;All</source>
-        <translation type="unfinished"></translation>
+        <translation>Arv &amp;alt</translation>
     </message>
     <message>
         <source>Take the whole look from the group above again</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta hele utseendet fra gruppen over igjen</translation>
     </message>
     <message>
         <source>Show the selected structures and nothing else; again: everything</source>
-        <translation type="unfinished"></translation>
+        <translation>Vis de valgte strukturene og ikke noe annet; en gang til: alt</translation>
     </message>
     <message>
         <source>Hide &amp;Others</source>
-        <translation type="unfinished"></translation>
+        <translation>Skjul an&amp;dre</translation>
     </message>
     <message>
         <source>Shift+H</source>
@@ -1293,11 +1268,11 @@
     </message>
     <message>
         <source>Hide all but the selected structures</source>
-        <translation type="unfinished"></translation>
+        <translation>Skjul alle andre enn de valgte strukturene</translation>
     </message>
     <message>
         <source>&amp;Zoom To</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zoom til</translation>
     </message>
     <message>
         <source>Z</source>
@@ -1309,11 +1284,11 @@
     </message>
     <message>
         <source>Bring the selected structures into the picture, and turn around them</source>
-        <translation type="unfinished"></translation>
+        <translation>Få de valgte strukturene inn i bildet, og drei rundt dem</translation>
     </message>
     <message>
         <source>Re&amp;name</source>
-        <translation type="unfinished"></translation>
+        <translation>Gi &amp;nytt navn</translation>
     </message>
     <message>
         <source>F2</source>
@@ -1321,11 +1296,11 @@
     </message>
     <message>
         <source>Another name</source>
-        <translation type="unfinished"></translation>
+        <translation>Et annet navn</translation>
     </message>
     <message>
         <source>Ne&amp;w Group</source>
-        <translation type="unfinished"></translation>
+        <translation>Ny gru&amp;ppe</translation>
     </message>
     <message>
         <source>Ctrl+Shift+N</source>
@@ -1333,11 +1308,11 @@
     </message>
     <message>
         <source>An empty group</source>
-        <translation type="unfinished"></translation>
+        <translation>En tom gruppe</translation>
     </message>
     <message>
         <source>Grou&amp;p</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Grupper</translation>
     </message>
     <message>
         <source>Ctrl+G</source>
@@ -1345,11 +1320,11 @@
     </message>
     <message>
         <source>The selected structures in a group of their own</source>
-        <translation type="unfinished"></translation>
+        <translation>De valgte strukturene i en egen gruppe</translation>
     </message>
     <message>
         <source>&amp;Ungroup</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Løs opp gruppe</translation>
     </message>
     <message>
         <source>Ctrl+Shift+G</source>
@@ -1357,11 +1332,11 @@
     </message>
     <message>
         <source>Dissolve the selected groups; what is in them keeps its look</source>
-        <translation type="unfinished"></translation>
+        <translation>Løs opp de valgte gruppene; det som er i dem, beholder utseendet</translation>
     </message>
     <message>
         <source>Loc&amp;k</source>
-        <translation type="unfinished"></translation>
+        <translation>L&amp;ås</translation>
     </message>
     <message>
         <source>Ctrl+L</source>
@@ -1369,11 +1344,11 @@
     </message>
     <message>
         <source>What is locked keeps its look, name and place and cannot be clicked in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Det som er låst, beholder utseende, navn og plass og kan ikke klikkes i bildet</translation>
     </message>
     <message>
         <source>Propert&amp;ies…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Egenskaper …</translation>
     </message>
     <message>
         <source>Alt+Return</source>
@@ -1381,11 +1356,11 @@
     </message>
     <message>
         <source>Where it came from, how large it is, how it is drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>Hvor den kom fra, hvor stor den er, hvordan den tegnes</translation>
     </message>
     <message>
         <source>&amp;Facing the View</source>
-        <translation type="unfinished"></translation>
+        <translation>På &amp;tvers av blikket</translation>
     </message>
     <message>
         <source>Ctrl+4</source>
@@ -1393,31 +1368,31 @@
     </message>
     <message>
         <source>Cut across the line of sight</source>
-        <translation type="unfinished"></translation>
+        <translation>Skjær på tvers av synslinjen</translation>
     </message>
     <message>
         <source>&amp;Orientation Cube</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Orienteringskube</translation>
     </message>
     <message>
         <source>Scale &amp;Bar</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Målestokk</translation>
     </message>
     <message>
         <source>How long a centimetre is</source>
-        <translation type="unfinished"></translation>
+        <translation>Hvor lang en centimeter er</translation>
     </message>
     <message>
         <source>&amp;Names under the Mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Navn under musen</translation>
     </message>
     <message>
         <source>Picture &amp;Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilde&amp;tid</translation>
     </message>
     <message>
         <source>How long the last picture took to draw</source>
-        <translation type="unfinished"></translation>
+        <translation>Hvor lang tid det tok å tegne det siste bildet</translation>
     </message>
     <message>
         <source>Space</source>
@@ -1429,43 +1404,55 @@
     </message>
     <message>
         <source>Bring the selected structures into the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Få de valgte strukturene inn i bildet</translation>
     </message>
     <message>
         <source>Drag over eyes or locks</source>
-        <translation type="unfinished"></translation>
+        <translation>Dra over øyne eller låser</translation>
     </message>
     <message>
         <source>Set them all alike</source>
-        <translation type="unfinished"></translation>
+        <translation>Sett alle likt</translation>
     </message>
     <message>
         <source>Alt + click on an eye</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt + klikk på et øye</translation>
     </message>
     <message>
         <source>Show this and nothing else; again: everything</source>
-        <translation type="unfinished"></translation>
+        <translation>Vis dette og ikke noe annet; en gang til: alt</translation>
     </message>
     <message>
         <source>Middle click on Γ or colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Midtklikk på Γ eller farge</translation>
     </message>
     <message>
         <source>Take it from the group above again</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta det fra gruppen over igjen</translation>
     </message>
     <message>
         <source>Drag rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Dra rader</translation>
     </message>
     <message>
         <source>Put them elsewhere, or into another group</source>
-        <translation type="unfinished"></translation>
+        <translation>Legg dem et annet sted, eller i en annen gruppe</translation>
     </message>
     <message>
         <source>Double click on a name</source>
-        <translation type="unfinished"></translation>
+        <translation>Dobbeltklikk på et navn</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>New Group</source>
+        <translation>Ny gruppe</translation>
     </message>
 </context>
 <context>
@@ -1513,18 +1500,18 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>List of structures</source>
-        <translation type="unfinished"></translation>
+        <translation>Liste over strukturer</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::CubeMark</name>
     <message>
         <source>Orientation cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Orienteringskube</translation>
     </message>
     <message>
         <source>The keys A, P, L, R, S and I look from the same sides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tastene A, P, L, R, S og I ser fra de samme sidene.</translation>
     </message>
 </context>
 <context>
@@ -1893,7 +1880,7 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Sections</source>
-        <translation type="unfinished"></translation>
+        <translation>Snitt</translation>
     </message>
 </context>
 <context>
@@ -1926,11 +1913,11 @@ OpenGL: %3</translation>
     <name>sline::widgets::PictureMarks</name>
     <message>
         <source>%1 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ms</translation>
     </message>
     <message>
         <source>%1 at %2 % size</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ved %2 % størrelse</translation>
     </message>
 </context>
 <context>
@@ -1944,15 +1931,15 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Section &amp;Here</source>
-        <translation type="unfinished"></translation>
+        <translation>Snitt &amp;her</translation>
     </message>
     <message>
         <source>Section Here, of &amp;This Alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Snitt her, bare av &amp;dette</translation>
     </message>
     <message>
         <source>Turn &amp;Around This Place</source>
-        <translation type="unfinished"></translation>
+        <translation>D&amp;rei rundt dette stedet</translation>
     </message>
 </context>
 <context>
@@ -2016,19 +2003,19 @@ OpenGL: %3</translation>
     <name>sline::widgets::ScaleBarMark</name>
     <message>
         <source>%1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 m</translation>
     </message>
     <message>
         <source>%1 cm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 cm</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Scale: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Målestokk: %1</translation>
     </message>
 </context>
 <context>
@@ -2059,88 +2046,88 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>&amp;Facing the View</source>
-        <translation type="unfinished"></translation>
+        <translation>På &amp;tvers av blikket</translation>
     </message>
     <message>
         <source>%1 cannot be added: a structure can have %2 sections at most</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 kan ikke legges til: en struktur kan ha høyst %2 snitt</translation>
     </message>
     <message>
         <source>Take another section away first</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta først bort et annet snitt</translation>
     </message>
     <message>
         <source>Of %1 alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Bare av %1</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::SectionList</name>
     <message>
         <source>Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Snitt</translation>
     </message>
     <message>
         <source>Position</source>
-        <translation type="unfinished"></translation>
+        <translation>Posisjon</translation>
     </message>
     <message>
         <source>Cuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Skjærer</translation>
     </message>
     <message>
         <source>Rename Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Gi snittet nytt navn</translation>
     </message>
     <message>
         <source>Section On</source>
-        <translation type="unfinished"></translation>
+        <translation>Snitt på</translation>
     </message>
     <message>
         <source>Section Off</source>
-        <translation type="unfinished"></translation>
+        <translation>Snitt av</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::SectionTool</name>
     <message>
         <source>%1°</source>
-        <translation type="unfinished"></translation>
+        <translation>%1°</translation>
     </message>
     <message>
         <source>Flip Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Vend snittet</translation>
     </message>
     <message>
         <source>Tilt Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Vipp snittet</translation>
     </message>
     <message>
         <source>Move Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Flytt snittet</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::SectionsPanel</name>
     <message>
         <source>Sections</source>
-        <translation type="unfinished"></translation>
+        <translation>Snitt</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>Ny</translation>
     </message>
     <message>
         <source>Add a section plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Legg til et snittplan</translation>
     </message>
     <message>
         <source>Flip</source>
-        <translation type="unfinished"></translation>
+        <translation>Vend</translation>
     </message>
     <message>
         <source>Keep the other side of this section</source>
-        <translation type="unfinished"></translation>
+        <translation>Behold den andre siden av dette snittet</translation>
     </message>
     <message>
         <source>Delete</source>
@@ -2148,51 +2135,51 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Take this section away</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta bort dette snittet</translation>
     </message>
     <message>
         <source>Flip Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Vend snittet</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Towards the left, the back or the head; of an oblique section along its normal</source>
-        <translation type="unfinished"></translation>
+        <translation>Mot venstre, ryggen eller hodet; for et skrått snitt langs normalen</translation>
     </message>
     <message>
         <source>Hatched cut faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Skraverte snittflater</translation>
     </message>
     <message>
         <source>Move Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Flytt snittet</translation>
     </message>
     <message>
         <source>Hatched Cut Faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Skraverte snittflater</translation>
     </message>
     <message>
         <source>&amp;Position</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Posisjon</translation>
     </message>
     <message>
         <source>&amp;Cuts</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;kjærer</translation>
     </message>
     <message>
         <source>Delete Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Slett snittet</translation>
     </message>
     <message>
         <source>Selected: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Valgt: %1</translation>
     </message>
     <message>
         <source>What a Section Cuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Hva et snitt skjærer</translation>
     </message>
 </context>
 <context>
@@ -2244,11 +2231,11 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Lock</source>
-        <translation type="unfinished"></translation>
+        <translation>Lås</translation>
     </message>
     <message>
         <source>Unlock</source>
-        <translation type="unfinished"></translation>
+        <translation>Lås opp</translation>
     </message>
     <message>
         <source>Show</source>
@@ -2313,18 +2300,18 @@ OpenGL: %3</translation>
     <name>sline::widgets::StructureDelegate</name>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Navn</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::StructureProperties</name>
     <message>
         <source>Properties</source>
-        <translation type="unfinished"></translation>
+        <translation>Egenskaper</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kopier</translation>
     </message>
 </context>
 <context>
@@ -2343,17 +2330,17 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Words in any order. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ord i vilkårlig rekkefølge. Enter velger alle som passer, pil ned går til listen, Esc viser alle igjen.</translation>
     </message>
     <message>
         <source>No structure is called so</source>
-        <translation type="unfinished"></translation>
+        <translation>Ingen struktur heter det</translation>
     </message>
     <message numerus="yes">
         <source>%n structures – Enter selects them</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n struktur – Enter velger den</numerusform>
+            <numerusform>%n strukturer – Enter velger dem</numerusform>
         </translation>
     </message>
 </context>
@@ -2397,39 +2384,43 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>%1, its own</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, egen</translation>
     </message>
     <message>
         <source>Colour, its own</source>
-        <translation type="unfinished"></translation>
+        <translation>Farge, egen</translation>
     </message>
     <message>
         <source>Colours of what is in it</source>
-        <translation type="unfinished"></translation>
+        <translation>Fargene til det som er i den</translation>
     </message>
     <message>
         <source>Colour, from the group above</source>
-        <translation type="unfinished"></translation>
+        <translation>Farge, fra gruppen over</translation>
     </message>
     <message>
         <source>opacity %1 %, its own</source>
-        <translation type="unfinished"></translation>
+        <translation>dekkevne %1 %, egen</translation>
     </message>
     <message>
         <source>opacity %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>dekkevne %1 %</translation>
     </message>
     <message>
         <source>Not locked</source>
-        <translation type="unfinished"></translation>
+        <translation>Ikke låst</translation>
     </message>
     <message>
         <source>Locked by the group above: keeps its look, name and place and cannot be clicked in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Låst av gruppen over: beholder utseende, navn og plass og kan ikke klikkes i bildet</translation>
     </message>
     <message>
         <source>Locked: keeps its look, name and place and cannot be clicked in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Låst: beholder utseende, navn og plass og kan ikke klikkes i bildet</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 til %2</translation>
     </message>
 </context>
 <context>
@@ -2440,7 +2431,7 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Locked</source>
-        <translation type="unfinished"></translation>
+        <translation>Låst</translation>
     </message>
 </context>
 <context>
@@ -2459,17 +2450,6 @@ OpenGL: %3</translation>
     <message>
         <source>Picture</source>
         <translation>Bilde</translation>
-    </message>
-</context>
-<context>
-    <name>std</name>
-    <message>
-        <source>%1 %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Group</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -2,20 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="nl_NL" sourcelanguage="en">
 <context>
-    <name>Sections</name>
-    <message>
-        <source>%1 mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>StructureTreeModel</name>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 tot %2</translation>
-    </message>
-</context>
-<context>
     <name>main</name>
     <message>
         <source>Turns segmented anatomy into focus-and-context line illustrations.</source>
@@ -28,17 +14,6 @@
     <message>
         <source>Opens a scene that the program models itself: %1.</source>
         <translation>Opent een scène die het programma zelf modelleert: %1.</translation>
-    </message>
-</context>
-<context>
-    <name>model</name>
-    <message>
-        <source>Group</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>New Group</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -825,39 +800,39 @@
     </message>
     <message>
         <source>Cut away</source>
-        <translation type="unfinished"></translation>
+        <translation>Weggesneden</translation>
     </message>
     <message>
         <source>Orientation cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Oriëntatiekubus</translation>
     </message>
     <message>
         <source>The body&apos;s sides in the corner of the picture; a click looks from there</source>
-        <translation type="unfinished"></translation>
+        <translation>De kanten van het lichaam in de hoek van het beeld; een klik kijkt van daar</translation>
     </message>
     <message>
         <source>Scale bar</source>
-        <translation type="unfinished"></translation>
+        <translation>Schaalbalk</translation>
     </message>
     <message>
         <source>True at the depth of what the picture turns around</source>
-        <translation type="unfinished"></translation>
+        <translation>Klopt op de diepte van dat waar het beeld om draait</translation>
     </message>
     <message>
         <source>Names under the mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>Namen onder de muis</translation>
     </message>
     <message>
         <source>What a structure is called where the mouse rests</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoe een structuur heet waar de muis rust</translation>
     </message>
     <message>
         <source>Time that a picture takes</source>
-        <translation type="unfinished"></translation>
+        <translation>Tijd die een beeld kost</translation>
     </message>
     <message>
         <source>In milliseconds, in the corner of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>In milliseconden, in de hoek van het beeld</translation>
     </message>
     <message>
         <source>Mouse</source>
@@ -865,11 +840,11 @@
     </message>
     <message>
         <source>Mouse buttons as in</source>
-        <translation type="unfinished"></translation>
+        <translation>Muisknoppen zoals in</translation>
     </message>
     <message>
         <source>Which buttons and keys turn, move and zoom the picture; H shows them</source>
-        <translation type="unfinished"></translation>
+        <translation>Welke knoppen en toetsen het beeld draaien, verschuiven en zoomen; H toont ze</translation>
     </message>
     <message>
         <source>Sline</source>
@@ -877,39 +852,39 @@
     </message>
     <message>
         <source>3D Slicer</source>
-        <translation type="unfinished"></translation>
+        <translation>3D Slicer</translation>
     </message>
     <message>
         <source>Blender</source>
-        <translation type="unfinished"></translation>
+        <translation>Blender</translation>
     </message>
     <message>
         <source>Short flights between views</source>
-        <translation type="unfinished"></translation>
+        <translation>Korte vluchten tussen aanzichten</translation>
     </message>
     <message>
         <source>Off: the picture changes at once</source>
-        <translation type="unfinished"></translation>
+        <translation>Uit: het beeld verandert meteen</translation>
     </message>
     <message>
         <source>Sagittal section</source>
-        <translation type="unfinished"></translation>
+        <translation>Sagittale doorsnede</translation>
     </message>
     <message>
         <source>Coronal section</source>
-        <translation type="unfinished"></translation>
+        <translation>Coronale doorsnede</translation>
     </message>
     <message>
         <source>Axial section</source>
-        <translation type="unfinished"></translation>
+        <translation>Axiale doorsnede</translation>
     </message>
     <message>
         <source>Oblique section</source>
-        <translation type="unfinished"></translation>
+        <translation>Schuine doorsnede</translation>
     </message>
     <message>
         <source>Whole scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Hele scène</translation>
     </message>
     <message>
         <source>Hide</source>
@@ -921,11 +896,11 @@
     </message>
     <message>
         <source>Unlock</source>
-        <translation type="unfinished"></translation>
+        <translation>Ontgrendelen</translation>
     </message>
     <message>
         <source>Lock</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrendelen</translation>
     </message>
     <message>
         <source>Isolate</source>
@@ -933,7 +908,7 @@
     </message>
     <message>
         <source>Hide Others</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere verbergen</translation>
     </message>
     <message>
         <source>Show All</source>
@@ -941,7 +916,7 @@
     </message>
     <message>
         <source>Ghost</source>
-        <translation type="unfinished"></translation>
+        <translation>Schim</translation>
     </message>
     <message>
         <source>Inherit Γ</source>
@@ -949,19 +924,19 @@
     </message>
     <message>
         <source>Inherit Colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleur overnemen</translation>
     </message>
     <message>
         <source>Inherit Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>Dekking overnemen</translation>
     </message>
     <message>
         <source>Inherit All</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles overnemen</translation>
     </message>
     <message>
         <source>Ungroup</source>
-        <translation type="unfinished"></translation>
+        <translation>Groep opheffen</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -969,83 +944,83 @@
     </message>
     <message>
         <source>Move</source>
-        <translation type="unfinished"></translation>
+        <translation>Verplaatsen</translation>
     </message>
     <message>
         <source>%1, its own</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, eigen</translation>
     </message>
     <message>
         <source>%1, inherited</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, overgenomen</translation>
     </message>
     <message>
         <source>open</source>
-        <translation type="unfinished"></translation>
+        <translation>open</translation>
     </message>
     <message>
         <source>solid</source>
-        <translation type="unfinished"></translation>
+        <translation>dekkend</translation>
     </message>
     <message>
         <source>tint</source>
-        <translation type="unfinished"></translation>
+        <translation>tint</translation>
     </message>
     <message>
         <source>veil</source>
-        <translation type="unfinished"></translation>
+        <translation>sluier</translation>
     </message>
     <message>
         <source>simplified from %1 triangles, at most %2 mm off</source>
-        <translation type="unfinished"></translation>
+        <translation>vereenvoudigd uit %1 driehoeken, hoogstens %2 mm ernaast</translation>
     </message>
     <message>
         <source>smoothed in %1 steps, at most %2 mm off</source>
-        <translation type="unfinished"></translation>
+        <translation>gladgemaakt in %1 stappen, hoogstens %2 mm ernaast</translation>
     </message>
     <message>
         <source>refined in %1 steps</source>
-        <translation type="unfinished"></translation>
+        <translation>verfijnd in %1 stappen</translation>
     </message>
     <message>
         <source>%1 faces mended</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 vlakken hersteld</translation>
     </message>
     <message>
         <source>moved as its scene says</source>
-        <translation type="unfinished"></translation>
+        <translation>verplaatst zoals de scène zegt</translation>
     </message>
     <message>
         <source>as in the file</source>
-        <translation type="unfinished"></translation>
+        <translation>zoals in het bestand</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished"></translation>
+        <translation>Bestand</translation>
     </message>
     <message>
         <source>made by the program</source>
-        <translation type="unfinished"></translation>
+        <translation>door het programma gemaakt</translation>
     </message>
     <message>
         <source>Part of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Deel van het bestand</translation>
     </message>
     <message>
         <source>Coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>Coördinaten</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Eenheid</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Import</source>
-        <translation type="unfinished"></translation>
+        <translation>Import</translation>
     </message>
     <message>
         <source>Γ</source>
@@ -1057,23 +1032,23 @@
     </message>
     <message>
         <source>Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>Dekking</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>Between the lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Tussen de lijnen</translation>
     </message>
     <message>
         <source>Line width</source>
-        <translation type="unfinished"></translation>
+        <translation>Lijndikte</translation>
     </message>
     <message>
         <source>%1 ×</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ×</translation>
     </message>
     <message>
         <source>Shown</source>
@@ -1081,151 +1056,151 @@
     </message>
     <message>
         <source>yes</source>
-        <translation type="unfinished"></translation>
+        <translation>ja</translation>
     </message>
     <message>
         <source>no</source>
-        <translation type="unfinished"></translation>
+        <translation>nee</translation>
     </message>
     <message>
         <source>Locked</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrendeld</translation>
     </message>
     <message>
         <source>by the group above</source>
-        <translation type="unfinished"></translation>
+        <translation>door de groep erboven</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Naam</translation>
     </message>
     <message>
         <source>In</source>
-        <translation type="unfinished"></translation>
+        <translation>In</translation>
     </message>
     <message>
         <source>Triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Driehoeken</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Grootte</translation>
     </message>
     <message>
         <source>%1 × %2 × %3 mm (right–left, front–back, foot–head)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 × %3 mm (rechts–links, voor–achter, voet–hoofd)</translation>
     </message>
     <message>
         <source>none: the surface has holes</source>
-        <translation type="unfinished"></translation>
+        <translation>geen: het oppervlak heeft gaten</translation>
     </message>
     <message>
         <source>%1 ml</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ml</translation>
     </message>
     <message>
         <source>%1, of %2 closed surfaces</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, van %2 gesloten oppervlakken</translation>
     </message>
     <message>
         <source>%1 cm²</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 cm²</translation>
     </message>
     <message>
         <source>Volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volume</translation>
     </message>
     <message>
         <source>Middle drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Slepen met de middelste knop</translation>
     </message>
     <message>
         <source>Right drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Slepen met rechts</translation>
     </message>
     <message>
         <source>Zoom: upwards is nearer</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoomen: omhoog is dichterbij</translation>
     </message>
     <message>
         <source>Roll the picture around its middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Het beeld om zijn midden rollen</translation>
     </message>
     <message>
         <source>Two fingers on a touchpad</source>
-        <translation type="unfinished"></translation>
+        <translation>Twee vingers op een touchpad</translation>
     </message>
     <message>
         <source>Move the picture; pinch to zoom</source>
-        <translation type="unfinished"></translation>
+        <translation>Het beeld verschuiven; knijpen om te zoomen</translation>
     </message>
     <message>
         <source>Select what is seen there</source>
-        <translation type="unfinished"></translation>
+        <translation>Kies wat daar te zien is</translation>
     </message>
     <message>
         <source>Add to the selection, or take away from it</source>
-        <translation type="unfinished"></translation>
+        <translation>Aan de selectie toevoegen of eruit halen</translation>
     </message>
     <message>
         <source>Select the next structure behind; after the last the first</source>
-        <translation type="unfinished"></translation>
+        <translation>Kies de volgende structuur erachter; na de laatste de eerste</translation>
     </message>
     <message>
         <source>Right click</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechtsklik</translation>
     </message>
     <message>
         <source>What can be done with the structure there</source>
-        <translation type="unfinished"></translation>
+        <translation>Wat met de structuur daar gedaan kan worden</translation>
     </message>
     <message>
         <source>Drag the arrow of a section</source>
-        <translation type="unfinished"></translation>
+        <translation>De pijl van een doorsnede slepen</translation>
     </message>
     <message>
         <source>Move the plane; with Ctrl in whole steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Het vlak verschuiven; met Ctrl in hele stappen</translation>
     </message>
     <message>
         <source>Click on the arrow&apos;s head</source>
-        <translation type="unfinished"></translation>
+        <translation>Klik op de pijlpunt</translation>
     </message>
     <message>
         <source>Keep the other side of the section</source>
-        <translation type="unfinished"></translation>
+        <translation>De andere kant van de doorsnede houden</translation>
     </message>
     <message>
         <source>Drag a ring of a section</source>
-        <translation type="unfinished"></translation>
+        <translation>Een ring van een doorsnede slepen</translation>
     </message>
     <message>
         <source>Tilt the plane; with Ctrl in steps of 15°</source>
-        <translation type="unfinished"></translation>
+        <translation>Het vlak kantelen; met Ctrl in stappen van 15°</translation>
     </message>
     <message>
         <source>Arrow keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Pijltoetsen</translation>
     </message>
     <message>
         <source>Turn by %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>%1° draaien</translation>
     </message>
     <message>
         <source>Plus, minus</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus, min</translation>
     </message>
     <message>
         <source>Zoom</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoomen</translation>
     </message>
     <message>
         <source>&amp;Inherit</source>
-        <translation type="unfinished"></translation>
+        <translation>Over&amp;nemen</translation>
     </message>
     <message>
         <source>&amp;Over the Picture</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Over het beeld</translation>
     </message>
     <message>
         <source>Re&amp;load from Source</source>
@@ -1233,7 +1208,7 @@
     </message>
     <message>
         <source>&amp;Ghost</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;chim</translation>
     </message>
     <message>
         <source>Ctrl+Shift+D</source>
@@ -1241,51 +1216,51 @@
     </message>
     <message>
         <source>The selected structures as outlines under a veil</source>
-        <translation type="unfinished"></translation>
+        <translation>De gekozen structuren als omtrekken onder een sluier</translation>
     </message>
     <message>
         <source>Co&amp;lour…</source>
-        <translation type="unfinished"></translation>
+        <translation>Kle&amp;ur…</translation>
     </message>
     <message>
         <source>Another colour for the selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Een andere kleur voor de gekozen</translation>
     </message>
     <message>
         <source>Inherit &amp;Γ</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Γ overnemen</translation>
     </message>
     <message>
         <source>Inherit &amp;Colour</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kleur overnemen</translation>
     </message>
     <message>
         <source>Take the colour from the group above again</source>
-        <translation type="unfinished"></translation>
+        <translation>De kleur weer van de groep erboven nemen</translation>
     </message>
     <message>
         <source>Inherit &amp;Opacity</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dekking overnemen</translation>
     </message>
     <message>
         <source>Take the opacity from the group above again</source>
-        <translation type="unfinished"></translation>
+        <translation>De dekking weer van de groep erboven nemen</translation>
     </message>
     <message>
         <source>Inherit &amp;All</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Alles overnemen</translation>
     </message>
     <message>
         <source>Take the whole look from the group above again</source>
-        <translation type="unfinished"></translation>
+        <translation>Het hele uiterlijk weer van de groep erboven nemen</translation>
     </message>
     <message>
         <source>Show the selected structures and nothing else; again: everything</source>
-        <translation type="unfinished"></translation>
+        <translation>Alleen de gekozen structuren tonen; nogmaals: alles</translation>
     </message>
     <message>
         <source>Hide &amp;Others</source>
-        <translation type="unfinished"></translation>
+        <translation>An&amp;dere verbergen</translation>
     </message>
     <message>
         <source>Shift+H</source>
@@ -1293,11 +1268,11 @@
     </message>
     <message>
         <source>Hide all but the selected structures</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles behalve de gekozen structuren verbergen</translation>
     </message>
     <message>
         <source>&amp;Zoom To</source>
-        <translation type="unfinished"></translation>
+        <translation>Inzoo&amp;men</translation>
     </message>
     <message>
         <source>Z</source>
@@ -1309,11 +1284,11 @@
     </message>
     <message>
         <source>Bring the selected structures into the picture, and turn around them</source>
-        <translation type="unfinished"></translation>
+        <translation>De gekozen structuren in beeld brengen en eromheen draaien</translation>
     </message>
     <message>
         <source>Re&amp;name</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hernoemen</translation>
     </message>
     <message>
         <source>F2</source>
@@ -1321,11 +1296,11 @@
     </message>
     <message>
         <source>Another name</source>
-        <translation type="unfinished"></translation>
+        <translation>Een andere naam</translation>
     </message>
     <message>
         <source>Ne&amp;w Group</source>
-        <translation type="unfinished"></translation>
+        <translation>Nieuwe &amp;groep</translation>
     </message>
     <message>
         <source>Ctrl+Shift+N</source>
@@ -1333,11 +1308,11 @@
     </message>
     <message>
         <source>An empty group</source>
-        <translation type="unfinished"></translation>
+        <translation>Een lege groep</translation>
     </message>
     <message>
         <source>Grou&amp;p</source>
-        <translation type="unfinished"></translation>
+        <translation>Groe&amp;peren</translation>
     </message>
     <message>
         <source>Ctrl+G</source>
@@ -1345,11 +1320,11 @@
     </message>
     <message>
         <source>The selected structures in a group of their own</source>
-        <translation type="unfinished"></translation>
+        <translation>De gekozen structuren in een eigen groep</translation>
     </message>
     <message>
         <source>&amp;Ungroup</source>
-        <translation type="unfinished"></translation>
+        <translation>Groep opheffe&amp;n</translation>
     </message>
     <message>
         <source>Ctrl+Shift+G</source>
@@ -1357,11 +1332,11 @@
     </message>
     <message>
         <source>Dissolve the selected groups; what is in them keeps its look</source>
-        <translation type="unfinished"></translation>
+        <translation>De gekozen groepen opheffen; wat erin zit houdt zijn uiterlijk</translation>
     </message>
     <message>
         <source>Loc&amp;k</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vergrendelen</translation>
     </message>
     <message>
         <source>Ctrl+L</source>
@@ -1369,11 +1344,11 @@
     </message>
     <message>
         <source>What is locked keeps its look, name and place and cannot be clicked in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Wat vergrendeld is, houdt uiterlijk, naam en plaats en kan in het beeld niet aangeklikt worden</translation>
     </message>
     <message>
         <source>Propert&amp;ies…</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigensch&amp;appen…</translation>
     </message>
     <message>
         <source>Alt+Return</source>
@@ -1381,11 +1356,11 @@
     </message>
     <message>
         <source>Where it came from, how large it is, how it is drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>Waar het vandaan komt, hoe groot het is, hoe het getekend wordt</translation>
     </message>
     <message>
         <source>&amp;Facing the View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dwars op de blik</translation>
     </message>
     <message>
         <source>Ctrl+4</source>
@@ -1393,31 +1368,31 @@
     </message>
     <message>
         <source>Cut across the line of sight</source>
-        <translation type="unfinished"></translation>
+        <translation>Dwars op de kijkrichting snijden</translation>
     </message>
     <message>
         <source>&amp;Orientation Cube</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Oriëntatiekubus</translation>
     </message>
     <message>
         <source>Scale &amp;Bar</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Schaalbalk</translation>
     </message>
     <message>
         <source>How long a centimetre is</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoe lang een centimeter is</translation>
     </message>
     <message>
         <source>&amp;Names under the Mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Namen onder de muis</translation>
     </message>
     <message>
         <source>Picture &amp;Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Beeld&amp;tijd</translation>
     </message>
     <message>
         <source>How long the last picture took to draw</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoe lang het tekenen van het laatste beeld duurde</translation>
     </message>
     <message>
         <source>Space</source>
@@ -1429,43 +1404,55 @@
     </message>
     <message>
         <source>Bring the selected structures into the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>De gekozen structuren in beeld brengen</translation>
     </message>
     <message>
         <source>Drag over eyes or locks</source>
-        <translation type="unfinished"></translation>
+        <translation>Over ogen of sloten slepen</translation>
     </message>
     <message>
         <source>Set them all alike</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle gelijk zetten</translation>
     </message>
     <message>
         <source>Alt + click on an eye</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt + klik op een oog</translation>
     </message>
     <message>
         <source>Show this and nothing else; again: everything</source>
-        <translation type="unfinished"></translation>
+        <translation>Alleen dit tonen; nogmaals: alles</translation>
     </message>
     <message>
         <source>Middle click on Γ or colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Middelklik op Γ of kleur</translation>
     </message>
     <message>
         <source>Take it from the group above again</source>
-        <translation type="unfinished"></translation>
+        <translation>Het weer van de groep erboven nemen</translation>
     </message>
     <message>
         <source>Drag rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Rijen slepen</translation>
     </message>
     <message>
         <source>Put them elsewhere, or into another group</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergens anders of in een andere groep zetten</translation>
     </message>
     <message>
         <source>Double click on a name</source>
-        <translation type="unfinished"></translation>
+        <translation>Dubbelklik op een naam</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Groep</translation>
+    </message>
+    <message>
+        <source>New Group</source>
+        <translation>Nieuwe groep</translation>
     </message>
 </context>
 <context>
@@ -1513,18 +1500,18 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>List of structures</source>
-        <translation type="unfinished"></translation>
+        <translation>Lijst van structuren</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::CubeMark</name>
     <message>
         <source>Orientation cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Oriëntatiekubus</translation>
     </message>
     <message>
         <source>The keys A, P, L, R, S and I look from the same sides.</source>
-        <translation type="unfinished"></translation>
+        <translation>De toetsen A, P, L, R, S en I kijken van dezelfde kanten.</translation>
     </message>
 </context>
 <context>
@@ -1893,7 +1880,7 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Sections</source>
-        <translation type="unfinished"></translation>
+        <translation>Doorsneden</translation>
     </message>
 </context>
 <context>
@@ -1926,11 +1913,11 @@ OpenGL: %3</translation>
     <name>sline::widgets::PictureMarks</name>
     <message>
         <source>%1 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ms</translation>
     </message>
     <message>
         <source>%1 at %2 % size</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bij %2 % grootte</translation>
     </message>
 </context>
 <context>
@@ -1944,15 +1931,15 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Section &amp;Here</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Doorsnede hier</translation>
     </message>
     <message>
         <source>Section Here, of &amp;This Alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Doorsnede hier, &amp;alleen hiervan</translation>
     </message>
     <message>
         <source>Turn &amp;Around This Place</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Om deze plek draaien</translation>
     </message>
 </context>
 <context>
@@ -2016,19 +2003,19 @@ OpenGL: %3</translation>
     <name>sline::widgets::ScaleBarMark</name>
     <message>
         <source>%1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 m</translation>
     </message>
     <message>
         <source>%1 cm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 cm</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Scale: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Schaal: %1</translation>
     </message>
 </context>
 <context>
@@ -2059,88 +2046,88 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>&amp;Facing the View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dwars op de blik</translation>
     </message>
     <message>
         <source>%1 cannot be added: a structure can have %2 sections at most</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 kan niet worden toegevoegd: een structuur kan hoogstens %2 doorsneden hebben</translation>
     </message>
     <message>
         <source>Take another section away first</source>
-        <translation type="unfinished"></translation>
+        <translation>Haal eerst een andere doorsnede weg</translation>
     </message>
     <message>
         <source>Of %1 alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Alleen van %1</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::SectionList</name>
     <message>
         <source>Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Doorsnede</translation>
     </message>
     <message>
         <source>Position</source>
-        <translation type="unfinished"></translation>
+        <translation>Positie</translation>
     </message>
     <message>
         <source>Cuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Snijdt</translation>
     </message>
     <message>
         <source>Rename Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Doorsnede hernoemen</translation>
     </message>
     <message>
         <source>Section On</source>
-        <translation type="unfinished"></translation>
+        <translation>Doorsnede aan</translation>
     </message>
     <message>
         <source>Section Off</source>
-        <translation type="unfinished"></translation>
+        <translation>Doorsnede uit</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::SectionTool</name>
     <message>
         <source>%1°</source>
-        <translation type="unfinished"></translation>
+        <translation>%1°</translation>
     </message>
     <message>
         <source>Flip Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Doorsnede omkeren</translation>
     </message>
     <message>
         <source>Tilt Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Doorsnede kantelen</translation>
     </message>
     <message>
         <source>Move Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Doorsnede verschuiven</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::SectionsPanel</name>
     <message>
         <source>Sections</source>
-        <translation type="unfinished"></translation>
+        <translation>Doorsneden</translation>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
+        <translation>Nieuw</translation>
     </message>
     <message>
         <source>Add a section plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Een snijvlak toevoegen</translation>
     </message>
     <message>
         <source>Flip</source>
-        <translation type="unfinished"></translation>
+        <translation>Omkeren</translation>
     </message>
     <message>
         <source>Keep the other side of this section</source>
-        <translation type="unfinished"></translation>
+        <translation>De andere kant van deze doorsnede houden</translation>
     </message>
     <message>
         <source>Delete</source>
@@ -2148,51 +2135,51 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Take this section away</source>
-        <translation type="unfinished"></translation>
+        <translation>Deze doorsnede weghalen</translation>
     </message>
     <message>
         <source>Flip Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Doorsnede omkeren</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>Towards the left, the back or the head; of an oblique section along its normal</source>
-        <translation type="unfinished"></translation>
+        <translation>Naar links, achteren of het hoofd; bij een schuine doorsnede langs de normaal</translation>
     </message>
     <message>
         <source>Hatched cut faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Gearceerde snijvlakken</translation>
     </message>
     <message>
         <source>Move Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Doorsnede verschuiven</translation>
     </message>
     <message>
         <source>Hatched Cut Faces</source>
-        <translation type="unfinished"></translation>
+        <translation>Gearceerde snijvlakken</translation>
     </message>
     <message>
         <source>&amp;Position</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Positie</translation>
     </message>
     <message>
         <source>&amp;Cuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Sn&amp;ijdt</translation>
     </message>
     <message>
         <source>Delete Section</source>
-        <translation type="unfinished"></translation>
+        <translation>Doorsnede verwijderen</translation>
     </message>
     <message>
         <source>Selected: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gekozen: %1</translation>
     </message>
     <message>
         <source>What a Section Cuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Wat een doorsnede snijdt</translation>
     </message>
 </context>
 <context>
@@ -2244,11 +2231,11 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Lock</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrendelen</translation>
     </message>
     <message>
         <source>Unlock</source>
-        <translation type="unfinished"></translation>
+        <translation>Ontgrendelen</translation>
     </message>
     <message>
         <source>Show</source>
@@ -2313,18 +2300,18 @@ OpenGL: %3</translation>
     <name>sline::widgets::StructureDelegate</name>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Naam</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::StructureProperties</name>
     <message>
         <source>Properties</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigenschappen</translation>
     </message>
     <message>
         <source>&amp;Copy</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kopiëren</translation>
     </message>
 </context>
 <context>
@@ -2343,17 +2330,17 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Words in any order. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Woorden in willekeurige volgorde. Enter kiest alles wat past, Omlaag gaat naar de lijst, Esc toont alles weer.</translation>
     </message>
     <message>
         <source>No structure is called so</source>
-        <translation type="unfinished"></translation>
+        <translation>Geen structuur heet zo</translation>
     </message>
     <message numerus="yes">
         <source>%n structures – Enter selects them</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n structuur – Enter kiest hem</numerusform>
+            <numerusform>%n structuren – Enter kiest ze</numerusform>
         </translation>
     </message>
 </context>
@@ -2397,39 +2384,43 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>%1, its own</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, eigen</translation>
     </message>
     <message>
         <source>Colour, its own</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleur, eigen</translation>
     </message>
     <message>
         <source>Colours of what is in it</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleuren van wat erin zit</translation>
     </message>
     <message>
         <source>Colour, from the group above</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleur, van de groep erboven</translation>
     </message>
     <message>
         <source>opacity %1 %, its own</source>
-        <translation type="unfinished"></translation>
+        <translation>dekking %1 %, eigen</translation>
     </message>
     <message>
         <source>opacity %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>dekking %1 %</translation>
     </message>
     <message>
         <source>Not locked</source>
-        <translation type="unfinished"></translation>
+        <translation>Niet vergrendeld</translation>
     </message>
     <message>
         <source>Locked by the group above: keeps its look, name and place and cannot be clicked in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrendeld door de groep erboven: houdt uiterlijk, naam en plaats en kan in het beeld niet aangeklikt worden</translation>
     </message>
     <message>
         <source>Locked: keeps its look, name and place and cannot be clicked in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrendeld: houdt uiterlijk, naam en plaats en kan in het beeld niet aangeklikt worden</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 tot %2</translation>
     </message>
 </context>
 <context>
@@ -2440,7 +2431,7 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Locked</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrendeld</translation>
     </message>
 </context>
 <context>
@@ -2459,17 +2450,6 @@ OpenGL: %3</translation>
     <message>
         <source>Picture</source>
         <translation>Beeld</translation>
-    </message>
-</context>
-<context>
-    <name>std</name>
-    <message>
-        <source>%1 %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Group</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>
