@@ -1396,11 +1396,11 @@
     </message>
     <message>
         <source>Space</source>
-        <translation>Space</translation>
+        <translation>Leertaste</translation>
     </message>
     <message>
         <source>Enter</source>
-        <translation>Enter</translation>
+        <translation>Eingabe</translation>
     </message>
     <message>
         <source>Bring the selected structures into the picture</source>

@@ -1396,7 +1396,7 @@
     </message>
     <message>
         <source>Space</source>
-        <translation>Space</translation>
+        <translation>Spatie</translation>
     </message>
     <message>
         <source>Enter</source>
