@@ -135,6 +135,8 @@ void MainWindow::makePanels() {
   history->setEmptyLabel(tr("As opened"));
   QDockWidget* steps = dock(tr("History"), "historyPanel", history);
   addDockWidget(Qt::RightDockWidgetArea, steps);
+  // Three above each other would be too tall for a small screen.
+  tabifyDockWidget(findChild<QDockWidget*>(QStringLiteral("focusPanel")), steps);
   steps->hide();
   resizeDocks({findChild<QDockWidget*>(QStringLiteral("structuresPanel")),
                findChild<QDockWidget*>(QStringLiteral("gammaPanel"))},
@@ -181,6 +183,13 @@ void MainWindow::nameStructures() {
   };
   connect(&m_preferences, &Preferences::changed, m_parts, follow);
   follow();
+  const auto tellTree = [this] {
+    m_tree->view().setNames(
+        {.shown = [this](const QString& name) { return m_session.names().shown(name); },
+         .alsoCalled = [this](const QString& name) { return m_session.names().alsoCalled(name); }});
+  };
+  connect(&m_session.names(), &ShownNames::changed, m_parts, tellTree);
+  tellTree();
 }
 
 void MainWindow::changeEvent(QEvent* event) {
