@@ -61,6 +61,7 @@ class FilesTest : public QObject {
     edit.setFocus();
     edit.setText(name);  // letter by letter, completion would have its say
     QTest::keyClick(&edit, Qt::Key_Return);
+    QApplication::setActiveWindow(&f.window);
   }
   static void answer(WindowFixture& f, QMessageBox::StandardButton button) {
     auto& box = f.control<QMessageBox>("unsavedDialog");
@@ -317,6 +318,7 @@ class FilesTest : public QObject {
     widgets::MainWindow window(session, settings);
     window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&window));
+    QApplication::setActiveWindow(&window);
     QTRY_VERIFY(window.findChild<QWidget*>(QStringLiteral("recover-0")));
     const auto click = [&window](const char* name) {
       QTest::mouseClick(window.findChild<QWidget*>(QLatin1String(name)), Qt::LeftButton);
