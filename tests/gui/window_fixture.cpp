@@ -11,6 +11,7 @@
 
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
+#include "widgets/focus/focus_context.h"
 #include "widgets/structure_tree/cell_painting.h"
 #include "widgets/structure_tree/structure_tree.h"
 #include "widgets/structure_tree/structure_tree_model.h"
@@ -56,7 +57,9 @@ bool WindowFixture::drop(const QString& path) {
 
 bool WindowFixture::settled() {
   constexpr int minute = 60'000;
-  return QTest::qWaitFor([this] { return !session.busy() && viewport().upToDate(); }, minute);
+  return QTest::qWaitFor(
+      [this] { return !session.busy() && !window.focus().busy() && viewport().upToDate(); },
+      minute);
 }
 
 QImage WindowFixture::picture() {

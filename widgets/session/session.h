@@ -14,6 +14,7 @@
 #include "model/edit/style.h"
 #include "widgets/session/document.h"
 #include "widgets/session/scene_job.h"
+#include "widgets/session/shown_names.h"
 
 namespace sline::widgets {
 
@@ -46,6 +47,8 @@ class Session : public QObject {
   /// What edits during a drag start from: the scene before it.
   const model::Scene& sceneBeforePreview() const;
 
+  /// What structures are called on screen; not part of the document.
+  ShownNames& names() { return m_names; }
   /// The scene file of the document.
   const DocumentFile& file() const;
   /// The file's name, where there is one, else what the document goes by.
@@ -116,6 +119,7 @@ class Session : public QObject {
   QUndoStack m_history;
   std::optional<Document> m_beforePreview;
   NodeIds m_selection;
+  ShownNames m_names;
   SceneJob* m_job = nullptr;
   bool m_modified = false;
   int m_openings = 0;

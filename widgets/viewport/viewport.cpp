@@ -125,6 +125,8 @@ void Viewport::changeEvent(QEvent* event) {
   QOpenGLWidget::changeEvent(event);
   if (event->type() == QEvent::FontChange)
     placeLetters();
+  if (event->type() == QEvent::LanguageChange)
+    setAccessibleName(tr("Picture"));
 }
 
 void Viewport::refresh() {
@@ -232,6 +234,26 @@ void Viewport::fitAll() {
   setCamera(model::fitted(m_camera, visibleCorners(), size2().x / size2().y));
 }
 
+void Viewport::fitTo(const NodeIds& ids) {
+  std::vector<glm::vec3> corners;
+  model::Box bounds;
+  for (const model::NodeId id : ids)
+    for (const model::NodeId structure : m_session.scene().structuresBelow(id)) {
+      const model::Box& box = m_session.scene().find(structure)->mesh->bounds();
+      if (box.empty())
+        continue;
+      bounds.add(box);
+      for (int i = 0; i < 8; ++i)
+        corners.emplace_back((i & 1) != 0 ? box.high.x : box.low.x,
+                             (i & 2) != 0 ? box.high.y : box.low.y,
+                             (i & 4) != 0 ? box.high.z : box.low.z);
+    }
+  if (bounds.empty())
+    return;
+  m_pivot = bounds.centre();
+  setCamera(model::fitted(m_camera, corners, size2().x / size2().y));
+}
+
 void Viewport::setBackground(render::Background background) {
   if (background == m_background)
     return;
@@ -336,7 +358,7 @@ void Viewport::picked(const std::optional<Pick>& pick, PickFor purpose) {
     if (!node)
       return;
     m_pivot = pick->position;
-    emit pivotChosen(QString::fromStdString(node->name));
+    emit pivotChosen(m_session.names().shown(node->name));
     return;
   }
   NodeIds ids;

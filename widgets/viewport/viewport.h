@@ -33,6 +33,8 @@ class Viewport : public QOpenGLWidget {
   void showFrom(model::AnatomicalView view);
   /// Fits all that is visible without turning the camera; it becomes what the camera turns around.
   void fitAll();
+  /// The same for the structures at or below the nodes, shown or not.
+  void fitTo(const NodeIds& ids);
   render::Background background() const { return m_background; }
   void setBackground(render::Background background);
   /// Whether what is shaded has the key light besides the headlight: as the scene says, else as it

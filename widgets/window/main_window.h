@@ -21,10 +21,12 @@ class QToolButton;
 namespace sline::widgets {
 
 class FileActions;
+class FocusContext;
 class GammaPanel;
 class MessageBar;
 class SectionActions;
 class StartPage;
+class StructureActions;
 class StructureTree;
 class ViewActions;
 class Viewport;
@@ -41,14 +43,21 @@ class MainWindow : public QMainWindow {
   StructureTree& tree() { return *m_tree; }
   Preferences& preferences() { return m_preferences; }
   FileActions& files() { return *m_files; }
+  FocusContext& focus() { return *m_focus; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   void makeCentre();
+  /// All but the centre.
+  void makeControls();
+  /// Again, in the language of now.
+  void remakeControls();
+  void nameStructures();
   void makePanels();
   void makeStatus();
   void makeMenus();
@@ -58,11 +67,12 @@ class MainWindow : public QMainWindow {
   void connectActions();
   void connectViews();
   void restore();
+  void showHelp();
   void makeFiles();
+  void makeStart();
   /// The start page while nothing is open and nothing is on its way.
   void showStart();
-  void editSelection(const QString& name,
-                     model::Edited (*edit)(const model::Scene&, std::span<const model::NodeId>));
+  void placeMessage(bool onStartPage);
   void documentChange(const Document& before, const Document& now);
   void updateActions();
   void jobShown(bool running);
@@ -72,13 +82,16 @@ class MainWindow : public QMainWindow {
   Preferences m_preferences;
   WindowActions m_actions;
   std::optional<WindowMenus> m_menus;
+  QObject* m_parts = nullptr;  ///< what belongs to the controls, and goes with them
   MessageBar* m_message = nullptr;
   Viewport* m_viewport = nullptr;
   FileActions* m_files = nullptr;
   StartPage* m_start = nullptr;
   StructureTree* m_tree = nullptr;
   GammaPanel* m_gamma = nullptr;
+  FocusContext* m_focus = nullptr;
   SectionActions* m_sections = nullptr;
+  StructureActions* m_structures = nullptr;
   ViewActions* m_views = nullptr;
   QLabel* m_summary = nullptr;
   QLabel* m_job = nullptr;

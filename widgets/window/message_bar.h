@@ -8,6 +8,7 @@
 class QAction;
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace sline::widgets {
 
@@ -26,15 +27,21 @@ class MessageBar : public QFrame {
   void hideNotice();
   QString text() const;
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   enum class Kind { error, remark, notice };
   void display(Kind kind, const QString& heading, const QString& body);
+  void dress();
   void showDetails();
+  void nameControls();
 
+  Kind m_kind = Kind::remark;
   QLabel* m_text;
   QPushButton* m_details;
+  QToolButton* m_close;
   QPushButton* m_remedy;
-  Kind m_kind = Kind::remark;
   QStringList m_remarks;
 };
 

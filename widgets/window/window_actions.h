@@ -28,6 +28,8 @@ class WindowActions {
  public:
   /// Makes an action of each row and adds it to the window, so that its keys work.
   explicit WindowActions(QWidget& window);
+  /// Makes them once more, in the language of now; those that were are gone.
+  void remake(QWidget& window);
   /// Asserts that the table has it.
   QAction& operator[](const QString& id) const;
 
