@@ -8,7 +8,7 @@ namespace sline::widgets {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("Preferences", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 
 std::vector<PreferenceRow> appearanceRows() {
@@ -23,14 +23,58 @@ std::vector<PreferenceRow> appearanceRows() {
            tr("What each button does in a word"), Switch{false}}};
 }
 
+std::vector<PreferenceRow> languageRows() {
+  const QString page = tr("Language");
+  return {{QStringLiteral("language/interface"), page, tr("Interface"),
+           tr("The language of menus and texts; takes effect at once"),
+           ChoiceOf{{{QStringLiteral("system"), tr("As the system")},
+                     // Each in its own language, so that whoever speaks it finds it.
+                     {QStringLiteral("en"), QStringLiteral("English")},
+                     {QStringLiteral("de"), QStringLiteral("Deutsch")},
+                     {QStringLiteral("nl"), QStringLiteral("Nederlands")},
+                     {QStringLiteral("nb"), QStringLiteral("Norsk bokmål")}},
+                    QStringLiteral("system")}},
+          {QStringLiteral("language/structures"), page, tr("Structures"),
+           tr("What known structures are called on screen; files keep their own names"),
+           ChoiceOf{{{QStringLiteral("file"), tr("As in the file")},
+                     {QStringLiteral("interface"), tr("In the interface’s language")},
+                     {QStringLiteral("latin"), tr("Latin")},
+                     {QStringLiteral("en"), tr("English")},
+                     {QStringLiteral("de"), tr("German")},
+                     {QStringLiteral("nl"), tr("Dutch")},
+                     {QStringLiteral("nb"), tr("Norwegian")}},
+                    QStringLiteral("interface")}}};
+}
+
 std::vector<PreferenceRow> pictureRows() {
   const QString page = tr("Picture");
-  return {{QStringLiteral("picture/background"), page, tr("Background"),
-           tr("What the picture is drawn on; on the dark one ink is light"),
-           ChoiceOf{{{QStringLiteral("white"), tr("White")},
-                     {QStringLiteral("paper"), tr("Paper")},
-                     {QStringLiteral("dark"), tr("Dark")}},
-                    QStringLiteral("paper")}}};
+  return {
+      {QStringLiteral("picture/background"), page, tr("Background"),
+       tr("What the picture is drawn on; on the dark one ink is light"),
+       ChoiceOf{{{QStringLiteral("white"), tr("White")},
+                 {QStringLiteral("paper"), tr("Paper")},
+                 {QStringLiteral("dark"), tr("Dark")}},
+                QStringLiteral("paper")}},
+      {QStringLiteral("picture/cube"), page, tr("Orientation cube"),
+       tr("The body's sides in the corner of the picture; a click looks from there"), Switch{true}},
+      {QStringLiteral("picture/scaleBar"), page, tr("Scale bar"),
+       tr("True at the depth of what the picture turns around"), Switch{true}},
+      {QStringLiteral("picture/names"), page, tr("Names under the mouse"),
+       tr("What a structure is called where the mouse rests"), Switch{true}},
+      {QStringLiteral("picture/frameTime"), page, tr("Time that a picture takes"),
+       tr("In milliseconds, in the corner of the picture"), Switch{false}}};
+}
+
+std::vector<PreferenceRow> navigationRows() {
+  const QString page = tr("Mouse");
+  return {{QStringLiteral("navigation/mouse"), page, tr("Mouse buttons as in"),
+           tr("Which buttons and keys turn, move and zoom the picture; H shows them"),
+           ChoiceOf{{{QStringLiteral("sline"), tr("Sline")},
+                     {QStringLiteral("slicer"), tr("3D Slicer")},
+                     {QStringLiteral("blender"), tr("Blender")}},
+                    QStringLiteral("sline")}},
+          {QStringLiteral("navigation/flights"), page, tr("Short flights between views"),
+           tr("Off: the picture changes at once"), Switch{true}}};
 }
 
 std::vector<PreferenceRow> fileRows() {
@@ -44,7 +88,8 @@ std::vector<PreferenceRow> fileRows() {
 
 std::vector<PreferenceRow> preferenceRows() {
   std::vector<PreferenceRow> rows = appearanceRows();
-  for (const std::vector<PreferenceRow>& more : {pictureRows(), fileRows()})
+  for (const std::vector<PreferenceRow>& more :
+       {languageRows(), pictureRows(), navigationRows(), fileRows()})
     rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }

@@ -175,13 +175,30 @@ void Session::select(NodeIds ids) {
   emit selectionChanged();
 }
 
+std::optional<model::SectionId> Session::activeSection() const {
+  const auto& sections = scene().sections();
+  const bool there = std::any_of(sections.begin(), sections.end(), [this](const auto& section) {
+    return section.id == m_activeSection;
+  });
+  return there ? m_activeSection : std::nullopt;
+}
+
+void Session::activateSection(std::optional<model::SectionId> id) {
+  if (id == m_activeSection)
+    return;
+  m_activeSection = id;
+  emit activeSectionChanged();
+}
+
 void Session::set(Document document) {
   if (document == m_document)
     return;
   const Document before = std::exchange(m_document, std::move(document));
   const bool another = before.opening != m_document.opening;
-  if (another)
+  if (another) {
     moveLock(before.opening, m_document.opening);
+    m_activeSection.reset();
+  }
   emit documentChanged(before, m_document);
   compareWithFile(another);
   select(before.opening == m_document.opening ? m_selection : NodeIds{});

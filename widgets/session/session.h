@@ -14,6 +14,7 @@
 #include "model/edit/style.h"
 #include "widgets/session/document.h"
 #include "widgets/session/scene_job.h"
+#include "widgets/session/shown_names.h"
 
 namespace sline::widgets {
 
@@ -46,6 +47,8 @@ class Session : public QObject {
   /// What edits during a drag start from: the scene before it.
   const model::Scene& sceneBeforePreview() const;
 
+  /// What structures are called on screen; not part of the document.
+  ShownNames& names() { return m_names; }
   /// The scene file of the document.
   const DocumentFile& file() const;
   /// The file's name, where there is one, else what the document goes by.
@@ -59,6 +62,10 @@ class Session : public QObject {
   const NodeIds& selection() const { return m_selection; }
   /// Ids that the scene lacks are left out.
   void select(NodeIds ids);
+
+  /// The section that is being worked on, where the scene has it.
+  std::optional<model::SectionId> activeSection() const;
+  void activateSection(std::optional<model::SectionId> id);
 
   /// Reads the files and folders in the background; the scene becomes the document when it is
   /// there (one undo step). A job that is under way is cancelled.
@@ -88,6 +95,8 @@ class Session : public QObject {
   void fileChanged();
   /// What was asked for is there. Nothing for what was made.
   void opened(const std::vector<std::filesystem::path>& paths);
+  /// Another one was activated; that it left the scene, or came back, is a change of the document.
+  void activeSectionChanged();
   void jobStarted(const QString& title);
   void jobProgressed(double done, const QString& what);
   void jobEnded();
@@ -116,6 +125,8 @@ class Session : public QObject {
   QUndoStack m_history;
   std::optional<Document> m_beforePreview;
   NodeIds m_selection;
+  ShownNames m_names;
+  std::optional<model::SectionId> m_activeSection;
   SceneJob* m_job = nullptr;
   bool m_modified = false;
   int m_openings = 0;

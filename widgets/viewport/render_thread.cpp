@@ -61,7 +61,7 @@ RenderThread::~RenderThread() {
 void RenderThread::ask(PictureRequest request) {
   {
     const std::lock_guard lock(m_mutex);
-    if (m_resting && !(*m_resting == request.camera))
+    if (m_resting && (request.moving || !(*m_resting == request.camera)))
       m_unwanted = true;
     m_request = std::move(request);
   }

@@ -26,8 +26,8 @@ struct PictureRequest {
   model::Camera camera;
   render::PictureSettings settings;
   float scale = 1.0f;   ///< of the picture's size to the window's; what is shown is as large
-  bool moving = false;  ///< the camera is on its way; else it rests, and its picture is given up
-                        ///< when it moves on
+  bool moving = false;  ///< camera or section are on their way; else they rest, and their picture
+                        ///< is given up when they move on
 };
 
 /// Draws requests; lives on the render thread, whose context is current.

@@ -16,7 +16,7 @@ namespace sline::widgets {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("WindowMenus", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 
 std::vector<QString> ids(std::initializer_list<const char*> words) {
@@ -47,16 +47,18 @@ std::vector<MenuRow> menuRows() {
       row("inheritMenu", tr("&Inherit"),
           ids({"inherit", "inheritColour", "inheritOpacity", "", "inheritAll"})),
       row("viewMenu", tr("&View"),
-          ids({"anterior", "posterior", "left", "right", "superior", "inferior", "fit", "",
-               ">savedViews", "", ">sectionMenu", "keyLight", ">backgroundMenu", "",
-               ">panelMenu"})),
+          ids({"anterior", "posterior", "left", "right", "superior", "inferior", "fit", "zoomTo",
+               "", ">savedViews", "", ">sectionMenu", "keyLight", ">backgroundMenu", ">marksMenu",
+               "", ">panelMenu"})),
       row("savedViews", tr("Saved &Views"), {}),
       row("sectionMenu", tr("S&ection"),
-          ids({"sectionSagittal", "sectionCoronal", "sectionAxial", "", "sectionFlip",
-               "sectionOff"})),
+          ids({"sectionSagittal", "sectionCoronal", "sectionAxial", "sectionFacing", "",
+               "sectionFlip", "sectionOff"})),
       row("backgroundMenu", tr("&Background"), {}),
+      row("marksMenu", tr("&Over the Picture"),
+          ids({"showCube", "showScaleBar", "showNames", "showFrameTime"})),
       row("panelMenu", tr("Pa&nels"), {}),
-      row("helpMenu", tr("&Help"), ids({"controls", "", "about"})),
+      row("helpMenu", tr("&Help"), ids({"help", "controls", "", "about"})),
   };
 }
 

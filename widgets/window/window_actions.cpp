@@ -12,7 +12,7 @@ namespace sline::widgets {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("WindowActions", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 
 QList<QKeySequence> key(const QKeySequence& keys) {
@@ -96,8 +96,13 @@ std::vector<ActionRow> lookRows() {
 
 std::vector<ActionRow> structureRows() {
   return {
-      {QStringLiteral("zoomTo"), tr("&Zoom To"), key(tr("Z")),
-       tr("Bring the selected structures into the picture (Enter in the list)"), "zoom_to"},
+      {QStringLiteral("zoomTo"),
+       tr("&Zoom To"),
+       {QKeySequence(tr("Z")), QKeySequence(tr(".")),
+        QKeySequence(int(Qt::KeypadModifier) | Qt::Key_Period),
+        QKeySequence(int(Qt::KeypadModifier) | Qt::Key_Comma)},
+       tr("Bring the selected structures into the picture, and turn around them"),
+       "zoom_to"},
       {QStringLiteral("rename"), tr("Re&name"), key(tr("F2")), tr("Another name")},
       {QStringLiteral("newGroup"), tr("Ne&w Group"), key(tr("Ctrl+Shift+N")), tr("An empty group")},
       {QStringLiteral("group"), tr("Grou&p"), key(tr("Ctrl+G")),
@@ -129,12 +134,29 @@ std::vector<ActionRow> viewRows() {
        tr("Cut in the plane between front and back; again: whole"), "section_coronal"},
       {QStringLiteral("sectionAxial"), tr("&Axial"), key(tr("Ctrl+3")),
        tr("Cut in the plane between upper and lower; again: whole"), "section_axial"},
+      {QStringLiteral("sectionFacing"), tr("&Facing the View"), key(tr("Ctrl+4")),
+       tr("Cut across the line of sight")},
       {QStringLiteral("sectionFlip"), tr("&Flip"), key(tr("X")),
        tr("Keep the other side of each section"), "section_flip"},
       {QStringLiteral("sectionOff"), tr("&Whole Again"), key(tr("Ctrl+0")),
        tr("Take all sections away")},
       {QStringLiteral("keyLight"), tr("&Key Light"), key(tr("K")),
        tr("Light from the upper left on what is shaded"), "key_light"},
+      {QStringLiteral("help"), tr("&Help on This"), key(QKeySequence(Qt::Key_F1)),
+       tr("The page about the panel that has the keyboard")},
+      {QStringLiteral("showCube"),
+       tr("&Orientation Cube"),
+       {},
+       tr("The body's sides in the corner of the picture; a click looks from there")},
+      {QStringLiteral("showScaleBar"), tr("Scale &Bar"), {}, tr("How long a centimetre is")},
+      {QStringLiteral("showNames"),
+       tr("&Names under the Mouse"),
+       {},
+       tr("What a structure is called where the mouse rests")},
+      {QStringLiteral("showFrameTime"),
+       tr("Picture &Time"),
+       {},
+       tr("How long the last picture took to draw")},
       {QStringLiteral("controls"), tr("&Mouse and Keys"), key(tr("H")),
        tr("What the mouse and the keys do")},
       {QStringLiteral("about"), tr("&About Sline"), {}, tr("What this program is")}};
@@ -150,6 +172,13 @@ std::vector<ActionRow> actionRows() {
 }
 
 WindowActions::WindowActions(QWidget& window) {
+  remake(window);
+}
+
+void WindowActions::remake(QWidget& window) {
+  for (const auto& [id, action] : m_actions)
+    delete action;
+  m_actions.clear();
   for (const ActionRow& row : actionRows()) {
     auto* action = new QAction(row.text, &window);
     action->setObjectName(row.id);
@@ -169,20 +198,14 @@ QAction& WindowActions::operator[](const QString& id) const {
   return *found->second;
 }
 
-std::vector<ControlRow> mouseRows() {
-  return {{tr("Left drag"), tr("Turn around the pivot")},
-          {tr("Middle drag, Shift + left drag"), tr("Move the picture")},
-          {tr("Wheel"), tr("Zoom to the mouse")},
-          {tr("Click"), tr("Select what is seen there; Ctrl adds to the selection")},
-          {tr("Double click"), tr("Turn around this place from now on")},
-          {tr("Space in the list"), tr("Show or hide the selected structures")},
-          {tr("Enter in the list"), tr("Bring the selected structures into the picture")},
+std::vector<ControlRow> listRows() {
+  return {{tr("Space"), tr("Show or hide the selected structures")},
+          {tr("Enter"), tr("Bring the selected structures into the picture")},
           {tr("Drag over eyes or locks"), tr("Set them all alike")},
           {tr("Alt + click on an eye"), tr("Show this and nothing else; again: everything")},
           {tr("Middle click on Γ or colour"), tr("Take it from the group above again")},
           {tr("Drag rows"), tr("Put them elsewhere, or into another group")},
-          {tr("Double click on a name"), tr("Another name")},
-          {tr("Escape during a drag"), tr("As it was before")}};
+          {tr("Double click on a name"), tr("Another name")}};
 }
 
 }  // namespace sline::widgets

@@ -8,6 +8,8 @@
 #include <map>
 #include <vector>
 
+#include "widgets/viewport/mouse_preset.h"
+
 class QAction;
 class QWidget;
 
@@ -23,23 +25,20 @@ struct ActionRow {
 
 /// In the order in which help lists them.
 std::vector<ActionRow> actionRows();
+/// What mouse and keys do in the list of structures beside these.
+std::vector<ControlRow> listRows();
 
 class WindowActions {
  public:
   /// Makes an action of each row and adds it to the window, so that its keys work.
   explicit WindowActions(QWidget& window);
+  /// Makes them once more, in the language of now; those that were are gone.
+  void remake(QWidget& window);
   /// Asserts that the table has it.
   QAction& operator[](const QString& id) const;
 
  private:
   std::map<QString, QAction*> m_actions;
 };
-
-/// What a button or key does outside the table of actions.
-struct ControlRow {
-  QString control;
-  QString meaning;
-};
-std::vector<ControlRow> mouseRows();
 
 }  // namespace sline::widgets
