@@ -100,7 +100,10 @@ MainWindow::MainWindow(Session& session, QSettings& settings, QWidget* parent)
   restore();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+  // A name that is being typed is taken over while those who hear of it are still there.
+  hide();
+}
 
 void MainWindow::makeCentre() {
   m_message = new MessageBar;
