@@ -54,11 +54,18 @@ std::vector<PreferenceRow> navigationRows() {
            tr("Off: the picture changes at once"), Switch{true}}};
 }
 
+std::vector<PreferenceRow> fileRows() {
+  constexpr int tenMinutes = 600;
+  return {{QStringLiteral("files/autosaveSeconds"), tr("Files"), tr("Keep unsaved work after"),
+           tr("How long after a change a copy is kept, which is offered after a crash"),
+           WholeNumber{0, tenMinutes, 60, tr("s"), tr("Never")}}};
+}
+
 }  // namespace
 
 std::vector<PreferenceRow> preferenceRows() {
   std::vector<PreferenceRow> rows = appearanceRows();
-  for (const std::vector<PreferenceRow>& more : {pictureRows(), navigationRows()})
+  for (const std::vector<PreferenceRow>& more : {pictureRows(), navigationRows(), fileRows()})
     rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }

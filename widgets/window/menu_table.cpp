@@ -34,7 +34,9 @@ std::vector<MenuRow> menuRows() {
   };
   return {
       row("fileMenu", tr("&File"),
-          ids({"openFiles", "openFolder", ">demoMenu", "", "reload", "", "quit"})),
+          ids({"new", "openFiles", "openFolder", ">recentMenu", ">demoMenu", "", "save", "saveAs",
+               "saveCopy", "revert", "", "reload", "recover", "", "close", "quit"})),
+      row("recentMenu", tr("Open &Recent"), {}),
       row("demoMenu", tr("&Demo"), {}),
       row("editMenu", tr("&Edit"), ids({"undo", "redo", "", "find", "", "preferences"})),
       row("structureMenu", tr("&Structure"),
@@ -57,7 +59,9 @@ std::vector<MenuRow> menuRows() {
 }
 
 std::vector<QString> toolRows() {
-  return ids({"openFolder",
+  return ids({"openFiles",
+              "openFolder",
+              "save",
               "",
               "undo",
               "redo",

@@ -5,6 +5,7 @@
 
 #include "model/base/result.h"
 
+class QAction;
 class QLabel;
 class QPushButton;
 
@@ -19,15 +20,25 @@ class MessageBar : public QFrame {
   void showError(const Error& error);
   /// The first is shown, the others on demand.
   void showRemarks(const QStringList& remarks);
+  /// Stays until it is closed or `hideNotice` says that it is over; the button does the action.
+  void showNotice(const QString& heading, const QString& body, QAction& action);
+  /// Other messages stay.
+  void hideNotice();
   QString text() const;
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
-  enum class Kind { error, remark };
+  enum class Kind { error, remark, notice };
   void display(Kind kind, const QString& heading, const QString& body);
+  void dress();
   void showDetails();
 
+  Kind m_kind = Kind::remark;
   QLabel* m_text;
   QPushButton* m_details;
+  QPushButton* m_remedy;
   QStringList m_remarks;
 };
 
