@@ -127,11 +127,13 @@ void MainWindow::makePanels() {
   addDockWidget(Qt::LeftDockWidgetArea, dock(tr("Structures"), "structuresPanel", m_tree));
   addDockWidget(Qt::RightDockWidgetArea, dock(tr("Line Style"), "gammaPanel", m_gamma));
   auto* focus = new FocusPanel(m_session, *m_focus);
-  addDockWidget(Qt::RightDockWidgetArea, dock(tr("Focus and Context"), "focusPanel", focus));
-  connect(focus, &FocusPanel::focusWanted, &m_actions[QStringLiteral("focus")], &QAction::trigger);
+  QDockWidget* focusPanel = dock(tr("Focus and Context"), "focusPanel", focus);
+  addDockWidget(Qt::RightDockWidgetArea, focusPanel);
   m_sectionsPanel = new SectionsPanel(m_session);
-  QDockWidget* sections = dock(tr("Sections"), "sectionsPanel", m_sectionsPanel);
-  addDockWidget(Qt::RightDockWidgetArea, sections);
+  // Behind the other: the right side has no height for three.
+  tabifyDockWidget(focusPanel, dock(tr("Sections"), "sectionsPanel", m_sectionsPanel));
+  focusPanel->raise();
+  connect(focus, &FocusPanel::focusWanted, &m_actions[QStringLiteral("focus")], &QAction::trigger);
   auto* history = new QUndoView(&m_session.history());
   history->setObjectName(QStringLiteral("history"));
   history->setAccessibleName(tr("History"));
