@@ -239,6 +239,18 @@ Result<ImportPlan> replanned(const ImportPlan& plan, const ImportProgress& progr
   return next;
 }
 
+std::vector<NodeId> ofSameFiles(const ImportPlan& plan, std::span<const NodeId> ids) {
+  std::set<std::size_t> files;
+  for (const NodeId id : ids)
+    if (const auto own = plan.parts.find(id); own != plan.parts.end())
+      files.insert(plan.read->parts[own->second].file);
+  std::vector<NodeId> same;
+  for (const auto& [id, number] : plan.parts)
+    if (files.contains(plan.read->parts[number].file))
+      same.push_back(id);
+  return same;
+}
+
 Status checkChoices(const ImportPlan& plan) {
   for (const auto& [id, choice] : plan.choices) {
     const Node* node = plan.scene.find(id);

@@ -57,6 +57,10 @@ Result<ImportPlan> planImport(std::span<const std::filesystem::path> inputs,
 /// or limits are others than they were; a structure that is no more loses its choice.
 Result<ImportPlan> replanned(const ImportPlan& plan, const ImportProgress& progress = {});
 
+/// All structures that came from the same files as these, which are among them; none of scene
+/// files.
+std::vector<NodeId> ofSameFiles(const ImportPlan& plan, std::span<const NodeId> ids);
+
 /// What of the choices cannot be carried out: ids that are not in the plan, lengths and steps out
 /// of range, nothing left to import.
 Status checkChoices(const ImportPlan& plan);
