@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/import/reload.h"
+#include "widgets/session/document_file.h"
 
 namespace sline::widgets {
 
@@ -28,6 +29,8 @@ struct Loaded {
   QStringList remarks;
   std::vector<std::filesystem::path> paths;            ///< where it came from; none: it was made
   std::optional<std::vector<model::NewMesh>> renewed;  ///< instead of a scene: new meshes for it
+  std::optional<DocumentFile> file;                    ///< of a scene file
+  int reverts = 0;  ///< the opening that goes back to what the disk has; 0: it is a new one
 };
 
 }  // namespace sline::widgets

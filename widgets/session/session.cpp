@@ -57,7 +57,18 @@ QStringList remarksOf(const model::ImportReport& report) {
   for (const model::ImportWarning& warning : report.warnings)
     remarks << QString::fromStdString(warning.file.empty() ? warning.reason
                                                            : warning.file + ": " + warning.reason);
+  for (const std::string& note : report.notes)
+    remarks << QString::fromStdString(note);
   return remarks;
+}
+
+Result<Loaded> loadedFrom(Result<ReadDocument> read, const QString& title) {
+  if (!read.ok())
+    return read.error();
+  return Loaded{.scene = std::move(read->scene),
+                .title = title,
+                .remarks = {},
+                .file = std::move(read->file)};
 }
 
 QStringList remarksOf(const model::Reloaded& reloaded) {
@@ -91,7 +102,7 @@ model::Scene solid(const model::Scene& scene) {
 
 }  // namespace
 
-Session::Session(QObject* parent) : QObject(parent) {}
+Session::Session(QObject* parent) : QObject(parent), m_files{{0, {.saved = model::Scene()}}} {}
 
 Session::~Session() {
   m_history.disconnect(this);
@@ -168,8 +179,47 @@ void Session::set(Document document) {
   if (document == m_document)
     return;
   const Document before = std::exchange(m_document, std::move(document));
+  const bool another = before.opening != m_document.opening;
+  if (another)
+    moveLock(before.opening, m_document.opening);
   emit documentChanged(before, m_document);
+  compareWithFile(another);
   select(before.opening == m_document.opening ? m_selection : NodeIds{});
+}
+
+const DocumentFile& Session::file() const {
+  return m_files.at(m_document.opening);
+}
+
+QString Session::title() const {
+  return file().path.empty() ? m_document.title
+                             : QString::fromStdString(file().path.filename().string());
+}
+
+void Session::noteSaved(int opening, DocumentFile file) {
+  const bool shown = opening == m_document.opening;
+  if (!shown)
+    file.lock.reset();
+  m_files[opening] = std::move(file);
+  if (shown)
+    compareWithFile(true);
+}
+
+void Session::moveLock(int from, int to) {
+  // Of one file opened twice both have the same lock: what is new holds it before the old lets go.
+  if (m_files[to].lock) {
+    m_files[from].lock.reset();
+    return;
+  }
+  m_files[from].lock.reset();
+  relock(m_files[to]);
+}
+
+void Session::compareWithFile(bool another) {
+  const std::optional<model::Scene>& saved = file().saved;
+  const bool modified = !saved || !(*saved == m_document.scene);
+  if (std::exchange(m_modified, modified) != modified || another)
+    emit fileChanged();
 }
 
 std::vector<std::filesystem::path> Session::sources() const {
@@ -200,26 +250,91 @@ void Session::open(const Loaded& loaded) {
     m_sources[m_openings + 1].push_back(
         model::isSurfaceFile(path) || std::filesystem::is_directory(path) ? path
                                                                           : path.parent_path());
-  Document document{.scene = solid(loaded.scene), .title = loaded.title, .opening = ++m_openings};
-  if (m_document.opening == 0)
-    set(std::move(document));  // there is nothing to go back to
-  else
-    push(tr("Open %1").arg(loaded.title), std::move(document), {});
+  DocumentFile file = loaded.file.value_or(DocumentFile());
+  Document document{.scene = solid(loaded.scene), .title = loaded.title};
+  if (!file.copy)
+    file.saved = document.scene;
+  addOpening(std::move(document), std::move(file));
+  emit opened(loaded.paths);
   if (!loaded.remarks.isEmpty())
     emit remarked(loaded.remarks);
 }
 
+void Session::addOpening(Document document, DocumentFile file) {
+  document.opening = ++m_openings;
+  m_files[document.opening] = std::move(file);
+  if (m_document.opening == 0 && m_history.count() == 0)
+    set(std::move(document));  // there is nothing to go back to
+  else
+    push(tr("Open %1").arg(document.title), document, {});
+}
+
+void Session::openEmpty(const QString& title) {
+  cancelJob();
+  cancelPreview();
+  addOpening({.scene = {}, .title = title}, {.saved = model::Scene()});
+}
+
+void Session::closeDocument() {
+  cancelJob();
+  cancelPreview();
+  if (m_document.opening != 0)
+    push(tr("Close %1").arg(title()), {}, {});
+}
+
+void Session::goBack(const Loaded& loaded) {
+  cancelPreview();
+  if (m_document.opening != loaded.reverts)
+    return;  // undo went to another document meanwhile
+  DocumentFile file = *loaded.file;
+  const model::Scene scene = solid(loaded.scene);
+  file.saved = scene;
+  m_files[loaded.reverts] = std::move(file);
+  if (!apply(tr("Revert to Saved"), {scene, !(scene == m_document.scene)}))
+    compareWithFile(true);
+}
+
 void Session::openPaths(std::vector<std::filesystem::path> paths) {
   const QString title = titleOf(paths);
-  startJob(title, [paths = std::move(paths), title](const model::ImportProgress& progress,
-                                                    const std::stop_token&) {
+  startJob(title, [paths = std::move(paths), title, lock = file().lock](
+                      const model::ImportProgress& progress, const std::stop_token&) {
+    if (paths.size() == 1 && model::isSceneFile(paths.front())) {
+      Result<Loaded> loaded = loadedFrom(readDocument(paths.front(), lock), title);
+      if (loaded.ok())
+        loaded->paths = paths;
+      return loaded;
+    }
     auto imported = model::importInputs(paths, {}, progress);
     if (!imported)
       return Result<Loaded>(imported.error());
-    return Result<Loaded>(Loaded{.scene = std::move(imported->scene),
-                                 .title = title,
-                                 .remarks = remarksOf(imported->report),
-                                 .paths = paths});
+    Loaded loaded{.scene = std::move(imported->scene),
+                  .title = title,
+                  .remarks = remarksOf(imported->report),
+                  .paths = paths};
+    if (!imported->others.empty())
+      loaded.file = DocumentFile{.others = std::make_shared<const std::vector<model::ZipMember>>(
+                                     std::move(imported->others))};
+    return Result<Loaded>(std::move(loaded));
+  });
+}
+
+void Session::openRecovered(const model::Recoverable& found) {
+  const QString title = QString::fromStdString(found.source.title);
+  startJob(title, [found, title, lock = file().lock](const model::ImportProgress&,
+                                                     const std::stop_token&) {
+    return loadedFrom(readRecovered(found, lock), title);
+  });
+}
+
+void Session::revert() {
+  if (file().path.empty())
+    return;
+  startJob(title(), [path = file().path, lock = file().lock, opening = m_document.opening](
+                        const model::ImportProgress&, const std::stop_token&) {
+    Result<Loaded> loaded = loadedFrom(readDocument(path, lock), {});
+    if (loaded.ok())
+      loaded->reverts = opening;
+    return loaded;
   });
 }
 
@@ -239,7 +354,12 @@ void Session::startJob(const QString& title, SceneMaker maker) {
     if (job != m_job)
       return;
     endJob();
-    loaded.renewed ? renew(loaded) : open(loaded);
+    if (loaded.renewed)
+      renew(loaded);
+    else if (loaded.reverts != 0)
+      goBack(loaded);
+    else
+      open(loaded);
   });
   connect(m_job, &SceneJob::failed, this, [this, job = m_job](const Error& error) {
     if (job != m_job)

@@ -46,6 +46,16 @@ class Session : public QObject {
   /// What edits during a drag start from: the scene before it.
   const model::Scene& sceneBeforePreview() const;
 
+  /// The scene file of the document.
+  const DocumentFile& file() const;
+  /// The file's name, where there is one, else what the document goes by.
+  QString title() const;
+  /// Whether there is something to lose: the scene differs from what the file has or, where there
+  /// is none, from what came in. A drag under way counts.
+  bool modified() const { return m_modified; }
+  /// A file was written with the scene of this opening; its lock stays with the document.
+  void noteSaved(int opening, DocumentFile file);
+
   const NodeIds& selection() const { return m_selection; }
   /// Ids that the scene lacks are left out.
   void select(NodeIds ids);
@@ -59,6 +69,14 @@ class Session : public QObject {
   /// Where something is known to reload from.
   bool canReload() const { return !sources().empty(); }
   void openMade(const QString& title, SceneMaker maker);
+  /// A scene without anything in it.
+  void openEmpty(const QString& title);
+  /// A copy that was left by a crash: it differs from its file until it is saved.
+  void openRecovered(const model::Recoverable& found);
+  /// Reads the document's file again, as an undo step.
+  void revert();
+  /// Nothing is open afterwards (one undo step).
+  void closeDocument();
   void cancelJob();
   bool busy() const { return m_job != nullptr; }
 
@@ -66,6 +84,10 @@ class Session : public QObject {
   /// Also at each step of a drag; compare the two to see what differs.
   void documentChanged(const sline::widgets::Document& before, const sline::widgets::Document& now);
   void selectionChanged();
+  /// Which file it is, whether it may be written, or whether the document differs from it.
+  void fileChanged();
+  /// What was asked for is there. Nothing for what was made.
+  void opened(const std::vector<std::filesystem::path>& paths);
   void jobStarted(const QString& title);
   void jobProgressed(double done, const QString& what);
   void jobEnded();
@@ -80,6 +102,11 @@ class Session : public QObject {
   void push(const QString& name, Document after, const QString& series);
   void open(const Loaded& loaded);
   void renew(const Loaded& loaded);
+  void goBack(const Loaded& loaded);
+  void addOpening(Document document, DocumentFile file);
+  /// Locks are held for what is open, not for what undo could bring back.
+  void moveLock(int from, int to);
+  void compareWithFile(bool another);
   /// The files and folders that the document was opened from.
   std::vector<std::filesystem::path> sources() const;
   void startJob(const QString& title, SceneMaker maker);
@@ -90,9 +117,11 @@ class Session : public QObject {
   std::optional<Document> m_beforePreview;
   NodeIds m_selection;
   SceneJob* m_job = nullptr;
+  bool m_modified = false;
   int m_openings = 0;
   /// By Document::opening, so that they hold after undo, too.
   std::map<int, std::vector<std::filesystem::path>> m_sources;
+  std::map<int, DocumentFile> m_files;
 };
 
 }  // namespace sline::widgets

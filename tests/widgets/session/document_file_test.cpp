@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: Apache-2.0
+// The document and its file: what is saved, what differs, who may write.
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <fstream>
+
+#include "model/edit/emphasis.h"
+#include "tests/support/shapes.h"
+#include "widgets/session/autosaver.h"
+#include "widgets/session/recent_files.h"
+#include "widgets/session/scene_saver.h"
+
+namespace sline::widgets {
+
+namespace fs = std::filesystem;
+
+class DocumentFileTest : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir m_folder;
+
+  fs::path file(const char* name) const {
+    return m_folder.filePath(QLatin1String(name)).toStdString();
+  }
+  static model::Scene balls() {
+    model::Scene scene;
+    scene.append(
+        {.name = "one", .style = {.fill = model::Fill::paper}, .mesh = test::sphere(1, 1)});
+    scene.append({.name = "two", .mesh = test::sphere(2, 1)});
+    return scene;
+  }
+  static bool idle(const Session& session) {
+    return QTest::qWaitFor([&] { return !session.busy(); });
+  }
+  static bool openMade(Session& session) {
+    session.openMade(QStringLiteral("balls"),
+                     [](const model::ImportProgress&, const std::stop_token&) -> Result<Loaded> {
+                       return Loaded{
+                           .scene = balls(), .title = QStringLiteral("balls"), .remarks = {}};
+                     });
+    return idle(session);
+  }
+  static bool open(Session& session, const fs::path& path) {
+    session.openPaths({path});
+    return idle(session);
+  }
+  static bool gamma(Session& session, float value, const QString& series = {}) {
+    const model::NodeId first[] = {session.scene().nodes().front().id};
+    return session.apply(QStringLiteral("Γ"),
+                         model::withGamma(session.scene(), first, Gamma::clamped(value)), series);
+  }
+  /// False where it was not saved.
+  static bool save(Session& session, const fs::path& path,
+                   SceneSaver::As as = SceneSaver::As::document) {
+    SceneSaver saver(session);
+    QSignalSpy saved(&saver, &SceneSaver::saved);
+    saver.save(path, as);
+    return QTest::qWaitFor([&] { return !saver.busy(); }) && saved.count() == 1;
+  }
+  /// As another program would find it.
+  static model::Scene onDisk(const fs::path& path) {
+    const auto read = model::readSceneFile(path);
+    return read.ok() ? read->scene : model::Scene();
+  }
+  /// The same bytes as a file; meshes that were read are other objects.
+  static bool same(const model::Scene& a, const model::Scene& b) {
+    return *model::sceneFileBytes({.scene = a}) == *model::sceneFileBytes({.scene = b});
+  }
+
+ private slots:
+  void savedAndOpenedAgain() {
+    const fs::path path = file("balls.sline");
+    Session session;
+    QVERIFY(openMade(session));
+    QVERIFY(!session.modified() && session.file().path.empty());
+    QVERIFY(gamma(session, 4.0f));
+    QVERIFY(session.modified());
+    QVERIFY(save(session, path));
+    QVERIFY(!session.modified());
+    QCOMPARE(session.title(), QStringLiteral("balls.sline"));
+    QVERIFY(model::SceneLock::held(path));
+    Session again;
+    QVERIFY(open(again, path));
+    QVERIFY(same(again.scene(), session.scene()));
+    QVERIFY(!again.modified());
+  }
+
+  void differsByValue() {
+    Session session;
+    QVERIFY(openMade(session));
+    QVERIFY(save(session, file("value.sline")));
+    QSignalSpy marks(&session, &Session::fileChanged);
+    QVERIFY(gamma(session, 3.0f));
+    QVERIFY(session.modified());
+    session.undo();
+    QVERIFY(!session.modified());
+    session.redo();
+    QVERIFY(session.modified());
+    QCOMPARE(marks.count(), 3);
+    // Keys in a row become one step, whose end may be where they began.
+    session.undo();
+    const QString series = QStringLiteral("keys");
+    QVERIFY(gamma(session, 3.0f, series) && gamma(session, 3.5f, series));
+    QVERIFY(session.modified());
+    session.undo();
+    QVERIFY(!session.modified());
+    session.preview(balls());
+    QVERIFY(session.modified());
+    session.cancelPreview();
+    QVERIFY(!session.modified());
+    // By hand to where it was: no step back, yet nothing to save.
+    const model::Scene saved = session.scene();
+    QVERIFY(gamma(session, 1.0f));
+    QVERIFY(session.apply(QStringLiteral("back"), {saved, true}));
+    QVERIFY(!session.modified());
+  }
+
+  /// Undo takes the scene back, not the name.
+  void undoKeepsTheName() {
+    Session session;
+    QVERIFY(openMade(session));
+    QVERIFY(gamma(session, 4.0f));
+    QVERIFY(save(session, file("named.sline")));
+    session.undo();
+    QCOMPARE(session.title(), QStringLiteral("named.sline"));
+    QVERIFY(session.modified());
+    QVERIFY(save(session, file("other.sline")));
+    QCOMPARE(session.title(), QStringLiteral("other.sline"));
+    QVERIFY(!model::SceneLock::held(file("named.sline")));
+    QVERIFY(model::SceneLock::held(file("other.sline")));
+    session.redo();
+    QVERIFY(session.modified());
+    QVERIFY(save(session, file("copy.sline"), SceneSaver::As::copy));
+    QCOMPARE(session.title(), QStringLiteral("other.sline"));
+    QVERIFY(session.modified());
+    QVERIFY(!model::SceneLock::held(file("copy.sline")));
+    QVERIFY(same(onDisk(file("copy.sline")), session.scene()));
+  }
+
+  void lockGoesWithTheDocument() {
+    const fs::path a = file("a.sline");
+    const fs::path b = file("b.sline");
+    for (const fs::path& path : {a, b})
+      QVERIFY(model::writeSceneFile(path, {.scene = balls()}).ok());
+    Session session;
+    QVERIFY(open(session, a));
+    QVERIFY(model::SceneLock::held(a));
+    QVERIFY(open(session, b));
+    QVERIFY(!model::SceneLock::held(a) && model::SceneLock::held(b));
+    session.undo();
+    QVERIFY(model::SceneLock::held(a) && !model::SceneLock::held(b));
+    QCOMPARE(session.title(), QStringLiteral("a.sline"));
+    QVERIFY(open(session, a));  // again: the lock is its own
+    QVERIFY(session.file().writable == Writable::yes);
+    session.closeDocument();
+    QVERIFY(!model::SceneLock::held(a));
+    QCOMPARE(session.document().opening, 0);
+    session.undo();
+    QVERIFY(model::SceneLock::held(a));
+    QVERIFY(session.file().writable == Writable::yes);
+    session.redo();
+    // Meanwhile somebody else writes it: what undo brings back must not go over that.
+    model::Scene other = balls();
+    other.append({.name = "three", .mesh = test::sphere(3, 1)});
+    QVERIFY(model::writeSceneFile(a, {.scene = other}).ok());
+    session.undo();
+    QVERIFY(session.file().writable == Writable::changedOnDisk);
+    session.revert();
+    QVERIFY(idle(session));
+    QVERIFY(session.file().writable == Writable::yes && !session.modified());
+    QCOMPARE(session.scene().nodes().size(), std::size_t(3));
+    session.undo();
+    QCOMPARE(session.scene().nodes().size(), std::size_t(2));
+    QVERIFY(session.modified());
+  }
+
+  void readOnly_data() {
+    QTest::addColumn<int>("why");
+    QTest::newRow("open in another window") << int(Writable::lockedElsewhere);
+    QTest::newRow("no right to write") << int(Writable::notPermitted);
+    QTest::newRow("of a newer program") << int(Writable::newerProgram);
+  }
+  void readOnly() {
+    QFETCH(int, why);
+    const fs::path path = file("readonly.sline");
+    fs::remove(path);
+    Session other;
+    if (why == int(Writable::newerProgram)) {
+      const std::string json = R"({"format":"sline scene","schema":99,"nodes":[],"more":1})";
+      const model::ZipMember member{"scene.json", json};
+      std::ofstream(path, std::ios::binary) << *model::zipped({&member});
+    } else {
+      QVERIFY(model::writeSceneFile(path, {.scene = balls()}).ok());
+    }
+    if (why == int(Writable::notPermitted))
+      fs::permissions(path, fs::perms::owner_read);
+    if (why == int(Writable::lockedElsewhere))
+      QVERIFY(open(other, path));
+    Session session;
+    QSignalSpy failures(&session, &Session::failed);
+    QVERIFY(open(session, path));
+    QCOMPARE(failures.count(), 0);
+    QCOMPARE(int(session.file().writable), why);
+    QVERIFY(!session.file().reason.isEmpty());
+    QVERIFY(!session.file().lock);
+    QVERIFY(save(session, file("elsewhere.sline")));
+    QVERIFY(session.file().writable == Writable::yes && session.file().reason.isEmpty());
+  }
+
+  void failuresLeaveTheOldFile_data() {
+    QTest::addColumn<QString>("kind");
+    QTest::newRow("the folder has gone") << "gone";
+    QTest::newRow("another program has changed it") << "changed";
+    QTest::newRow("another window has the new name") << "locked";
+    QTest::newRow("no folder") << "proc";
+    QTest::newRow("a disk without space") << "full";
+  }
+  void failuresLeaveTheOldFile() {
+    QFETCH(QString, kind);
+    const fs::path folder = file("place");
+    fs::create_directory(folder);
+    const fs::path path = folder / "work.sline";
+    Session session;
+    Session other;
+    QVERIFY(openMade(session) && save(session, path));
+    QVERIFY(gamma(session, 4.5f));
+    fs::path to = path;
+    if (kind == QLatin1String("gone")) {
+      fs::remove_all(folder);
+    } else if (kind == QLatin1String("changed")) {
+      std::ofstream(path, std::ios::app) << "more";
+    } else if (kind == QLatin1String("locked")) {
+      to = folder / "theirs.sline";
+      QVERIFY(openMade(other) && save(other, to));
+    } else if (kind == QLatin1String("full")) {
+      to = "/dev/full";
+    } else {
+      to = "/proc/1/none/work.sline";
+    }
+    const auto before = stampOf(to);
+    SceneSaver saver(session);
+    QSignalSpy saved(&saver, &SceneSaver::saved);
+    QSignalSpy failed(&saver, &SceneSaver::failed);
+    saver.save(to, SceneSaver::As::document);
+    QTRY_VERIFY(!saver.busy());
+    QCOMPARE(saved.count(), 0);
+    QCOMPARE(failed.count(), 1);
+    const auto error = failed[0][0].value<Error>();
+    QVERIFY(!error.reason.empty() && !error.remedy.empty());
+    QVERIFY(session.modified());
+    QVERIFY(session.file().path == path);
+    QVERIFY(stampOf(to) == before);
+  }
+
+  void savesInARow() {
+    const fs::path path = file("row.sline");
+    Session session;
+    QVERIFY(openMade(session));
+    SceneSaver saver(session);
+    QSignalSpy saved(&saver, &SceneSaver::saved);
+    QSignalSpy ended(&saver, &SceneSaver::ended);
+    for (const float value : {1.5f, 2.5f, 3.5f}) {
+      QVERIFY(gamma(session, value));
+      saver.save(path, SceneSaver::As::document);
+    }
+    QVERIFY(gamma(session, 4.5f));  // none has this
+    QTRY_COMPARE(saved.count(), 3);
+    QCOMPARE(ended.count(), 1);
+    QVERIFY(session.modified());
+    session.undo();
+    QVERIFY(!session.modified());
+    QVERIFY(same(onDisk(path), session.scene()));
+  }
+
+  void whatIsUnknownStays() {
+    const fs::path path = file("more.sline");
+    QVERIFY(model::writeSceneFile(
+                path, {.scene = balls(), .thumbnail = "picture", .others = {{"notes.txt", "mine"}}})
+                .ok());
+    Session session;
+    QVERIFY(open(session, path) && gamma(session, 4.0f) && save(session, path));
+    const auto again = model::readSceneFile(path);
+    QVERIFY(again.ok());
+    QCOMPARE(again->thumbnail, std::string("picture"));
+    QCOMPARE(again->others.size(), std::size_t(1));
+    QCOMPARE(again->others[0].bytes, std::string("mine"));
+  }
+
+  void copiesAreKeptAndLetGo() {
+    const fs::path folder = file("copies");
+    const fs::path path = file("copied.sline");
+    Session session;
+    Autosaver autosaver(session, folder);
+    autosaver.setInterval(std::chrono::milliseconds(50));
+    QSignalSpy kept(&autosaver, &Autosaver::kept);
+    const auto copies = [&] {
+      int count = 0;
+      std::error_code none;
+      for (const auto& entry : fs::directory_iterator(folder, none))
+        count += model::isSceneFile(entry.path());
+      return count;
+    };
+    QVERIFY(openMade(session));
+    QVERIFY(save(session, path));
+    QVERIFY(gamma(session, 4.0f));
+    QTRY_COMPARE(kept.count(), 1);
+    QCOMPARE(copies(), 1);
+    QVERIFY(model::recoverableIn(folder).empty());
+    session.undo();  // nothing to lose any more
+    QTRY_COMPARE(copies(), 0);
+    session.redo();
+    QTRY_COMPARE(copies(), 1);
+    QVERIFY(save(session, path));
+    QTRY_COMPARE(copies(), 0);
+  }
+
+  void recoveredIsUnsaved() {
+    const fs::path folder = file("left");
+    const fs::path path = file("lost.sline");
+    model::Scene scene = balls();
+    {
+      const auto autosave = model::Autosave::begin(folder);
+      QVERIFY(autosave.ok() && autosave->keep({.scene = scene}, {"lost.sline", path}).ok());
+    }
+    Session session;
+    Autosaver autosaver(session, folder);
+    QSignalSpy kept(&autosaver, &Autosaver::kept);
+    const auto found = model::recoverableIn(folder);
+    QCOMPARE(found.size(), std::size_t(1));
+    session.openRecovered(found[0]);
+    QVERIFY(idle(session));
+    QVERIFY(same(session.scene(), scene));
+    QVERIFY(session.modified());
+    QVERIFY(session.file().path == path);
+    QTRY_COMPARE(kept.count(), 1);  // at once: it is in a copy of its own before the old one goes
+    QVERIFY(!fs::exists(found[0].copy));
+    QVERIFY(save(session, path));
+    QVERIFY(!session.modified());
+    QVERIFY(same(onDisk(path), scene));
+  }
+
+  void recentFilesAreOrdered() {
+    QSettings settings(m_folder.filePath(QStringLiteral("recent.ini")), QSettings::IniFormat);
+    RecentFiles recent(settings);
+    QSignalSpy changes(&recent, &RecentFiles::changed);
+    for (int i = 0; i < 12; ++i)
+      recent.add(QStringLiteral("/a/%1.sline").arg(i));
+    recent.add(QStringLiteral("/a/b/../7.sline"));
+    QCOMPARE(recent.paths().size(), RecentFiles::most);
+    QCOMPARE(recent.paths()[0], QStringLiteral("/a/7.sline"));
+    QCOMPARE(recent.paths()[1], QStringLiteral("/a/11.sline"));
+    QCOMPARE(recent.paths().count(QStringLiteral("/a/7.sline")), 1);
+    recent.add(QStringLiteral("/a/7.sline"));
+    QCOMPARE(changes.count(), 13);
+    recent.remove(QStringLiteral("/a/7.sline"));
+    QVERIFY(!recent.paths().contains(QStringLiteral("/a/7.sline")));
+    recent.clear();
+    QVERIFY(recent.paths().isEmpty());
+  }
+};
+
+}  // namespace sline::widgets
+
+QTEST_GUILESS_MAIN(sline::widgets::DocumentFileTest)
+#include "document_file_test.moc"

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/session/document_file.h"
+
+#include <unistd.h>
+
+#include <QCoreApplication>
+#include <system_error>
+
+namespace sline::widgets {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("DocumentFile", text);
+}
+
+std::shared_ptr<const std::string> textOrNone(std::string text) {
+  return text.empty() ? nullptr : std::make_shared<const std::string>(std::move(text));
+}
+
+/// By its rights; root may write whatever they say, but was asked not to.
+bool mayBeWritten(const fs::path& file) {
+  std::error_code fault;
+  if (!fs::exists(file, fault))
+    return true;  // its folder decides
+  const fs::perms rights = fs::status(file, fault).permissions();
+  constexpr fs::perms anybody =
+      fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+  return fault || ((rights & anybody) != fs::perms::none && access(file.c_str(), W_OK) == 0);
+}
+
+void deny(DocumentFile& file, Writable why, const QString& reason) {
+  file.writable = why;
+  file.reason = reason;
+  file.lock.reset();
+}
+
+void lock(DocumentFile& file, std::shared_ptr<const model::SceneLock> held) {
+  if (!mayBeWritten(file.path))
+    return deny(file, Writable::notPermitted, tr("Its rights do not let it be written to"));
+  if (held && isLockOf(*held, file.path)) {
+    file.lock = std::move(held);
+    return;
+  }
+  const bool taken = model::SceneLock::held(file.path);
+  Result<model::SceneLock> lock = model::SceneLock::acquire(file.path);
+  if (lock.ok()) {
+    file.writable = Writable::yes;
+    file.reason.clear();
+    file.lock = std::make_shared<const model::SceneLock>(std::move(*lock));
+    return;
+  }
+  QString reason = QString::fromStdString(lock.error().reason);
+  reason[0] = reason[0].toUpper();
+  deny(file, taken ? Writable::lockedElsewhere : Writable::notPermitted, reason);
+}
+
+}  // namespace
+
+std::optional<FileStamp> stampOf(const fs::path& file) {
+  std::error_code fault;
+  const std::uintmax_t bytes = fs::file_size(file, fault);
+  if (fault)
+    return std::nullopt;
+  const fs::file_time_type when = fs::last_write_time(file, fault);
+  return fault ? std::nullopt : std::optional(FileStamp{bytes, when});
+}
+
+bool isLockOf(const model::SceneLock& lock, const fs::path& file) {
+  std::error_code fault;
+  const fs::path real = fs::weakly_canonical(file, fault);
+  return lock.file() == (fault ? file : real);
+}
+
+Result<ReadDocument> readDocument(const fs::path& path,
+                                  std::shared_ptr<const model::SceneLock> held) {
+  ReadDocument read;
+  read.file.path = path;
+  // First the lock: what is read then stays what is on the disk.
+  lock(read.file, std::move(held));
+  read.file.stamp = stampOf(path);
+  Result<model::SceneDocument> document = model::readSceneFile(path);
+  if (!document.ok())
+    return document.error();
+  if (document->isNewer())
+    deny(read.file, Writable::newerProgram,
+         tr("A newer version of the program has written it; what is unknown here is not shown"));
+  read.file.thumbnail = textOrNone(std::move(document->thumbnail));
+  if (!document->others.empty())
+    read.file.others =
+        std::make_shared<const std::vector<model::ZipMember>>(std::move(document->others));
+  read.scene = std::move(document->scene);
+  return read;
+}
+
+Result<ReadDocument> readRecovered(const model::Recoverable& found,
+                                   std::shared_ptr<const model::SceneLock> held) {
+  Result<model::SceneDocument> document = model::recovered(found);
+  if (!document.ok())
+    return document.error();
+  ReadDocument read{.scene = std::move(document->scene), .file = {.copy = found}};
+  read.file.thumbnail = textOrNone(std::move(document->thumbnail));
+  if (!document->others.empty())
+    read.file.others =
+        std::make_shared<const std::vector<model::ZipMember>>(std::move(document->others));
+  if (found.source.file.empty())
+    return read;
+  read.file.path = found.source.file;
+  lock(read.file, std::move(held));
+  read.file.stamp = stampOf(read.file.path);
+  if (read.file.writable == Writable::yes && read.file.stamp && read.file.stamp->when > found.when)
+    deny(read.file, Writable::changedOnDisk, tr("It was saved after this copy was made"));
+  return read;
+}
+
+void relock(DocumentFile& file) {
+  if (file.path.empty() || file.lock || file.writable == Writable::newerProgram)
+    return;
+  if (stampOf(file.path) != file.stamp)
+    deny(file, Writable::changedOnDisk, tr("Another program has changed it since"));
+  else
+    lock(file, nullptr);
+}
+
+}  // namespace sline::widgets

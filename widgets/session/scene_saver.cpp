@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/session/scene_saver.h"
+
+#include <QBuffer>
+#include <exception>
+#include <new>
+
+namespace sline::widgets {
+
+struct SceneSaver::Order {
+  std::filesystem::path path;
+  As as = As::document;
+  int opening = 0;
+  DocumentFile file;  ///< of the document when it was asked for; `saved` is what to write
+  QImage picture;
+};
+
+struct SceneSaver::Outcome {
+  std::optional<Error> error;
+  DocumentFile file;
+};
+
+namespace {
+
+constexpr QSize thumbnailSize(320, 240);
+
+std::shared_ptr<const std::string> pngOf(const QImage& picture) {
+  const QImage small =
+      picture.width() > thumbnailSize.width() || picture.height() > thumbnailSize.height()
+          ? picture.scaled(thumbnailSize, Qt::KeepAspectRatio, Qt::SmoothTransformation)
+          : picture;
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  if (!buffer.open(QIODevice::WriteOnly) ||
+      !small.convertToFormat(QImage::Format_RGB888).save(&buffer, "PNG"))
+    return nullptr;
+  return std::make_shared<const std::string>(bytes.toStdString());
+}
+
+Error notSaved(const std::filesystem::path& file, const std::string& reason) {
+  return {.file = file.string(), .reason = reason, .remedy = "Save under another name"};
+}
+
+}  // namespace
+
+SceneSaver::SceneSaver(Session& session, QObject* parent) : QObject(parent), m_session(session) {}
+
+void SceneSaver::save(const std::filesystem::path& file, As as, const QImage& picture) {
+  Order order{.path = file,
+              .as = as,
+              .opening = m_session.document().opening,
+              .file = m_session.file(),
+              .picture = picture};
+  order.file.saved = m_session.sceneBeforePreview();
+  emit started(QString::fromStdString(file.filename().string()));
+  m_queue.add([this, order = std::move(order)](const std::stop_token&) -> BackgroundQueue::Sequel {
+    Outcome outcome;
+    try {
+      outcome = carryOut(order);
+    } catch (const std::exception& failure) {
+      outcome.error =
+          notSaved(order.path, std::string("it could not be written: ") + failure.what());
+    }
+    return [this, order, outcome] { finish(order, outcome); };
+  });
+}
+
+SceneSaver::Outcome SceneSaver::carryOut(const Order& order) {
+  Outcome outcome{.error = {}, .file = order.file};
+  DocumentFile& file = outcome.file;
+  if (!order.picture.isNull())
+    file.thumbnail = pngOf(order.picture);
+  Written& before = m_written[order.path];
+  if (!file.lock || !isLockOf(*file.lock, order.path))
+    file.lock = before.lock.lock();
+  if (!file.lock) {
+    Result<model::SceneLock> lock = model::SceneLock::acquire(order.path);
+    if (!lock.ok()) {
+      outcome.error = lock.error();
+      return outcome;
+    }
+    file.lock = std::make_shared<const model::SceneLock>(std::move(*lock));
+  } else if (const auto now = stampOf(order.path);
+             now && now != order.file.stamp && now != before.stamp) {
+    outcome.error = notSaved(order.path, "another program has changed it since it was opened");
+    return outcome;
+  }
+  model::SceneDocument document{.scene = *file.saved};
+  if (file.thumbnail)
+    document.thumbnail = *file.thumbnail;
+  if (file.others)
+    document.others = *file.others;
+  if (const Status written = model::writeSceneFile(*file.lock, document); !written.ok()) {
+    outcome.error = written.error();
+    return outcome;
+  }
+  file.path = order.path;
+  file.writable = Writable::yes;
+  file.reason.clear();
+  file.stamp = stampOf(order.path);
+  before = {file.stamp, file.lock};
+  return outcome;
+}
+
+void SceneSaver::finish(const Order& order, const Outcome& outcome) {
+  if (outcome.error) {
+    emit failed(*outcome.error);
+  } else {
+    if (order.as == As::document)
+      m_session.noteSaved(order.opening, outcome.file);
+    emit saved(order.path, order.as);
+  }
+  if (!busy())
+    emit ended();
+}
+
+}  // namespace sline::widgets
