@@ -72,11 +72,20 @@ void warnOfOptions(const ImportOptions& options, std::vector<ImportWarning>& war
 
 NewIds append(Scene& to, const Scene& added) {
   NewIds ids{{rootId, rootId}};
+  // All at once: to append them one by one would look through the whole scene for each.
+  std::vector<Node> nodes = to.nodes();
   for (Node node : added.nodes()) {
     const NodeId old = node.id;
     node.parent = ids.at(node.parent);
-    ids[old] = to.append(std::move(node));
+    if (ids.size() == 1) {
+      node.id = to.append(node);
+    } else {
+      node.id = {nodes.back().id.value + 1};
+    }
+    ids[old] = node.id;
+    nodes.push_back(std::move(node));
   }
+  to.setNodes(std::move(nodes));
   for (const Section& section : added.sections())
     to.appendSection(moved(section, ids));
   std::map<AnnotationId, AnnotationId> noteIds;

@@ -33,11 +33,16 @@ std::vector<PreferenceRow> pictureRows() {
                     QStringLiteral("paper")}}};
 }
 
+std::vector<PreferenceRow> importRows() {
+  return {{QStringLiteral("files/importOptions"), tr("Files"), tr("Always show import options"),
+           tr("Before meshes are opened: units, smoothing and what is left out"), Switch{false}}};
+}
+
 }  // namespace
 
 std::vector<PreferenceRow> preferenceRows() {
   std::vector<PreferenceRow> rows = appearanceRows();
-  for (const std::vector<PreferenceRow>& more : {pictureRows()})
+  for (const std::vector<PreferenceRow>& more : {pictureRows(), importRows()})
     rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }

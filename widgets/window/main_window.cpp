@@ -32,6 +32,7 @@
 #include "widgets/viewport/viewport.h"
 #include "widgets/window/about_dialog.h"
 #include "widgets/window/controls_dialog.h"
+#include "widgets/window/import_actions.h"
 #include "widgets/window/message_bar.h"
 #include "widgets/window/section_actions.h"
 #include "widgets/window/view_actions.h"
@@ -103,6 +104,12 @@ MainWindow::MainWindow(Session& session, QSettings& settings, QWidget* parent)
   makeMenus();
   makeTools();
   connectSession();
+  m_imports = new ImportActions({.session = m_session,
+                                 .settings = m_settings,
+                                 .preferences = m_preferences,
+                                 .actions = m_actions,
+                                 .message = *m_message},
+                                *this);
   connectActions();
   connectViews();
   restore();
@@ -327,7 +334,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
     if (url.isLocalFile())
       paths << url.toLocalFile();
   event->acceptProposedAction();
-  openPaths(paths);
+  openPaths(paths, event->modifiers());
 }
 
 void MainWindow::chooseFiles() {
@@ -337,7 +344,8 @@ void MainWindow::chooseFiles() {
   dialog->setObjectName(QStringLiteral("openFilesDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFiles);
-  connect(dialog, &QFileDialog::filesSelected, this, &MainWindow::openPaths);
+  connect(dialog, &QFileDialog::filesSelected, this,
+          [this](const QStringList& paths) { openPaths(paths); });
   dialog->open();
 }
 
@@ -347,12 +355,13 @@ void MainWindow::chooseFolder() {
   dialog->setObjectName(QStringLiteral("openFolderDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
-  connect(dialog, &QFileDialog::filesSelected, this, &MainWindow::openPaths);
+  connect(dialog, &QFileDialog::filesSelected, this,
+          [this](const QStringList& paths) { openPaths(paths); });
   dialog->open();
 }
 
-void MainWindow::openPaths(const QStringList& paths) {
-  if (paths.isEmpty())
+void MainWindow::openPaths(const QStringList& paths, Qt::KeyboardModifiers keys) {
+  if (paths.isEmpty() || m_imports->asksFor(paths, keys))
     return;
   m_settings.setValue(QLatin1String(folderKey), QFileInfo(paths.front()).absolutePath());
   std::vector<std::filesystem::path> files;

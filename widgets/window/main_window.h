@@ -21,6 +21,7 @@ class QToolButton;
 namespace sline::widgets {
 
 class GammaPanel;
+class ImportActions;
 class MessageBar;
 class SectionActions;
 class StructureTree;
@@ -57,7 +58,7 @@ class MainWindow : public QMainWindow {
   void restore();
   void chooseFiles();
   void chooseFolder();
-  void openPaths(const QStringList& paths);
+  void openPaths(const QStringList& paths, Qt::KeyboardModifiers keys = {});
   void editSelection(const QString& name,
                      model::Edited (*edit)(const model::Scene&, std::span<const model::NodeId>));
   void documentChange(const Document& before, const Document& now);
@@ -73,6 +74,7 @@ class MainWindow : public QMainWindow {
   Viewport* m_viewport = nullptr;
   StructureTree* m_tree = nullptr;
   GammaPanel* m_gamma = nullptr;
+  ImportActions* m_imports = nullptr;
   SectionActions* m_sections = nullptr;
   ViewActions* m_views = nullptr;
   QLabel* m_summary = nullptr;

@@ -34,7 +34,8 @@ std::vector<MenuRow> menuRows() {
   };
   return {
       row("fileMenu", tr("&File"),
-          ids({"openFiles", "openFolder", ">demoMenu", "", "reload", "", "quit"})),
+          ids({"openFiles", "openFolder", ">demoMenu", "", "importFiles", "importFolder",
+               "importAgain", "", "reload", "", "quit"})),
       row("demoMenu", tr("&Demo"), {}),
       row("editMenu", tr("&Edit"), ids({"undo", "redo", "", "find", "", "preferences"})),
       row("structureMenu", tr("&Structure"),

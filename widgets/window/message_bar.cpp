@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/window/message_bar.h"
 
+#include <QAction>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
@@ -25,7 +26,11 @@ QString sentence(std::string text) {
 }  // namespace
 
 MessageBar::MessageBar(QWidget* parent)
-    : QFrame(parent), m_text(new QLabel), m_details(new QPushButton(tr("Show all"))) {
+    : QFrame(parent),
+      m_text(new QLabel),
+      m_details(new QPushButton(tr("Show all"))),
+      m_offer(new QPushButton) {
+  m_offer->setObjectName(QStringLiteral("messageOffer"));
   setObjectName(QStringLiteral("messageBar"));
   setAccessibleName(tr("Message"));
   m_text->setObjectName(QStringLiteral("messageText"));
@@ -41,6 +46,7 @@ MessageBar::MessageBar(QWidget* parent)
   layout->setContentsMargins(14, 8, 8, 8);
   layout->addWidget(m_text, 1);
   layout->addWidget(m_details, 0, Qt::AlignTop);
+  layout->addWidget(m_offer, 0, Qt::AlignTop);
   layout->addWidget(close, 0, Qt::AlignTop);
   connect(close, &QToolButton::clicked, this, &QWidget::hide);
   connect(m_details, &QPushButton::clicked, this, &MessageBar::showDetails);
@@ -65,11 +71,20 @@ void MessageBar::showRemarks(const QStringList& remarks) {
   display(Kind::remark, tr("Opened, with remarks"), remarks.value(0));
 }
 
+void MessageBar::offer(QAction& action) {
+  m_offer->disconnect();
+  m_offer->setText(QString(action.text()).remove(QLatin1Char('&')));
+  m_offer->setToolTip(action.toolTip());
+  connect(m_offer, &QPushButton::clicked, &action, &QAction::trigger);
+  m_offer->show();
+}
+
 void MessageBar::display(Kind kind, const QString& heading, const QString& body) {
   const QString title = heading.isEmpty()
                             ? QString()
                             : QStringLiteral("<b>%1</b>&ensp;").arg(heading.toHtmlEscaped());
   m_text->setText(title + body.trimmed().toHtmlEscaped());
+  m_offer->hide();
   m_details->setVisible(m_remarks.size() > 1);
   m_details->setText(tr("Show all %n", nullptr, int(m_remarks.size())));
   // Red for what failed, amber for what to know; dark text on either.

@@ -5,6 +5,7 @@
 
 #include "model/base/result.h"
 
+class QAction;
 class QLabel;
 class QPushButton;
 
@@ -19,6 +20,8 @@ class MessageBar : public QFrame {
   void showError(const Error& error);
   /// The first is shown, the others on demand.
   void showRemarks(const QStringList& remarks);
+  /// A button for what can be done about the message that is shown; it goes with the message.
+  void offer(QAction& action);
   QString text() const;
 
  private:
@@ -28,6 +31,7 @@ class MessageBar : public QFrame {
 
   QLabel* m_text;
   QPushButton* m_details;
+  QPushButton* m_offer;
   QStringList m_remarks;
 };
 
