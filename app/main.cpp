@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// The `sline-workstation` program: opens the window on what the command line names, else on a demo.
+// The `sline-workstation` program: opens the window on what the command line names, else on its
+// start page.
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QSettings>
+#include <algorithm>
+#include <iostream>
 
 #include "widgets/session/demo_scenes.h"
 #include "widgets/theme/theme.h"
 #include "widgets/window/main_window.h"
 
 namespace {
+
+constexpr const char* demoOption = "demo";
 
 void declare(QCommandLineParser& parser) {
   parser.setApplicationDescription(QApplication::translate(
@@ -21,6 +26,14 @@ void declare(QCommandLineParser& parser) {
                               "Meshes, label volumes, DICOM segmentations, molecules, folders of "
                               "them, 3D Slicer scenes, scene files."),
       QStringLiteral("[paths…]"));
+  QStringList names;
+  for (const sline::widgets::DemoScene& demo : sline::widgets::demoScenes())
+    names << demo.id;
+  parser.addOption(
+      {QLatin1String(demoOption),
+       QApplication::translate("main", "Opens a scene that the program models itself: %1.")
+           .arg(names.join(QStringLiteral(", "))),
+       QStringLiteral("scene")});
 }
 
 }  // namespace
@@ -35,18 +48,28 @@ int main(int argc, char** argv) {
   parser.process(application);
 
   using namespace sline::widgets;
+  const std::vector<DemoScene> demos = demoScenes();
+  const QString wanted = parser.value(QLatin1String(demoOption));
+  // "pelvis" is the first of those.
+  const auto demo = std::find_if(demos.begin(), demos.end(), [&wanted](const DemoScene& each) {
+    return !wanted.isEmpty() && each.id.startsWith(wanted);
+  });
+  if (!wanted.isEmpty() && demo == demos.end()) {
+    std::cerr << "sline-workstation: there is no demo called " << wanted.toStdString() << '\n';
+    return EXIT_FAILURE;
+  }
+  std::vector<std::filesystem::path> paths;
+  for (const QString& path : parser.positionalArguments())
+    paths.emplace_back(path.toStdString());
+
   Session session;
   QSettings settings;
   MainWindow window(session, settings);
   const ThemeFollower theme(application, window.preferences());
-  window.show();
-  std::vector<std::filesystem::path> paths;
-  for (const QString& path : parser.positionalArguments())
-    paths.emplace_back(path.toStdString());
-  const std::vector<DemoScene> demos = demoScenes();
-  if (paths.empty())
-    session.openMade(demos.front().title, demos.front().make);
-  else
+  if (!paths.empty())
     session.openPaths(std::move(paths));
+  else if (demo != demos.end())
+    session.openMade(demo->title, demo->make);
+  window.show();
   return QApplication::exec();
 }

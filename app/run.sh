@@ -30,7 +30,7 @@ if [ "${1:-}" = --build-only ]; then
   exit 0
 fi
 if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
-  exec "$build/bin/sline-workstation"
+  exec "$build/bin/sline-workstation" --demo pelvis
 fi
 echo "There is no display; the demo is drawn to a picture instead." >&2
 picture="$build/pelvis.png"

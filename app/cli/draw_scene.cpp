@@ -4,7 +4,10 @@
 namespace sline::cli {
 
 Exit drawScene(const model::Scene& scene, const PictureOrder& order, Progress& progress) {
-  const Result<model::Scene> dressed = styled(asSaved(scene, order), order);
+  const Result<model::Scene> focus = inFocus(asSaved(scene, order), order);
+  if (!focus.ok())
+    return complain(focus.error(), Exit::wrongUse);
+  const Result<model::Scene> dressed = styled(*focus, order);
   if (!dressed.ok())
     return complain(dressed.error(), Exit::wrongUse);
   const Result<model::Scene> cut = cutOpen(*dressed, order);

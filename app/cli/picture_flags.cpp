@@ -196,6 +196,10 @@ Result<PictureOrder> understood(const PictureFlags& flags) {
     if (!assignment.name)
       return Error{.reason = "a colour is given without the name of a structure or group",
                    .remedy = "Write NAME=#rrggbb"};
+  const Result<FocusOrder> focus = understood(flags.focus);
+  if (!focus.ok())
+    return focus.error();
+  order.focus = *focus;
   const Result<SectionsOrder> sections = understood(flags.sections);
   if (!sections.ok())
     return sections.error();
@@ -242,6 +246,18 @@ Result<model::Scene> styled(const model::Scene& scene, const PictureOrder& order
   if (order.blackAndWhite)
     result = model::withInkAlone(result).scene;
   return order.only.empty() ? result : withOnly(result, order.only);
+}
+
+Result<model::Scene> inFocus(const model::Scene& scene, const PictureOrder& order) {
+  if (order.focus.names.empty())
+    return scene;
+  const Result<model::Scene> cut = cutOpen(scene, order);
+  if (!cut.ok())
+    return cut;
+  const Result<model::Camera> camera = cameraFor(*cut, order);
+  if (!camera.ok())
+    return camera.error();
+  return focused(scene, order.focus, *cut, *camera);
 }
 
 Result<model::Scene> cutOpen(const model::Scene& scene, const PictureOrder& order) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/focus_flags.h"
 #include "app/cli/progress.h"
 #include "app/cli/section_flags.h"
 #include "app/cli/values.h"
@@ -33,6 +34,7 @@ struct PictureFlags {
   std::vector<std::string> inkColours;
   std::vector<std::string> only;
   SectionFlags sections;
+  FocusFlags focus;
 };
 
 /// A value for all structures (no name) or for those of that name.
@@ -60,9 +62,10 @@ struct PictureOrder {
   std::vector<Assignment<Colour>> inkColours;
   std::vector<std::string> only;
   SectionsOrder sections;
+  FocusOrder focus;
 };
 
-/// An error is a wrong use, here and in the next two.
+/// An error is a wrong use, here and in the next five.
 Result<PictureOrder> understood(const PictureFlags& flags);
 /// The scene as the saved view that the order names shows it; unchanged where there is none. What
 /// is absent is warned of.
@@ -71,6 +74,8 @@ model::Scene asSaved(const model::Scene& scene, const PictureOrder& order);
 /// said of a structure or an inner group wins over what is said of a group around it, whatever the
 /// order of the flags.
 Result<model::Scene> styled(const model::Scene& scene, const PictureOrder& order);
+/// The scene with the focus of the order, where it has one; sections of the order count.
+Result<model::Scene> inFocus(const model::Scene& scene, const PictureOrder& order);
 /// The scene with the sections of the order, where it has any.
 Result<model::Scene> cutOpen(const model::Scene& scene, const PictureOrder& order);
 /// The camera of the file; else the saved view of that name, else the anatomical view fitted to

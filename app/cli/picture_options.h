@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/focus_options.h"
 #include "app/cli/picture_flags.h"
 #include "app/cli/section_options.h"
 
@@ -86,6 +87,7 @@ inline void addDrawingOptions(CLI::App& command, PictureFlags& flags) {
   many(command.add_option("--only", flags.only,
                           "Draws these structures and groups alone; may be given again"))
       ->type_name("NAME");
+  addFocusOptions(command, flags.focus);
   addLookOptions(command, flags);
   addSectionOptions(command, flags.sections);
 }

@@ -43,6 +43,7 @@ void declareRender(CLI::App& command, RenderFlags& flags) {
       "between space, '_' and '-' do not matter. A group's value holds for all in it; the\n"
       "innermost name wins. --gamma and --color take several NAME=VALUE, --only several names.\n\n"
       "  sline render pelvis/ -o pelvis.png --gamma 1 --gamma bladder=4 --view anterior\n"
+      "  sline render abdomen.sline -o kidney.png --focus \"left kidney\" --context 0.6\n"
       "  sline render liver.stl -o liver.tiff --size 4000x3000 --background transparent");
 }
 

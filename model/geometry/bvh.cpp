@@ -153,11 +153,11 @@ std::optional<Hit> Bvh::nearest(const Ray& ray) const {
   return best;
 }
 
-Closest Bvh::closest(const glm::vec3& point, float enough) const {
+Closest Bvh::closest(const glm::vec3& point, float enough, float farthest) const {
   Closest best;
   if (m_nodes.empty())
     return best;
-  float bestSquared = std::numeric_limits<float>::infinity();
+  float bestSquared = farthest * farthest;
   const auto gap = [&](std::size_t node) {
     return squared(glm::max(glm::max(m_nodes[node].low - point, point - m_nodes[node].high), 0.0f));
   };
@@ -186,11 +186,10 @@ Closest Bvh::closest(const glm::vec3& point, float enough) const {
           squaredToTriangle(positions[a] - point, positions[b] - point, positions[c] - point);
       if (distance < bestSquared) {
         bestSquared = distance;
-        best.triangle = m_order[i];
+        best = {std::sqrt(distance), m_order[i]};
       }
     }
   }
-  best.distance = std::sqrt(bestSquared);
   return best;
 }
 

@@ -40,9 +40,10 @@ class Bvh {
   std::optional<Hit> nearest(const Ray& ray) const;
   /// True where anything lies on the ray.
   bool blocked(const Ray& ray) const;
-  /// Infinitely far where there is no triangle. Any triangle no farther than `enough` may be given
-  /// for the closest.
-  Closest closest(const glm::vec3& point, float enough = 0.0f) const;
+  /// Infinitely far where there is no triangle nearer than `farthest`. Any triangle no farther than
+  /// `enough` may be given for the closest.
+  Closest closest(const glm::vec3& point, float enough = 0.0f,
+                  float farthest = std::numeric_limits<float>::infinity()) const;
 
  private:
   struct Bounds {

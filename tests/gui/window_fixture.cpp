@@ -11,15 +11,23 @@
 
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
+#include "widgets/focus/focus_context.h"
 #include "widgets/structure_tree/cell_painting.h"
 #include "widgets/structure_tree/structure_tree.h"
 #include "widgets/structure_tree/structure_tree_model.h"
 
 namespace sline::test {
 
+QString sealed(const QString& folder) {
+  qputenv("XDG_STATE_HOME", QFile::encodeName(folder + QStringLiteral("/state")));
+  const QString file = folder + QStringLiteral("/settings.ini");
+  // Nothing is modelled in the background, where it would be in the way.
+  QSettings(file, QSettings::IniFormat).setValue(QStringLiteral("start/demoPictures"), false);
+  return file;
+}
+
 WindowFixture::WindowFixture(widgets::PainterFactory painter)
-    : settings(folder.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat),
-      window(session, settings) {
+    : settings(sealed(folder.path()), QSettings::IniFormat), window(session, settings) {
   if (painter)
     viewport().setPainter(std::move(painter));
   window.resize(1200, 800);
@@ -49,7 +57,9 @@ bool WindowFixture::drop(const QString& path, Qt::KeyboardModifiers keys) {
 
 bool WindowFixture::settled() {
   constexpr int minute = 60'000;
-  return QTest::qWaitFor([this] { return !session.busy() && viewport().upToDate(); }, minute);
+  return QTest::qWaitFor(
+      [this] { return !session.busy() && !window.focus().busy() && viewport().upToDate(); },
+      minute);
 }
 
 QImage WindowFixture::picture() {

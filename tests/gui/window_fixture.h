@@ -15,6 +15,9 @@
 
 namespace sline::test {
 
+/// Where settings lie, in that folder; what a crash leaves goes there, too.
+QString sealed(const QString& folder);
+
 class WindowFixture {
  public:
   /// Shows an empty window; the painter, where given, draws in place of the renderer.

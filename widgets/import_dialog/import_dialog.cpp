@@ -40,6 +40,17 @@ QString nameOf(const std::vector<std::filesystem::path>& inputs) {
   return QString::fromStdString(path.filename().string());
 }
 
+/// As the window's messages: red for what failed, amber for what to know.
+QString dress(const QPalette& palette, bool failed) {
+  const bool dark =
+      palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
+  const char* colours = failed ? (dark ? "background: #54241f; color: #f6d9d5;"
+                                       : "background: #f6d9d5; color: #5a1410;")
+                               : (dark ? "background: #4a3d12; color: #f7ecc9;"
+                                       : "background: #f7ecc9; color: #4d3b05;");
+  return QLatin1String(colours) + QStringLiteral(" padding: 6px 10px; border-radius: 4px;");
+}
+
 QTableWidgetItem* cell(const std::string& text) {
   auto* item = new QTableWidgetItem(QString::fromStdString(text));
   item->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -61,8 +72,6 @@ ImportDialog::ImportDialog(std::vector<std::filesystem::path> inputs, bool intoS
   QFont bold = m_summary->font();
   bold.setBold(true);
   m_summary->setFont(bold);
-  // Dark on amber in any theme, as the window's message bar.
-  m_doubt->setStyleSheet(QStringLiteral("background: #f7ecc9; color: #4d3b05; padding: 6px 10px;"));
   m_tabs->setObjectName(QStringLiteral("importTabs"));
   auto* layout = new QVBoxLayout(this);
   layout->setSpacing(10);
@@ -197,6 +206,7 @@ void ImportDialog::showPlan() {
     doubts << sideDoubt(plan, m_draft.figures()) << sizeDoubt(plan, m_draft.figures());
     doubts.removeAll(QString());
   }
+  m_doubt->setStyleSheet(dress(palette(), !m_failure.isEmpty()));
   m_doubt->setText(doubts.join(QLatin1Char('\n')));
   m_doubt->setVisible(!doubts.isEmpty());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/import_dialog/import_draft.h"
 
+#include <QCoreApplication>
 #include <utility>
 
 namespace sline::widgets {
@@ -15,6 +16,10 @@ bool decidesPlaces(const model::ImportOptions& a, const model::ImportOptions& b)
 
 ImportDraft::ImportDraft(QObject* parent)
     : QObject(parent), m_figures(std::make_shared<const PlanFigures>()) {}
+
+ImportDraft::~ImportDraft() {
+  cancel();
+}
 
 void ImportDraft::begin(std::vector<std::filesystem::path> inputs,
                         const model::ImportOptions& options) {
@@ -63,7 +68,9 @@ void ImportDraft::choose(const NodeIds& ids,
 void ImportDraft::cancel() {
   if (!m_job)
     return;
-  // It is let go at once and deletes itself when its thread has noticed.
+  // It is let go at once and deletes itself when its thread has noticed; the dialog may be gone by
+  // then.
+  m_job->setParent(QCoreApplication::instance());
   connect(m_job, &SceneJob::cancelled, m_job, &QObject::deleteLater);
   m_job->disconnect(this);
   m_job->cancel();

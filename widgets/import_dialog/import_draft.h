@@ -17,6 +17,8 @@ class ImportDraft : public QObject {
   Q_OBJECT
  public:
   explicit ImportDraft(QObject* parent = nullptr);
+  /// Does not wait for what is under way.
+  ~ImportDraft() override;
 
   /// Reads what is there; `planned` or `failed` follows.
   void begin(std::vector<std::filesystem::path> inputs, const model::ImportOptions& options = {});

@@ -20,8 +20,9 @@ QString number(std::size_t value) {
 template <class Decide>
 QString decisions(const model::ImportPlan& plan, const Decide& decide) {
   std::map<QString, std::size_t> answers;
-  for (const auto& [id, part] : plan.parts)
-    ++answers[decide(plan.scene.find(id)->provenance)];
+  for (const model::Node& node : plan.scene.nodes())
+    if (plan.parts.contains(node.id))
+      ++answers[decide(node.provenance)];
   if (answers.empty())
     return ImportDraft::tr("as the scene file has it");
   if (answers.size() == 1)

@@ -33,16 +33,20 @@ std::vector<PreferenceRow> pictureRows() {
                     QStringLiteral("paper")}}};
 }
 
-std::vector<PreferenceRow> importRows() {
+std::vector<PreferenceRow> fileRows() {
+  constexpr int tenMinutes = 600;
   return {{QStringLiteral("files/importOptions"), tr("Files"), tr("Always show import options"),
-           tr("Before meshes are opened: units, smoothing and what is left out"), Switch{false}}};
+           tr("Before meshes are opened: units, smoothing and what is left out"), Switch{false}},
+          {QStringLiteral("files/autosaveSeconds"), tr("Files"), tr("Keep unsaved work after"),
+           tr("How long after a change a copy is kept, which is offered after a crash"),
+           WholeNumber{0, tenMinutes, 60, tr("s"), tr("Never")}}};
 }
 
 }  // namespace
 
 std::vector<PreferenceRow> preferenceRows() {
   std::vector<PreferenceRow> rows = appearanceRows();
-  for (const std::vector<PreferenceRow>& more : {pictureRows(), importRows()})
+  for (const std::vector<PreferenceRow>& more : {pictureRows(), fileRows()})
     rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }

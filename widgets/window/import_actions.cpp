@@ -2,13 +2,13 @@
 #include "widgets/window/import_actions.h"
 
 #include <QAction>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QSettings>
 #include <algorithm>
 
 #include "model/files/scene_file.h"
 #include "widgets/preferences/preferences.h"
+#include "widgets/window/file_dialogs.h"
 #include "widgets/window/message_bar.h"
 #include "widgets/window/window_actions.h"
 
@@ -79,17 +79,15 @@ bool ImportActions::asksFor(const QStringList& paths, Qt::KeyboardModifiers keys
 }
 
 void ImportActions::choose(bool folder) {
-  auto* dialog = new QFileDialog(&m_window, folder ? tr("Import Folder") : tr("Import"),
-                                 m_settings.value(QLatin1String(folderKey)).toString());
-  dialog->setObjectName(folder ? QStringLiteral("importFolderDialog")
-                               : QStringLiteral("importFilesDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(folder ? QFileDialog::Directory : QFileDialog::ExistingFiles);
-  connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& paths) {
+  const QString start = m_settings.value(QLatin1String(folderKey)).toString();
+  const auto showThese = [this](const QStringList& paths) {
     m_settings.setValue(QLatin1String(folderKey), QFileInfo(paths.front()).absolutePath());
     show(pathsOf(paths));
-  });
-  dialog->open();
+  };
+  if (folder)
+    chooseFolder(m_window, start, showThese);
+  else
+    chooseFiles(m_window, start, showThese);
 }
 
 void ImportActions::show(std::vector<std::filesystem::path> inputs) {

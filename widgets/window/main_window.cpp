@@ -5,8 +5,6 @@
 #include <QActionGroup>
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
 #include <QMenu>
@@ -23,15 +21,19 @@
 #include "model/edit/emphasis.h"
 #include "model/edit/tree.h"
 #include "model/edit/visibility.h"
-#include "model/import/file_kinds.h"
+#include "model/files/cache_folder.h"
+#include "widgets/focus/focus_context.h"
+#include "widgets/focus/focus_panel.h"
 #include "widgets/gamma/gamma_panel.h"
 #include "widgets/preferences/preferences_dialog.h"
 #include "widgets/session/demo_scenes.h"
+#include "widgets/start/start_page.h"
 #include "widgets/structure_tree/structure_tree.h"
 #include "widgets/structure_tree/structure_tree_view.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/window/about_dialog.h"
 #include "widgets/window/controls_dialog.h"
+#include "widgets/window/file_actions.h"
 #include "widgets/window/import_actions.h"
 #include "widgets/window/message_bar.h"
 #include "widgets/window/section_actions.h"
@@ -43,8 +45,8 @@ namespace {
 
 constexpr const char* geometryKey = "window/geometry";
 constexpr const char* stateKey = "window/state";
+constexpr const char* demoPicturesKey = "start/demoPictures";
 constexpr const char* backgroundKey = "picture/background";
-constexpr const char* folderKey = "files/folder";
 
 QDockWidget* dock(const QString& title, const char* name, QWidget* content) {
   auto* panel = new QDockWidget(title);
@@ -77,16 +79,6 @@ bool hasLocalFiles(const QMimeData& data) {
   return std::any_of(urls.begin(), urls.end(), [](const QUrl& url) { return url.isLocalFile(); });
 }
 
-/// "*.sline *.mrml *.obj …", for a file dialog.
-QString readablePatterns() {
-  QStringList patterns{QStringLiteral("*.sline"), QStringLiteral("*.mrml"), QStringLiteral("*.mrb"),
-                       QStringLiteral("*.fcsv"), QStringLiteral("*.mrk.json")};
-  for (const model::FileKind& kind : model::fileKinds())
-    patterns << QStringLiteral("*") +
-                    QString::fromUtf8(kind.extension.data(), qsizetype(kind.extension.size()));
-  return patterns.join(QLatin1Char(' '));
-}
-
 }  // namespace
 
 MainWindow::MainWindow(Session& session, QSettings& settings, QWidget* parent)
@@ -102,14 +94,10 @@ MainWindow::MainWindow(Session& session, QSettings& settings, QWidget* parent)
   makePanels();
   makeStatus();
   makeMenus();
+  makeFiles();
   makeTools();
   connectSession();
-  m_imports = new ImportActions({.session = m_session,
-                                 .settings = m_settings,
-                                 .preferences = m_preferences,
-                                 .actions = m_actions,
-                                 .message = *m_message},
-                                *this);
+  makeImports();
   connectActions();
   connectViews();
   restore();
@@ -136,6 +124,12 @@ void MainWindow::makePanels() {
   m_gamma = new GammaPanel(m_session);
   addDockWidget(Qt::LeftDockWidgetArea, dock(tr("Structures"), "structuresPanel", m_tree));
   addDockWidget(Qt::RightDockWidgetArea, dock(tr("Line Style"), "gammaPanel", m_gamma));
+  m_focus = new FocusContext(
+      m_session, [this] { return m_viewport->camera(); }, this);
+  auto* focus = new FocusPanel(m_session, *m_focus);
+  addDockWidget(Qt::RightDockWidgetArea, dock(tr("Focus and Context"), "focusPanel", focus));
+  connect(focus, &FocusPanel::focusWanted, &m_actions[QStringLiteral("focus")], &QAction::trigger);
+  connect(m_focus, &FocusContext::failed, m_message, &MessageBar::showError);
   auto* history = new QUndoView(&m_session.history());
   history->setObjectName(QStringLiteral("history"));
   history->setAccessibleName(tr("History"));
@@ -182,8 +176,7 @@ void MainWindow::makeMenus() {
   for (const DemoScene& demo : demoScenes()) {
     QAction* action = menus[QStringLiteral("demoMenu")].addAction(demo.title);
     action->setObjectName(QStringLiteral("demo-") + demo.id);
-    connect(action, &QAction::triggered, this,
-            [this, demo] { m_session.openMade(demo.title, demo.make); });
+    connect(action, &QAction::triggered, this, [this, demo] { m_files->openDemo(demo); });
   }
   for (QAction* action : menus[QStringLiteral("structureMenu")].actions())
     m_tree->view().addAction(action);
@@ -193,6 +186,56 @@ void MainWindow::makeMenus() {
   for (QDockWidget* panel : findChildren<QDockWidget*>())
     menus[QStringLiteral("panelMenu")].addAction(panel->toggleViewAction());
   makeBackgrounds(menus[QStringLiteral("backgroundMenu")]);
+}
+
+void MainWindow::makeFiles() {
+  m_files = new FileActions({.session = m_session,
+                             .settings = m_settings,
+                             .preferences = m_preferences,
+                             .actions = m_actions,
+                             .message = *m_message},
+                            *this);
+  m_files->setPicture([this] { return m_viewport->grabFramebuffer(); });
+  const std::filesystem::path cache = model::userCacheFolder();
+  m_start = new StartPage(*this, m_files->recent(), cache.empty() ? cache : cache / "pictures");
+  m_start->setDrawing(m_settings.value(QLatin1String(demoPicturesKey), true).toBool());
+  connect(m_start, &StartPage::filesWanted, &m_actions[QStringLiteral("openFiles")],
+          &QAction::trigger);
+  connect(m_start, &StartPage::folderWanted, &m_actions[QStringLiteral("openFolder")],
+          &QAction::trigger);
+  connect(m_start, &StartPage::demoChosen, m_files, &FileActions::openDemo);
+  connect(m_start, &StartPage::recentChosen, m_files, &FileActions::openRecent);
+  connect(m_start, &StartPage::recoverWanted, m_files, &FileActions::recover);
+  connect(m_start, &StartPage::forgetWanted, m_files, &FileActions::forget);
+  connect(m_files, &FileActions::recoverableChanged, m_start,
+          [this] { m_start->setRecoverable(m_files->recoverable()); });
+}
+
+void MainWindow::makeImports() {
+  m_imports = new ImportActions({.session = m_session,
+                                 .settings = m_settings,
+                                 .preferences = m_preferences,
+                                 .actions = m_actions,
+                                 .message = *m_message},
+                                *this);
+  m_imports->setGuard([this](const std::function<void()>& then) { m_files->whenSafe(then); });
+  m_files->setDropHandler([this](const QStringList& paths) {
+    if (!m_imports->asksFor(paths, {}))
+      m_files->open(paths);
+  });
+}
+
+void MainWindow::showStart() {
+  const bool wanted = m_session.document().opening == 0 && !m_session.busy();
+  if (wanted == m_start->isVisibleTo(this))
+    return;
+  m_start->setVisible(wanted);
+  // What is said must not be said beneath the page.
+  if (wanted)
+    m_start->messagePlace().addWidget(m_message);
+  else
+    static_cast<QGridLayout*>(centralWidget()->layout())->addWidget(m_message, 0, 0, Qt::AlignTop);
+  m_message->raise();
 }
 
 void MainWindow::makeBackgrounds(QMenu& menu) {
@@ -239,13 +282,17 @@ void MainWindow::connectSession() {
     m_message->hide();
     m_job->setText(tr("Opening %1").arg(title));
     jobShown(true);
+    showStart();
   });
   connect(&m_session, &Session::jobProgressed, this, [this](double done, const QString& what) {
     m_progress->setRange(0, 1000);
     m_progress->setValue(int(1000.0 * done));
     m_progress->setToolTip(what);
   });
-  connect(&m_session, &Session::jobEnded, this, [this] { jobShown(false); });
+  connect(&m_session, &Session::jobEnded, this, [this] {
+    jobShown(false);
+    showStart();
+  });
   QUndoStack& history = m_session.history();
   const auto name = [](QAction& action, const QString& text, const QString& step) {
     action.setText(step.isEmpty() ? text : text + QLatin1Char(' ') + step);
@@ -266,14 +313,10 @@ void MainWindow::connectActions() {
   const auto on = [this](const char* id, auto function) {
     connect(&m_actions[QLatin1String(id)], &QAction::triggered, this, function);
   };
-  on("openFiles", [this] { chooseFiles(); });
-  on("openFolder", [this] { chooseFolder(); });
-  on("reload", [this] { m_session.reloadSources(); });
-  on("quit", [this] { close(); });
   on("undo", [this] { m_session.undo(); });
   on("redo", [this] { m_session.redo(); });
   on("find", [this] { m_tree->find(); });
-  on("focus", [this] { editSelection(tr("Focus"), model::withFocus); });
+  on("focus", [this] { m_focus->focusOn(m_session.selection()); });
   on("context", [this] { editSelection(tr("Context"), model::withContext); });
   on("inherit", [this] { editSelection(tr("Inherit Γ"), model::withGammaInherited); });
   on("toggle", [this] { m_tree->view().toggleSelection(); });
@@ -317,6 +360,11 @@ void MainWindow::restore() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!m_files->mayClose()) {
+    event->ignore();
+    return;
+  }
+  m_files->letGo();
   m_settings.setValue(QLatin1String(geometryKey), saveGeometry());
   m_settings.setValue(QLatin1String(stateKey), saveState());
   m_session.cancelJob();
@@ -334,40 +382,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
     if (url.isLocalFile())
       paths << url.toLocalFile();
   event->acceptProposedAction();
-  openPaths(paths, event->modifiers());
-}
-
-void MainWindow::chooseFiles() {
-  auto* dialog =
-      new QFileDialog(this, tr("Open Files"), m_settings.value(QLatin1String(folderKey)).toString(),
-                      tr("Meshes and scenes (%1);;All files (*)").arg(readablePatterns()));
-  dialog->setObjectName(QStringLiteral("openFilesDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFiles);
-  connect(dialog, &QFileDialog::filesSelected, this,
-          [this](const QStringList& paths) { openPaths(paths); });
-  dialog->open();
-}
-
-void MainWindow::chooseFolder() {
-  auto* dialog = new QFileDialog(this, tr("Open Folder"),
-                                 m_settings.value(QLatin1String(folderKey)).toString());
-  dialog->setObjectName(QStringLiteral("openFolderDialog"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::Directory);
-  connect(dialog, &QFileDialog::filesSelected, this,
-          [this](const QStringList& paths) { openPaths(paths); });
-  dialog->open();
-}
-
-void MainWindow::openPaths(const QStringList& paths, Qt::KeyboardModifiers keys) {
-  if (paths.isEmpty() || m_imports->asksFor(paths, keys))
-    return;
-  m_settings.setValue(QLatin1String(folderKey), QFileInfo(paths.front()).absolutePath());
-  std::vector<std::filesystem::path> files;
-  for (const QString& path : paths)
-    files.emplace_back(path.toStdString());
-  m_session.openPaths(std::move(files));
+  if (!m_imports->asksFor(paths, event->modifiers()))
+    m_files->dropped(paths);
 }
 
 void MainWindow::editSelection(const QString& name,
@@ -379,8 +395,8 @@ void MainWindow::editSelection(const QString& name,
 
 void MainWindow::documentChange(const Document& before, const Document& now) {
   if (before.opening != now.opening || now.opening == 0) {
-    setWindowTitle(now.title.isEmpty() ? tr("Sline") : tr("%1 – Sline").arg(now.title));
     m_summary->setText(now.opening == 0 ? QString() : summaryOf(now.scene));
+    showStart();
   }
   updateActions();
 }

@@ -20,10 +20,13 @@ class QToolButton;
 
 namespace sline::widgets {
 
+class FileActions;
+class FocusContext;
 class GammaPanel;
 class ImportActions;
 class MessageBar;
 class SectionActions;
+class StartPage;
 class StructureTree;
 class ViewActions;
 class Viewport;
@@ -39,6 +42,8 @@ class MainWindow : public QMainWindow {
   Viewport& viewport() { return *m_viewport; }
   StructureTree& tree() { return *m_tree; }
   Preferences& preferences() { return m_preferences; }
+  FileActions& files() { return *m_files; }
+  FocusContext& focus() { return *m_focus; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -56,9 +61,10 @@ class MainWindow : public QMainWindow {
   void connectActions();
   void connectViews();
   void restore();
-  void chooseFiles();
-  void chooseFolder();
-  void openPaths(const QStringList& paths, Qt::KeyboardModifiers keys = {});
+  void makeFiles();
+  void makeImports();
+  /// The start page while nothing is open and nothing is on its way.
+  void showStart();
   void editSelection(const QString& name,
                      model::Edited (*edit)(const model::Scene&, std::span<const model::NodeId>));
   void documentChange(const Document& before, const Document& now);
@@ -72,8 +78,11 @@ class MainWindow : public QMainWindow {
   std::optional<WindowMenus> m_menus;
   MessageBar* m_message = nullptr;
   Viewport* m_viewport = nullptr;
+  FileActions* m_files = nullptr;
+  StartPage* m_start = nullptr;
   StructureTree* m_tree = nullptr;
   GammaPanel* m_gamma = nullptr;
+  FocusContext* m_focus = nullptr;
   ImportActions* m_imports = nullptr;
   SectionActions* m_sections = nullptr;
   ViewActions* m_views = nullptr;

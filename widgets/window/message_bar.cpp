@@ -2,6 +2,7 @@
 #include "widgets/window/message_bar.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
@@ -10,6 +11,7 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <array>
 
 namespace sline::widgets {
 
@@ -29,8 +31,8 @@ MessageBar::MessageBar(QWidget* parent)
     : QFrame(parent),
       m_text(new QLabel),
       m_details(new QPushButton(tr("Show all"))),
-      m_offer(new QPushButton) {
-  m_offer->setObjectName(QStringLiteral("messageOffer"));
+      m_remedy(new QPushButton) {
+  m_remedy->setObjectName(QStringLiteral("messageRemedy"));
   setObjectName(QStringLiteral("messageBar"));
   setAccessibleName(tr("Message"));
   m_text->setObjectName(QStringLiteral("messageText"));
@@ -46,7 +48,7 @@ MessageBar::MessageBar(QWidget* parent)
   layout->setContentsMargins(14, 8, 8, 8);
   layout->addWidget(m_text, 1);
   layout->addWidget(m_details, 0, Qt::AlignTop);
-  layout->addWidget(m_offer, 0, Qt::AlignTop);
+  layout->addWidget(m_remedy, 0, Qt::AlignTop);
   layout->addWidget(close, 0, Qt::AlignTop);
   connect(close, &QToolButton::clicked, this, &QWidget::hide);
   connect(m_details, &QPushButton::clicked, this, &MessageBar::showDetails);
@@ -71,12 +73,23 @@ void MessageBar::showRemarks(const QStringList& remarks) {
   display(Kind::remark, tr("Opened, with remarks"), remarks.value(0));
 }
 
+void MessageBar::showNotice(const QString& heading, const QString& body, QAction& action) {
+  m_remarks.clear();
+  display(Kind::notice, heading, sentence(body.toStdString()));
+  offer(action);
+}
+
 void MessageBar::offer(QAction& action) {
-  m_offer->disconnect();
-  m_offer->setText(QString(action.text()).remove(QLatin1Char('&')));
-  m_offer->setToolTip(action.toolTip());
-  connect(m_offer, &QPushButton::clicked, &action, &QAction::trigger);
-  m_offer->show();
+  m_remedy->setText(QString(action.text()).remove(QLatin1Char('&')));
+  m_remedy->setToolTip(action.toolTip());
+  m_remedy->disconnect(this);
+  connect(m_remedy, &QPushButton::clicked, this, [&action] { action.trigger(); });
+  m_remedy->show();
+}
+
+void MessageBar::hideNotice() {
+  if (m_kind == Kind::notice)
+    hide();
 }
 
 void MessageBar::display(Kind kind, const QString& heading, const QString& body) {
@@ -84,16 +97,41 @@ void MessageBar::display(Kind kind, const QString& heading, const QString& body)
                             ? QString()
                             : QStringLiteral("<b>%1</b>&ensp;").arg(heading.toHtmlEscaped());
   m_text->setText(title + body.trimmed().toHtmlEscaped());
-  m_offer->hide();
+  m_kind = kind;
+  m_remedy->hide();
   m_details->setVisible(m_remarks.size() > 1);
   m_details->setText(tr("Show all %n", nullptr, int(m_remarks.size())));
-  // Red for what failed, amber for what to know; dark text on either.
-  setStyleSheet(kind == Kind::error
-                    ? QStringLiteral("#messageBar { background: #f6d9d5; } #messageBar QLabel, "
-                                     "#messageBar QToolButton { color: #5a1410; }")
-                    : QStringLiteral("#messageBar { background: #f7ecc9; } #messageBar QLabel, "
-                                     "#messageBar QToolButton { color: #4d3b05; }"));
+  dress();
   show();
+}
+
+void MessageBar::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange)
+    dress();
+}
+
+void MessageBar::dress() {
+  // Red for what failed, amber for what to know.
+  struct Colours {
+    const char* light;
+    const char* lightText;
+    const char* dark;
+    const char* darkText;
+  };
+  static constexpr std::array<Colours, 2> colours{
+      {{"#f6d9d5", "#5a1410", "#54241f", "#f6d9d5"}, {"#f7ecc9", "#4d3b05", "#4a3d12", "#f7ecc9"}}};
+  const Colours& own = colours[m_kind == Kind::error ? 0 : 1];
+  const QPalette& dressed = QApplication::palette();
+  const bool dark =
+      dressed.color(QPalette::Window).lightness() < dressed.color(QPalette::WindowText).lightness();
+  const QString sheet = QStringLiteral(
+                            "#messageBar { background: %1; } #messageBar QLabel, "
+                            "#messageBar QToolButton { color: %2; }")
+                            .arg(QLatin1String(dark ? own.dark : own.light),
+                                 QLatin1String(dark ? own.darkText : own.lightText));
+  if (sheet != styleSheet())
+    setStyleSheet(sheet);
 }
 
 void MessageBar::showDetails() {

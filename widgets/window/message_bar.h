@@ -22,16 +22,25 @@ class MessageBar : public QFrame {
   void showRemarks(const QStringList& remarks);
   /// A button for what can be done about the message that is shown; it goes with the message.
   void offer(QAction& action);
+  /// Stays until it is closed or `hideNotice` says that it is over; the button does the action.
+  void showNotice(const QString& heading, const QString& body, QAction& action);
+  /// Other messages stay.
+  void hideNotice();
   QString text() const;
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
-  enum class Kind { error, remark };
+  enum class Kind { error, remark, notice };
   void display(Kind kind, const QString& heading, const QString& body);
+  void dress();
   void showDetails();
 
+  Kind m_kind = Kind::remark;
   QLabel* m_text;
   QPushButton* m_details;
-  QPushButton* m_offer;
+  QPushButton* m_remedy;
   QStringList m_remarks;
 };
 

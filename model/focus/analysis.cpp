@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/focus/analysis.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/base/parallel.h"
+#include "model/focus/roles.h"
+#include "model/focus/surroundings.h"
+
+namespace sline::model {
+
+namespace {
+
+std::vector<NodeId> structuresOf(const Scene& scene, std::span<const NodeId> ids) {
+  std::vector<NodeId> structures;
+  for (const NodeId id : ids) {
+    const std::vector<NodeId> some = scene.structuresBelow(id);
+    structures.insert(structures.end(), some.begin(), some.end());
+  }
+  std::vector<NodeId> ordered;  // as in the tree, each once
+  for (const Node& node : scene.nodes())
+    if (std::find(structures.begin(), structures.end(), node.id) != structures.end())
+      ordered.push_back(node.id);
+  return ordered;
+}
+
+}  // namespace
+
+std::optional<FocusAnalysis> analysed(const Scene& scene, const FocusQuestion& question,
+                                      FormIndex& forms, const std::stop_token& stop) {
+  FocusAnalysis analysis;
+  analysis.targets = structuresOf(scene, question.targets);
+  analysis.fromCamera = question.camera.has_value();
+  std::vector<Party> parties;
+  for (const Node& node : scene.nodes())
+    if (!node.isGroup())
+      parties.push_back({.id = node.id,
+                         .mesh = node.mesh,
+                         .planes = planesOf(scene.sectionsOf(node.id)),
+                         .target = std::find(analysis.targets.begin(), analysis.targets.end(),
+                                             node.id) != analysis.targets.end()});
+  parallelFor(parties.size(), 1, [&](std::size_t i) {
+    if (!stop.stop_requested())
+      parties[i].form = forms.of(parties[i].mesh);
+  });
+  if (stop.stop_requested())
+    return std::nullopt;
+  const Surroundings surroundings(parties, question.camera);
+  if (!surroundings.answerable())
+    return std::nullopt;
+  std::vector<Facts> facts(parties.size());
+  parallelFor(parties.size(), 1, [&](std::size_t i) {
+    if (!stop.stop_requested())
+      facts[i] = surroundings.factsOf(parties[i]);
+  });
+  const std::vector<Feeding> fed = feedings(surroundings, parties, facts, stop);
+  if (stop.stop_requested())
+    return std::nullopt;
+  for (std::size_t i = 0; i < parties.size(); ++i)
+    analysis.relations.push_back(relationOf(surroundings, parties[i], facts[i], fed[i]));
+  return analysis;
+}
+
+}  // namespace sline::model

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/focus/context.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <unordered_map>
+
+#include "model/edit/visibility.h"
+
+namespace sline::model {
+
+namespace {
+
+constexpr float focusGamma = 4.3f;
+/// The pen of what is faded out: thin, should somebody show it by hand.
+constexpr float faintPen = 0.4f;
+
+/// How one kind of structure grows with the amount.
+struct Growth {
+  float start = 0.0f;  ///< the amount at which it begins to appear
+  float full = 1.0f;   ///< and from which on its Γ stays
+  float lowGamma = 0.0f;
+  float highGamma = 0.0f;
+  float lowPen = 0.0f;  ///< times the scene's pen
+  float highPen = 1.0f;
+  float covering = 0.0f;  ///< how much of what lies behind it it hides
+};
+
+float ramp(float low, float high, float x) {
+  return std::clamp((x - low) / (high - low), 0.0f, 1.0f);
+}
+
+/// A filled structure before the targets would hide them.
+float clear(const Relation& r) {
+  return 1.0f - glm::smoothstep(0.05f, 0.5f, r.hides);
+}
+
+Growth feederGrowth(const Relation& r) {
+  // One that comes to a target first, then the stem that it comes from.
+  const float less = 1.0f - std::clamp(r.feeding, 0.5f, 1.0f);
+  return {.start = 0.02f + 0.2f * less,
+          .full = 0.6f,
+          .lowGamma = 1.2f,
+          .highGamma = 3.9f - less,
+          .lowPen = 0.8f,
+          .highPen = 1.0f,
+          .covering = 0.2f + 0.8f * clear(r)};
+}
+
+Growth neighbourGrowth(const Relation& r) {
+  return {.start = 0.06f + 0.7f * glm::smoothstep(0.05f, 0.6f, r.gap),
+          .full = 1.0f,
+          .lowGamma = 0.6f,
+          .highGamma = glm::mix(2.4f, 1.2f, r.hides),
+          .lowPen = 0.4f,
+          .highPen = 0.9f,
+          .covering = 0.1f + 0.8f * clear(r)};
+}
+
+Growth shellGrowth(const Relation& r) {
+  // What hides most says best where all this is.
+  return {.start = 0.3f + 0.35f * (1.0f - r.hides),
+          .full = 1.0f,
+          .lowGamma = 0.0f,
+          .highGamma = 1.0f,
+          .lowPen = 0.3f,
+          .highPen = 0.75f};
+}
+
+Growth backdropGrowth(const Relation& r) {
+  const float far = glm::smoothstep(0.3f, 4.0f, r.gap);
+  return {.start = 0.5f + 0.3f * far,
+          .full = 1.0f,
+          .lowGamma = 0.0f,
+          .highGamma = 1.4f,
+          .lowPen = 0.25f,
+          .highPen = 0.75f,
+          .covering = 0.1f + 0.7f * clear(r)};
+}
+
+Growth growthOf(const Relation& r) {
+  switch (r.role) {
+    case ContextRole::feeder:
+      return feederGrowth(r);
+    case ContextRole::neighbour:
+      return neighbourGrowth(r);
+    case ContextRole::shell:
+      return shellGrowth(r);
+    case ContextRole::target:
+    case ContextRole::backdrop:
+      break;
+  }
+  return backdropGrowth(r);
+}
+
+Style targetStyle() {
+  Style style;
+  style.visible = true;
+  style.gamma = Gamma::clamped(focusGamma);
+  style.fill = Fill::paper;
+  style.opacity = Opacity::clamped(1.0f);
+  style.penWeight = 1.0f;
+  return style;
+}
+
+Fill fillOf(const Relation& r, const Growth& growth) {
+  constexpr float nothing = 0.1f;
+  if (growth.covering <= 0.0f)
+    return Fill::none;
+  return r.hides <= nothing ? Fill::paper : Fill::veil;
+}
+
+}  // namespace
+
+Style contextStyle(const Relation& relation, ContextAmount amount) {
+  if (relation.role == ContextRole::target)
+    return targetStyle();
+  constexpr float entrance = 0.15f;
+  const Growth growth = growthOf(relation);
+  const float x = amount.value();
+  const float there = ramp(growth.start, growth.start + entrance, x);
+  Style style;
+  style.visible = there > 0.0f;
+  style.gamma = Gamma::clamped(
+      glm::mix(growth.lowGamma, growth.highGamma, ramp(growth.start, growth.full, x)));
+  style.fill = fillOf(relation, growth);
+  style.opacity = Opacity::clamped(*style.fill == Fill::none ? there : there * growth.covering);
+  style.penWeight = there * glm::mix(growth.lowPen, growth.highPen, x * x);
+  if (!*style.visible)
+    style.penWeight = faintPen;
+  return style;
+}
+
+namespace {
+
+/// What bears on whether a structure may be drawn otherwise.
+struct Standing {
+  bool locked = false;        ///< it or a group above it
+  bool hiddenByHand = false;  ///< it or a group above it
+};
+
+/// What fades out ends without a trace of itself; people hide things as they are.
+bool fadedOut(const Style& style) {
+  return style.visible == false && style.opacity && style.opacity->value() <= 0.0f;
+}
+
+/// Of all nodes in one pass, because a parent stands before its children.
+std::unordered_map<std::uint64_t, Standing> standings(const Scene& scene) {
+  std::unordered_map<std::uint64_t, Standing> standings;
+  for (const Node& node : scene.nodes()) {
+    Standing standing = standings[node.parent.value];
+    standing.locked = standing.locked || node.locked;
+    if (node.style.visible == false && !fadedOut(node.style))
+      standing.hiddenByHand = true;
+    standings[node.id.value] = standing;
+  }
+  return standings;
+}
+
+}  // namespace
+
+std::vector<NodeId> hiddenByHand(const Scene& scene, const FocusAnalysis& analysis) {
+  const auto all = standings(scene);
+  std::vector<NodeId> hidden;
+  for (const Relation& relation : analysis.relations) {
+    const auto standing = all.find(relation.structure.value);
+    if (standing != all.end() && standing->second.hiddenByHand && !standing->second.locked &&
+        relation.role != ContextRole::target)
+      hidden.push_back(relation.structure);
+  }
+  return hidden;
+}
+
+Edited withFocusAndContext(const Scene& scene, const FocusAnalysis& analysis, ContextAmount amount,
+                           const ContextWishes& wishes) {
+  const auto all = standings(scene);
+  std::vector<NodeId> opened;
+  std::unordered_map<std::uint64_t, Style> styles;
+  for (Relation relation : analysis.relations) {
+    const auto standing = all.find(relation.structure.value);
+    if (standing == all.end() || standing->second.locked)
+      continue;
+    if (const auto wish = wishes.roles.find(relation.structure); wish != wishes.roles.end())
+      relation.role = wish->second;
+    const bool hidden = standing->second.hiddenByHand;
+    if (hidden && relation.role != ContextRole::target && !wishes.hiddenToo)
+      continue;
+    if (hidden)
+      opened.push_back(relation.structure);
+    styles[relation.structure.value] = contextStyle(relation, amount);
+  }
+  Scene after = withShown(scene, opened).scene;
+  std::vector<Node> nodes = after.nodes();
+  for (Node& node : nodes)
+    if (const auto style = styles.find(node.id.value); style != styles.end())
+      patch(node.style, style->second);
+  after.setNodes(std::move(nodes));
+  const bool changed = !(after == scene);
+  return {std::move(after), changed};
+}
+
+}  // namespace sline::model

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/focus/form.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "model/geometry/bounding_sphere.h"
+#include "model/geometry/spatial_order.h"
+
+namespace sline::model {
+
+namespace {
+
+constexpr std::size_t samplesPerForm = 240;
+/// Of the samples, every so many is asked for the form around it.
+constexpr std::size_t formStride = 3;
+constexpr int linesAround = 6;
+/// Of an index's own: the key, the form and its tree.
+constexpr long holders = 3;
+/// A tube is at most this many times as wide one way as the other, and longer than that.
+constexpr float roundest = 2.2f;
+constexpr float flattest = 3.0f;
+
+/// The three widths of a solid around a sample: straight in from the surface, and from the middle
+/// of that way the least and the most across it. The shape-diameter function (Shapira, Shamir,
+/// Cohen-Or 2008) asks for the first alone; tubes, sheets and lumps differ in the other two.
+struct Widths {
+  float in = 0.0f;
+  float least = 0.0f;
+  float most = 0.0f;
+};
+
+/// Two directions across the normal; of the mirrored normal, mirrored but for their signs.
+std::array<glm::vec3, 2> across(const glm::vec3& n) {
+  const glm::vec3 size = glm::abs(n);
+  const glm::vec3 axis = size.x <= size.y && size.x <= size.z ? glm::vec3(1, 0, 0)
+                         : size.y <= size.z                   ? glm::vec3(0, 1, 0)
+                                                              : glm::vec3(0, 0, 1);
+  const glm::vec3 first = glm::normalize(glm::cross(n, axis));
+  return {first, glm::cross(n, first)};
+}
+
+/// Along the line through a point inside, from surface to surface; as long as `endless` on a side
+/// where there is none.
+float chord(const Bvh& tree, const glm::vec3& inside, const glm::vec3& direction, float endless) {
+  const auto way = [&](const glm::vec3& d) {
+    const std::optional<Hit> hit = tree.nearest({inside, d, 0.0f, endless});
+    return hit ? hit->t : endless;
+  };
+  return way(direction) + way(-direction);
+}
+
+/// None where the surface is open: straight in there is nothing to come to.
+std::optional<Widths> widthsAt(const Form& form, const SurfaceSample& sample) {
+  const float endless = 2.0f * form.radius;
+  const std::optional<Hit> far =
+      form.tree.nearest({sample.place, -sample.normal, 1e-4f * form.radius, endless});
+  if (!far)
+    return std::nullopt;
+  Widths widths{.in = far->t, .least = 2.0f * endless};
+  const glm::vec3 middle = sample.place - 0.5f * far->t * sample.normal;
+  const auto [u, v] = across(sample.normal);
+  for (int i = 0; i < linesAround; ++i) {
+    const float angle = float(M_PI) * float(i) / float(linesAround);
+    const float width =
+        chord(form.tree, middle, std::cos(angle) * u + std::sin(angle) * v, endless);
+    widths.least = std::min(widths.least, width);
+    widths.most = std::max(widths.most, width);
+  }
+  return widths;
+}
+
+bool ofTube(const Widths& w) {
+  return w.least <= flattest * w.in && w.most > roundest * std::max(w.in, w.least);
+}
+
+bool ofSheet(const Widths& w) {
+  return w.least > flattest * w.in;
+}
+
+}  // namespace
+
+Form::Form(MeshPtr surface) : mesh(std::move(surface)), tree(mesh, spatialOrder(*mesh)) {}
+
+FormPtr formOf(MeshPtr mesh) {
+  auto form = std::make_shared<Form>(mesh);
+  form->samples = surfaceSamples(*mesh, samplesPerForm);
+  form->area = surfaceArea(*mesh);
+  form->radius = smallestBoundingSphere(mesh->positions()).radius;
+  std::vector<float> widths;
+  std::size_t asked = 0;
+  std::size_t tubes = 0;
+  std::size_t sheets = 0;
+  for (std::size_t i = formStride / 2; i < form->samples.size(); i += formStride) {
+    ++asked;
+    const std::optional<Widths> at = widthsAt(*form, form->samples[i]);
+    widths.push_back(at ? at->in : 0.0f);
+    tubes += at && ofTube(*at);
+    sheets += !at || ofSheet(*at);
+  }
+  if (asked == 0)
+    return form;
+  const auto middle = widths.begin() + std::ptrdiff_t(asked / 2);
+  std::nth_element(widths.begin(), middle, widths.end());
+  form->thickness = *middle;
+  form->tube = float(tubes) / float(asked);
+  form->sheet = float(sheets) / float(asked);
+  return form;
+}
+
+FormPtr FormIndex::of(const MeshPtr& mesh) {
+  {
+    const std::lock_guard lock(m_mutex);
+    if (const auto found = m_forms.find(mesh); found != m_forms.end())
+      return found->second;
+  }
+  FormPtr form = formOf(mesh);
+  const std::lock_guard lock(m_mutex);
+  return m_forms.try_emplace(mesh, std::move(form)).first->second;
+}
+
+void FormIndex::trim() {
+  const std::lock_guard lock(m_mutex);
+  std::erase_if(m_forms, [](const auto& entry) { return entry.first.use_count() <= holders; });
+}
+
+}  // namespace sline::model

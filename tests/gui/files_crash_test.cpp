@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program itself, worked by keys and killed: what was not saved is there again.
+#include <signal.h>
+
+#include <QProcess>
+#include <QtTest>
+
+#include "model/edit/views.h"
+#include "model/files/autosave.h"
+#include "model/files/scene_file.h"
+#include "tests/gui/foreign_window.h"
+#include "tests/gui/window_fixture.h"
+
+namespace sline::test {
+
+namespace fs = std::filesystem;
+
+class FilesCrashTest : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir m_folder;
+
+  fs::path copies() const {
+    return (m_folder.path() + QStringLiteral("/state/sline/autosave")).toStdString();
+  }
+  /// With folders and settings of its own, copies a second after a change.
+  void start(QProcess& program, const QStringList& arguments) const {
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"state", "config", "cache"})
+      environment.insert(QStringLiteral("XDG_%1_HOME").arg(QString::fromLatin1(name).toUpper()),
+                         m_folder.filePath(QString::fromLatin1(name)));
+    const QString settings = m_folder.filePath(QStringLiteral("config/Sline"));
+    QDir().mkpath(settings);
+    QSettings file(settings + QStringLiteral("/Sline.conf"), QSettings::IniFormat);
+    file.setValue(QStringLiteral("files/autosaveSeconds"), 1);
+    file.setValue(QStringLiteral("start/demoPictures"), false);
+    file.sync();
+    program.setProcessEnvironment(environment);
+    program.start(QStringLiteral(SLINE_WORKSTATION), arguments);
+  }
+  static constexpr int minute = 60'000;
+  static bool soon(const std::function<bool()>& holds) { return QTest::qWaitFor(holds, minute); }
+  int copiesThere() const {
+    int count = 0;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(copies(), none))
+      count += model::isSceneFile(entry.path());
+    return count;
+  }
+
+ private slots:
+  void killedAndRecovered() {
+    const QTemporaryDir body;
+    writeBody(body.path());
+    widgets::Session reader;
+    reader.openPaths({body.path().toStdString()});
+    QVERIFY(soon([&] { return !reader.busy(); }));
+    const QString path = m_folder.filePath(QStringLiteral("body.sline"));
+    const fs::path file = path.toStdString();
+    QVERIFY(model::writeSceneFile(file, {.scene = reader.scene()}).ok());
+    const model::Scene expected =
+        model::withKeyLight(reader.scene(), model::KeyLight{.shades = true}).scene;
+    const auto bytesOf = [](const model::Scene& scene) {
+      return *model::sceneFileBytes({.scene = scene});
+    };
+
+    QProcess first;
+    start(first, {path});
+    QVERIFY(first.waitForStarted());
+    ForeignWindow window(first.processId());
+    QVERIFY(soon([&] { return window.title().starts_with("body.sline"); }));
+    QVERIFY(window.press("k"));  // the key light, which is of the scene
+    QVERIFY(soon([&] { return window.title().starts_with("body.sline*"); }));
+    QVERIFY(soon([&] { return copiesThere() == 1; }));
+    QCOMPARE(::kill(pid_t(first.processId()), SIGKILL), 0);
+    QVERIFY(first.waitForFinished());
+    const auto found = model::recoverableIn(copies());
+    QCOMPARE(found.size(), std::size_t(1));
+    QVERIFY(found[0].source.file == file);
+    QVERIFY(bytesOf(model::readSceneFile(file)->scene) == bytesOf(reader.scene()));
+
+    QProcess second;
+    start(second, {});
+    QVERIFY(second.waitForStarted());
+    ForeignWindow again(second.processId());
+    // Before the page has found the copy a key does nothing, then the button has the focus.
+    const auto recovered = [&] { return again.title().starts_with("body.sline*"); };
+    constexpr int patience = 3000;
+    for (int i = 0; i < 20 && !recovered(); ++i) {
+      again.press("space");
+      static_cast<void>(QTest::qWaitFor(recovered, patience));
+    }
+    QVERIFY(recovered());
+    // In a copy of its own before the old one goes.
+    QVERIFY(soon([&] { return !fs::exists(found[0].copy) && copiesThere() == 1; }));
+    QVERIFY(again.press("s", true));
+    QVERIFY(soon([&] {
+      return again.title().starts_with("body.sline") && !again.title().starts_with("body.sline*");
+    }));
+    QVERIFY(bytesOf(model::readSceneFile(file)->scene) == bytesOf(expected));
+    QVERIFY(soon([&] { return copiesThere() == 0; }));
+    QVERIFY(again.press("q", true));
+    QVERIFY(second.waitForFinished(minute));
+    QCOMPARE(second.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(second.exitCode(), 0);
+  }
+};
+
+}  // namespace sline::test
+
+QTEST_MAIN(sline::test::FilesCrashTest)
+#include "files_crash_test.moc"

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// From an analysis and an amount to styles: more is never less, nothing jumps, nobody's say is
+// lost.
+#include <QTest>
+
+#include "model/edit/sections.h"
+#include "model/edit/visibility.h"
+#include "model/focus/context.h"
+#include "tests/support/shapes.h"
+
+namespace sline::model {
+
+class FocusContextTest : public QObject {
+  Q_OBJECT
+
+  Scene m_scene;
+  NodeId m_group;
+  NodeId m_target;
+  NodeId m_other;
+  NodeId m_third;
+  FocusAnalysis m_analysis;
+
+  static ContextAmount amount(float value) { return ContextAmount::clamped(value); }
+  Scene at(float value, const ContextWishes& wishes = {}) const {
+    return withFocusAndContext(m_scene, m_analysis, amount(value), wishes).scene;
+  }
+  static std::vector<Relation> allSorts() {
+    std::vector<Relation> sorts;
+    for (const ContextRole role : {ContextRole::target, ContextRole::feeder, ContextRole::neighbour,
+                                   ContextRole::shell, ContextRole::backdrop})
+      for (const float hides : {0.0f, 0.08f, 0.3f, 1.0f})
+        for (const float gap : {0.0f, 0.4f, 6.0f})
+          sorts.push_back({.role = role,
+                           .gap = gap,
+                           .feeding = gap > 0.0f ? 0.5f : 1.0f,
+                           .nearness = gap > 1.0f ? 0.0f : 1.0f - gap,
+                           .hides = hides});
+    return sorts;
+  }
+  /// How much ink a structure's lines have: none where it is hidden.
+  static float pen(const Style& style) { return *style.visible ? *style.penWeight : 0.0f; }
+
+ private slots:
+  void init() {
+    const MeshPtr ball = test::sphere(1.0f, 1);
+    m_scene = {};
+    m_group = m_scene.append({.name = "group"});
+    m_target = m_scene.append({.parent = m_group, .name = "target", .mesh = ball});
+    m_other = m_scene.append({.parent = m_group, .name = "other", .mesh = ball});
+    m_third = m_scene.append({.name = "third", .mesh = ball});
+    m_analysis = {.targets = {m_target},
+                  .relations = {{.structure = m_target, .role = ContextRole::target},
+                                {.structure = m_other, .role = ContextRole::neighbour},
+                                {.structure = m_third, .role = ContextRole::backdrop}}};
+  }
+
+  void moreIsNeverLessAndNothingJumps() {
+    constexpr int steps = 200;
+    for (const Relation& relation : allSorts()) {
+      std::optional<Style> before;
+      for (int i = 0; i <= steps; ++i) {
+        const Style style = contextStyle(relation, amount(float(i) / steps));
+        QVERIFY(style.gamma && style.fill && style.opacity && style.visible && style.penWeight);
+        if (before) {
+          QVERIFY(*style.visible || !*before->visible);
+          QVERIFY(*style.gamma >= *before->gamma);
+          QVERIFY(*style.opacity >= *before->opacity);
+          QVERIFY(pen(style) >= pen(*before));
+          QVERIFY(*style.fill == *before->fill);
+          QVERIFY(style.gamma->value() - before->gamma->value() < 0.05f);
+          QVERIFY(style.opacity->value() - before->opacity->value() < 0.05f);
+          QVERIFY2(pen(style) - pen(*before) < 0.05f, "a line appears at once");
+        }
+        before = style;
+      }
+      QVERIFY2(*before->visible, "at 1 everything is there");
+      const bool target = relation.role == ContextRole::target;
+      QCOMPARE(*contextStyle(relation, amount(0.0f)).visible, target);
+    }
+  }
+
+  void nothingSolidLiesBeforeTheFocus() {
+    for (const Relation& relation : allSorts()) {
+      const Style style = contextStyle(relation, amount(1.0f));
+      if (relation.role == ContextRole::target) {
+        QVERIFY(style.fill == Fill::paper && style.gamma->value() > 4.0f);
+        continue;
+      }
+      QVERIFY(relation.hides <= 0.1f || style.fill != Fill::paper);
+      if (relation.role == ContextRole::shell)
+        QVERIFY(style.fill == Fill::none && style.gamma->value() <= 1.0f);
+    }
+  }
+
+  void vesselsStayLongest() {
+    const float middle = 0.5f;
+    float lowest = 5.0f;
+    for (const ContextRole role :
+         {ContextRole::feeder, ContextRole::neighbour, ContextRole::shell, ContextRole::backdrop}) {
+      Relation relation{.role = role, .gap = 0.5f, .feeding = 1.0f, .nearness = 1.0f};
+      relation.hides = role == ContextRole::shell ? 1.0f : 0.2f;
+      const float gamma = contextStyle(relation, amount(middle)).gamma->value();
+      QVERIFY(gamma <= lowest);
+      lowest = gamma;
+      if (role == ContextRole::feeder)
+        QVERIFY(*contextStyle(relation, amount(0.05f)).visible);
+      else
+        QVERIFY(!*contextStyle(relation, amount(0.05f)).visible);
+    }
+  }
+
+  void atNothingTheFocusIsAlone() {
+    const Scene scene = at(0.0f);
+    QVERIFY(scene.resolve(m_target).visible);
+    QVERIFY(!scene.resolve(m_other).visible && !scene.resolve(m_third).visible);
+    QVERIFY(!withFocusAndContext(scene, m_analysis, amount(0.0f)).changed);
+    // And comes back, though all was hidden.
+    const Edited more = withFocusAndContext(scene, m_analysis, amount(1.0f));
+    QVERIFY(more.scene.resolve(m_other).visible && more.scene.resolve(m_third).visible);
+    QVERIFY(more.scene == at(1.0f));
+  }
+
+  void lockedNodesStayAsTheyAre_data() {
+    QTest::addColumn<bool>("group");
+    QTest::newRow("structure") << false;
+    QTest::newRow("group") << true;
+  }
+  void lockedNodesStayAsTheyAre() {
+    QFETCH(bool, group);
+    std::vector<Node> nodes = m_scene.nodes();
+    for (Node& node : nodes)
+      if (node.id == (group ? m_group : m_other))
+        node.locked = true;
+    m_scene.setNodes(nodes);
+    const Scene scene = at(0.5f);
+    QVERIFY(*scene.find(m_other) == *m_scene.find(m_other));
+    QCOMPARE(*scene.find(m_target) == *m_scene.find(m_target), group);
+    QVERIFY(!(*scene.find(m_third) == *m_scene.find(m_third)));
+  }
+
+  void whatPeopleHideStaysHidden() {
+    const NodeId other[] = {m_other};
+    m_scene = withHidden(m_scene, other).scene;
+    QVERIFY(!at(1.0f).resolve(m_other).visible);
+    QCOMPARE(hiddenByHand(m_scene, m_analysis), std::vector<NodeId>{m_other});
+    ContextWishes wishes;
+    wishes.hiddenToo = true;
+    QVERIFY(at(1.0f, wishes).resolve(m_other).visible);
+    // Also after focusing, and when the amount changes then.
+    m_scene = withShown(m_scene, other).scene;
+    m_scene = withHidden(at(0.8f), other).scene;
+    QVERIFY(!at(1.0f).resolve(m_other).visible);
+  }
+
+  void hiddenTargetsAreShown() {
+    const NodeId group[] = {m_group};
+    m_scene = withHidden(m_scene, group).scene;
+    const Scene scene = at(1.0f);
+    QVERIFY(scene.resolve(m_target).visible);
+    QVERIFY(!scene.resolve(m_other).visible);
+  }
+
+  void peopleKnowBetter() {
+    ContextWishes wishes;
+    wishes.roles[m_third] = ContextRole::shell;
+    wishes.roles[m_other] = ContextRole::target;
+    const Scene scene = at(1.0f, wishes);
+    QVERIFY(scene.resolve(m_third).fill == Fill::none);
+    QVERIFY(scene.resolve(m_other).gamma == scene.resolve(m_target).gamma);
+  }
+
+  void allElseIsKept() {
+    m_scene.appendSection(anatomicalSection(m_scene, rootId, AnatomicalView::left));
+    m_scene.appendAnnotation({.anchors = {glm::vec3(0.0f)}, .text = "here"});
+    std::vector<Node> nodes = m_scene.nodes();
+    nodes[1].style.colour = Colour{1, 2, 3};
+    m_scene.setNodes(nodes);
+    const Scene scene = at(0.5f);
+    QVERIFY(scene.sections() == m_scene.sections());
+    QVERIFY(scene.annotations() == m_scene.annotations());
+    QVERIFY((scene.resolve(m_target).colour == Colour{1, 2, 3}));
+    // What is gone since, or came since, does no harm.
+    Scene other;
+    other.append({.name = "new", .mesh = test::sphere(1.0f, 0)});
+    m_analysis.relations[0].structure = NodeId{99};
+    QVERIFY(withFocusAndContext(other, m_analysis, amount(0.5f)).scene.nodes().size() == 1);
+  }
+};
+
+}  // namespace sline::model
+
+QTEST_APPLESS_MAIN(sline::model::FocusContextTest)
+#include "focus_context_test.moc"

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QSlider>
+
+#include "model/focus/context.h"
+
+namespace sline::widgets {
+
+/// From nothing to everything. The handle goes where the mouse is pressed; Escape during a drag
+/// gives it up; keys step.
+class AmountSlider : public QSlider {
+  Q_OBJECT
+ public:
+  explicit AmountSlider(QWidget* parent = nullptr);
+  void showAmount(model::ContextAmount amount);
+
+ signals:
+  void dragged(sline::model::ContextAmount amount);
+  void dragFinished();
+  void dragCancelled();
+  void stepped(sline::model::ContextAmount amount);
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void follow(const QPointF& at);
+};
+
+}  // namespace sline::widgets

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/focus/focus_context.h"
+
+#include <QScopedValueRollback>
+#include <QTimer>
+#include <algorithm>
+
+#include "widgets/session/background_thread.h"
+
+namespace sline::widgets {
+
+namespace {
+/// Scenes share their meshes, so a few hundred are small.
+constexpr std::size_t mostRecords = 500;
+constexpr int shortly = 50;  // milliseconds
+
+QString amountStep(model::ContextAmount amount) {
+  return FocusContext::tr("Context %1 %").arg(qRound(100.0f * amount.value()));
+}
+}  // namespace
+
+FocusContext::FocusContext(Session& session, CameraOf camera, QObject* parent)
+    : QObject(parent), m_session(session), m_camera(std::move(camera)) {
+  m_pool.setMaxThreadCount(1);
+  connect(&session, &Session::documentChanged, this, &FocusContext::documentChange);
+}
+
+FocusContext::~FocusContext() {
+  m_stop.request_stop();
+  m_pool.waitForDone();
+}
+
+void FocusContext::focusOn(NodeIds targets) {
+  if (!targets.empty())
+    analyse(targets, m_state.analysis && m_state.analysis->fromCamera, tr("Focus"));
+}
+
+void FocusContext::lookFrom(bool camera) {
+  if (m_state.analysis)
+    analyse(m_state.targets, camera, camera ? tr("Focus from this view") : tr("Focus all round"));
+}
+
+void FocusContext::analyse(const NodeIds& targets, bool fromCamera, const QString& step) {
+  m_stop.request_stop();
+  m_stop = std::stop_source();
+  const std::uint64_t question = ++m_asked;
+  std::optional<model::Camera> camera;
+  if (fromCamera)
+    camera = m_camera();
+  // The session has the answer to no other question: a scene is a value.
+  m_pool.start([this, question, targets, camera, step, forms = m_forms,
+                scene = m_session.sceneBeforePreview(), stop = m_stop.get_token()] {
+    standBack();
+    auto analysis = model::analysed(scene, {targets, camera}, *forms, stop);
+    forms->trim();
+    const Answer answer =
+        analysis ? std::make_shared<const model::FocusAnalysis>(std::move(*analysis)) : nullptr;
+    QMetaObject::invokeMethod(this, [=, this] { take(question, answer, targets, step); });
+  });
+  await(question);
+}
+
+void FocusContext::await(std::uint64_t question) {
+  const bool before = busy();
+  m_awaited = question;
+  if (busy() != before)
+    emit busyChanged(busy());
+}
+
+void FocusContext::take(std::uint64_t question, const Answer& answer, const NodeIds& targets,
+                        const QString& step) {
+  if (question != m_awaited)
+    return;
+  if (m_session.previewing()) {  // a drag goes on first: it has its own step
+    QTimer::singleShot(shortly, this, [=, this] { take(question, answer, targets, step); });
+    return;
+  }
+  await(0);
+  if (!answer) {
+    emit failed(Error{.reason = tr("nothing is left to focus on").toStdString(),
+                      .remedy = tr("Select something that no section takes away").toStdString()});
+    return;
+  }
+  FocusState state = m_state;
+  if (state.targets != targets)
+    state.wishes = {};
+  state.analysis = answer;
+  state.targets = targets;
+  apply(step, std::move(state));
+}
+
+model::Edited FocusContext::edited(const model::Scene& scene) const {
+  return model::withFocusAndContext(scene, *m_state.analysis, m_state.amount, m_state.wishes);
+}
+
+void FocusContext::remember() {
+  const model::Scene& scene = m_session.scene();
+  std::erase_if(m_records, [&scene](const Record& record) { return record.scene == scene; });
+  if (m_records.size() >= mostRecords)
+    m_records.erase(m_records.begin());
+  m_records.push_back({scene, m_state});
+}
+
+void FocusContext::apply(const QString& step, FocusState state, const QString& series) {
+  remember();
+  m_state = std::move(state);
+  {
+    const QScopedValueRollback applying(m_applying, true);
+    m_session.apply(step, edited(m_session.scene()), series);
+  }
+  remember();
+  emit changed();
+}
+
+void FocusContext::setRoles(const NodeIds& structures, model::ContextRole role) {
+  if (!m_state.analysis || structures.empty())
+    return;
+  FocusState state = m_state;
+  for (const model::Relation& relation : state.analysis->relations)
+    if (std::find(structures.begin(), structures.end(), relation.structure) != structures.end()) {
+      if (relation.role == role)
+        state.wishes.roles.erase(relation.structure);
+      else
+        state.wishes.roles[relation.structure] = role;
+    }
+  apply(tr("Role in the context"), std::move(state));
+}
+
+void FocusContext::setHiddenToo(bool too) {
+  if (!m_state.analysis || m_state.wishes.hiddenToo == too)
+    return;
+  FocusState state = m_state;
+  state.wishes.hiddenToo = too;
+  apply(tr("Hidden structures in the context"), std::move(state));
+}
+
+void FocusContext::dragTo(model::ContextAmount amount) {
+  if (!m_state.analysis)
+    return;
+  if (!m_dragging) {
+    remember();
+    m_dragging = true;
+    m_beforeDrag = m_state.amount;
+  }
+  m_state.amount = amount;
+  const QScopedValueRollback applying(m_applying, true);
+  m_session.preview(edited(m_session.sceneBeforePreview()).scene);
+}
+
+void FocusContext::finishDrag() {
+  if (!m_dragging)
+    return;
+  m_dragging = false;
+  {
+    const QScopedValueRollback applying(m_applying, true);
+    m_session.commitPreview(amountStep(m_state.amount));
+  }
+  remember();
+  emit changed();
+}
+
+void FocusContext::cancelDrag() {
+  if (!m_dragging)
+    return;
+  m_dragging = false;
+  m_state.amount = m_beforeDrag;
+  {
+    const QScopedValueRollback applying(m_applying, true);
+    m_session.cancelPreview();
+  }
+  emit changed();
+}
+
+void FocusContext::stepTo(model::ContextAmount amount) {
+  if (!m_state.analysis || amount == m_state.amount)
+    return;
+  FocusState state = m_state;
+  state.amount = amount;
+  apply(amountStep(amount), std::move(state), QStringLiteral("context amount"));
+}
+
+void FocusContext::documentChange(const Document& before, const Document& now) {
+  if (m_applying)
+    return;
+  if (m_dragging && !m_session.previewing()) {  // somebody else ended the drag
+    m_dragging = false;
+    m_state.amount = m_beforeDrag;
+  }
+  const auto found = std::find_if(m_records.begin(), m_records.end(), [&now](const Record& record) {
+    return record.scene == now.scene;
+  });
+  if (found != m_records.end()) {
+    m_state = found->state;
+  } else if (before.opening != now.opening) {
+    m_stop.request_stop();
+    await(0);
+    m_state = {.amount = m_state.amount};
+  } else {
+    return;
+  }
+  emit changed();
+}
+
+}  // namespace sline::widgets

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/focus/focus_context.h"
+
+class QButtonGroup;
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace sline::widgets {
+
+class AmountSlider;
+
+/// What is in focus, the amount of context, and what every structure is taken for and why.
+class FocusPanel : public QWidget {
+  Q_OBJECT
+ public:
+  FocusPanel(Session& session, FocusContext& focus, QWidget* parent = nullptr);
+  QSize sizeHint() const override { return {250, 340}; }
+
+ signals:
+  /// The selection is wanted in focus.
+  void focusWanted();
+
+ private:
+  QWidget* makeAmount();
+  QWidget* makeSides();
+  QWidget* makeRoles();
+  void connectControls();
+  void refresh();
+  void showTitle();
+  void showRoles();
+  void showHidden();
+  void showChosenRole();
+  NodeIds chosen() const;
+
+  Session& m_session;
+  FocusContext& m_focus;
+  QLabel* m_title = nullptr;
+  QLabel* m_hint = nullptr;
+  QPushButton* m_button = nullptr;
+  AmountSlider* m_amount = nullptr;
+  QButtonGroup* m_sides = nullptr;
+  QTreeWidget* m_roles = nullptr;
+  QComboBox* m_role = nullptr;
+  QCheckBox* m_hidden = nullptr;
+  std::vector<QWidget*> m_needFocus;  ///< controls that mean nothing without something in focus
+};
+
+}  // namespace sline::widgets

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/start/card_grid.h"
+
+#include <algorithm>
+
+#include "widgets/start/thumbnail_card.h"
+
+namespace sline::widgets {
+
+namespace {
+constexpr int gap = 16;
+constexpr int largestWidth = 240;
+}  // namespace
+
+CardGrid::CardGrid(QWidget* parent) : QWidget(parent) {
+  QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  policy.setHeightForWidth(true);
+  setSizePolicy(policy);
+}
+
+void CardGrid::setCards(std::vector<ThumbnailCard*> cards) {
+  for (ThumbnailCard* card : m_cards)
+    card->deleteLater();
+  m_cards = std::move(cards);
+  for (ThumbnailCard* card : m_cards) {
+    card->setParent(this);
+    card->show();
+  }
+  place();
+  updateGeometry();
+}
+
+void CardGrid::setMostRows(int rows) {
+  m_mostRows = rows;
+  place();
+  updateGeometry();
+}
+
+CardGrid::Places CardGrid::placesFor(int width) const {
+  Places places;
+  places.columns = std::max(1, (width + gap) / (ThumbnailCard::smallestWidth + gap));
+  const int each = std::clamp((width - gap * (places.columns - 1)) / places.columns,
+                              std::min(width, ThumbnailCard::smallestWidth), largestWidth);
+  int height = 0;
+  for (const ThumbnailCard* card : m_cards)
+    height = std::max(height, card->heightForWidth(each));
+  places.card = {each, height};
+  places.shown = int(m_cards.size());
+  if (m_mostRows > 0)
+    places.shown = std::min(places.shown, m_mostRows * places.columns);
+  return places;
+}
+
+int CardGrid::heightForWidth(int width) const {
+  const Places places = placesFor(width);
+  const int rows = (places.shown + places.columns - 1) / places.columns;
+  return rows * places.card.height() + std::max(0, rows - 1) * gap;
+}
+
+QSize CardGrid::sizeHint() const {
+  constexpr int usual = 5;
+  const int width = usual * (ThumbnailCard::smallestWidth + gap) - gap;
+  return {width, heightForWidth(width)};
+}
+
+QSize CardGrid::minimumSizeHint() const {
+  return {ThumbnailCard::smallestWidth, heightForWidth(std::max(1, width()))};
+}
+
+void CardGrid::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  place();
+  updateGeometry();
+}
+
+void CardGrid::place() {
+  const Places places = placesFor(width());
+  for (int i = 0; i < int(m_cards.size()); ++i) {
+    const QPoint at(i % places.columns * (places.card.width() + gap),
+                    i / places.columns * (places.card.height() + gap));
+    m_cards[std::size_t(i)]->setGeometry({at, places.card});
+    m_cards[std::size_t(i)]->setVisible(i < places.shown);
+  }
+}
+
+}  // namespace sline::widgets

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "model/files/autosave.h"
+#include "widgets/session/demo_scenes.h"
+#include "widgets/start/demo_pictures.h"
+#include "widgets/start/scene_thumbnails.h"
+
+class QMainWindow;
+class QVBoxLayout;
+
+namespace sline::widgets {
+
+class CardGrid;
+class RecentFiles;
+class RecoveryList;
+
+/// What is there while nothing is open: what a crash has left, what was open last, the demos. It
+/// lies over the whole window below the toolbar, whose panels keep their places beneath it.
+class StartPage : public QWidget {
+  Q_OBJECT
+ public:
+  /// Both must outlive it. Pictures are remembered in the folder.
+  StartPage(QMainWindow& window, RecentFiles& recent, const std::filesystem::path& cache);
+
+  void setRecoverable(const std::vector<model::Recoverable>& found);
+  /// Without, cards of demos show what is remembered and nothing is drawn for them.
+  void setDrawing(bool drawing) { m_drawing = drawing; }
+  /// A place at its upper edge, for a message.
+  QVBoxLayout& messagePlace() { return *m_messagePlace; }
+
+ signals:
+  void filesWanted();
+  void folderWanted();
+  void demoChosen(const sline::widgets::DemoScene& demo);
+  void recentChosen(const QString& path);
+  void recoverWanted(const sline::model::Recoverable& found);
+  void forgetWanted(const sline::model::Recoverable& found);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  QWidget* makeHead();
+  QWidget* makeRecovery();
+  void makeDemos();
+  void listRecent();
+  void cover();
+  void askForPictures();
+
+  QMainWindow& m_window;
+  RecentFiles& m_recent;
+  std::vector<DemoScene> m_demos = demoScenes();
+  SceneThumbnails m_thumbnails;
+  DemoPictures m_demoPictures;
+  bool m_drawing = true;
+  QVBoxLayout* m_messagePlace;
+  QWidget* m_recovery;
+  RecoveryList* m_recoveryList;
+  QWidget* m_recentTitle;
+  CardGrid* m_recentCards;
+  CardGrid* m_demoCards;
+};
+
+}  // namespace sline::widgets

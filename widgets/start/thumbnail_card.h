@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QAbstractButton>
+#include <QImage>
+
+namespace sline::widgets {
+
+/// A picture with a title and a line below it, to be clicked. While there is no picture a quiet
+/// drawing stands in its place.
+class ThumbnailCard : public QAbstractButton {
+  Q_OBJECT
+ public:
+  static constexpr int smallestWidth = 176;
+
+  explicit ThumbnailCard(const QString& title, QWidget* parent = nullptr);
+  /// Below the title, shortened in the middle where it is too long.
+  void setLine(const QString& line);
+  QString line() const { return m_line; }
+  void setPicture(const QImage& picture);
+  bool hasPicture() const { return !m_picture.isNull(); }
+  /// Of widgets/theme/icons.h, while there is no picture.
+  void setStandIn(const QString& icon);
+  /// Still to be clicked, but drawn as what is not there.
+  void setFaded(bool faded);
+
+  QSize sizeHint() const override;
+  bool hasHeightForWidth() const override { return true; }
+  int heightForWidth(int width) const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void enterEvent(QEnterEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  void paintPicture(QPainter& painter, const QRectF& area);
+  void paintTexts(QPainter& painter, const QRect& area);
+
+  QString m_line;
+  QString m_standIn;
+  QImage m_picture;
+  bool m_faded = false;
+};
+
+}  // namespace sline::widgets

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/window/file_actions.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QMenu>
+#include <QSettings>
+#include <QStatusBar>
+
+#include "widgets/preferences/preferences.h"
+#include "widgets/session/demo_scenes.h"
+#include "widgets/start/recovery_dialog.h"
+#include "widgets/window/file_dialogs.h"
+#include "widgets/window/message_bar.h"
+#include "widgets/window/window_actions.h"
+
+namespace sline::widgets {
+
+namespace {
+
+constexpr const char* folderKey = "files/folder";
+constexpr const char* autosaveKey = "files/autosaveSeconds";
+
+std::filesystem::path pathOf(const QString& text) {
+  return text.toStdString();
+}
+
+QString textOf(const std::filesystem::path& path) {
+  return QString::fromStdString(path.string());
+}
+
+}  // namespace
+
+FileActions::FileActions(const Parts& parts, QMainWindow& window)
+    : QObject(&window),
+      m_session(parts.session),
+      m_settings(parts.settings),
+      m_preferences(parts.preferences),
+      m_actions(parts.actions),
+      m_message(parts.message),
+      m_window(window),
+      m_recent(parts.settings),
+      m_saver(parts.session),
+      m_autosaver(parts.session, model::userAutosaveFolder()) {
+  connectActions();
+  connectSaver();
+  connect(&m_session, &Session::fileChanged, this, &FileActions::fileChange);
+  connect(&m_session, &Session::opened, this,
+          [this](const std::vector<std::filesystem::path>& paths) {
+            if (paths.size() == 1)
+              m_recent.add(textOf(paths.front()));
+          });
+  const auto follow = [this] {
+    m_autosaver.setInterval(std::chrono::seconds(m_preferences.number(QLatin1String(autosaveKey))));
+  };
+  connect(&m_preferences, &Preferences::changed, this, follow);
+  connect(&m_autosaver, &Autosaver::failed, &m_message, &MessageBar::showError);
+  follow();
+  fileChange();
+  m_seeker.add([this, folder = m_autosaver.folder()](const std::stop_token&) {
+    return [this, found = model::recoverableIn(folder)] {
+      m_recoverable = found;
+      m_actions[QStringLiteral("recover")].setEnabled(!found.empty());
+      emit recoverableChanged();
+    };
+  });
+}
+
+void FileActions::connectActions() {
+  const auto on = [this](const char* id, auto function) {
+    connect(&m_actions[QLatin1String(id)], &QAction::triggered, this, function);
+  };
+  const auto openThese = [this](const QStringList& paths) { dropped(paths); };
+  on("new", [this] { whenSafe([this] { m_session.openEmpty(tr("Untitled")); }); });
+  on("openFiles", [=, this] { chooseFiles(m_window, lastFolder(), openThese); });
+  on("openFolder", [=, this] { chooseFolder(m_window, lastFolder(), openThese); });
+  on("save", [this] { save(); });
+  on("saveAs", [this] { saveAs(SceneSaver::As::document); });
+  on("saveCopy", [this] { saveAs(SceneSaver::As::copy); });
+  on("revert",
+     [this] { askAboutReverting(m_window, m_session.title(), [this] { m_session.revert(); }); });
+  on("close", [this] { whenSafe([this] { m_session.closeDocument(); }); });
+  on("reload", [this] { m_session.reloadSources(); });
+  on("recover", [this] { offerRecovery(); });
+  on("quit", [this] { m_window.close(); });
+  m_actions[QStringLiteral("recover")].setEnabled(false);
+  auto& recent = *m_window.findChild<QMenu*>(QStringLiteral("recentMenu"));
+  connect(&recent, &QMenu::aboutToShow, this, [this, &recent] { fillRecent(recent); });
+  const auto enable = [this, &recent] { recent.setEnabled(!m_recent.paths().isEmpty()); };
+  connect(&m_recent, &RecentFiles::changed, this, enable);
+  enable();
+}
+
+void FileActions::connectSaver() {
+  connect(&m_saver, &SceneSaver::started, this, [this](const QString& name) {
+    m_window.statusBar()->showMessage(tr("Saving %1…").arg(name));
+  });
+  connect(&m_saver, &SceneSaver::failed, this, [this](const Error& error) {
+    m_afterSaving = nullptr;
+    m_window.statusBar()->clearMessage();
+    m_message.showError(error);
+  });
+  connect(&m_saver, &SceneSaver::saved, this,
+          [this](const std::filesystem::path& file, SceneSaver::As as) {
+            constexpr int readable = 4000;  // milliseconds
+            m_window.statusBar()->showMessage(tr("Saved %1").arg(textOf(file.filename())),
+                                              readable);
+            if (as == SceneSaver::As::document)
+              m_recent.add(textOf(file));
+          });
+  connect(&m_saver, &SceneSaver::ended, this, [this] {
+    // What was edited while it was written is asked about again.
+    if (const auto then = std::exchange(m_afterSaving, nullptr))
+      whenSafe(then);
+  });
+}
+
+void FileActions::dropped(const QStringList& paths) {
+  const bool sceneAlone = paths.size() == 1 && model::isSceneFile(pathOf(paths.front()));
+  if (m_dropHandler && !sceneAlone)
+    m_dropHandler(paths);
+  else
+    open(paths);
+}
+
+void FileActions::open(const QStringList& paths) {
+  if (paths.isEmpty())
+    return;
+  m_settings.setValue(QLatin1String(folderKey), QFileInfo(paths.front()).absolutePath());
+  whenSafe([this, paths] {
+    std::vector<std::filesystem::path> files;
+    for (const QString& path : paths)
+      files.push_back(pathOf(path));
+    m_session.openPaths(std::move(files));
+  });
+}
+
+void FileActions::openRecent(const QString& path) {
+  if (QFileInfo::exists(path))
+    return open({path});
+  m_recent.remove(path);
+  m_message.showError({.file = path.toStdString(),
+                       .reason = tr("it is no longer there").toStdString(),
+                       .remedy = tr("Open it from where it is now").toStdString()});
+}
+
+void FileActions::openDemo(const DemoScene& demo) {
+  whenSafe([this, demo] { m_session.openMade(demo.title, demo.make); });
+}
+
+void FileActions::recover(const model::Recoverable& found) {
+  whenSafe([this, found] {
+    m_session.openRecovered(found);
+    std::erase_if(m_recoverable, [&](const auto& each) { return each.copy == found.copy; });
+    m_actions[QStringLiteral("recover")].setEnabled(!m_recoverable.empty());
+    emit recoverableChanged();
+  });
+}
+
+void FileActions::forget(const model::Recoverable& found) {
+  m_seeker.add([found](const std::stop_token&) {
+    model::forget(found);
+    return BackgroundQueue::Sequel();
+  });
+  std::erase_if(m_recoverable, [&](const auto& each) { return each.copy == found.copy; });
+  m_actions[QStringLiteral("recover")].setEnabled(!m_recoverable.empty());
+  emit recoverableChanged();
+}
+
+void FileActions::offerRecovery() {
+  auto* dialog = new RecoveryDialog(&m_window);
+  dialog->setFound(m_recoverable);
+  connect(dialog, &RecoveryDialog::recoverWanted, this, &FileActions::recover);
+  connect(dialog, &RecoveryDialog::forgetWanted, this, &FileActions::forget);
+  connect(this, &FileActions::recoverableChanged, dialog,
+          [this, dialog] { dialog->setFound(m_recoverable); });
+  dialog->open();
+}
+
+void FileActions::whenSafe(const std::function<void()>& then) {
+  if (m_saver.busy()) {
+    m_afterSaving = then;
+    return;
+  }
+  if (!m_session.modified())
+    return then();
+  askAboutUnsaved(m_window, {.title = m_session.title(),
+                             .save =
+                                 [this, then] {
+                                   m_afterSaving = then;
+                                   save();
+                                 },
+                             .discard =
+                                 [this, then] {
+                                   m_autosaver.discard();
+                                   then();
+                                 }});
+}
+
+void FileActions::save() {
+  const DocumentFile& file = m_session.file();
+  if (file.path.empty() || file.writable != Writable::yes)
+    saveAs(SceneSaver::As::document);
+  else
+    saveTo(textOf(file.path), SceneSaver::As::document);
+}
+
+void FileActions::saveAs(SceneSaver::As as) {
+  chooseSceneFile(m_window,
+                  {.title = as == SceneSaver::As::copy ? tr("Save a Copy") : tr("Save As"),
+                   .suggestion = suggestedPath(),
+                   .chosen = [this, as](const QString& path) { saveTo(path, as); },
+                   .cancelled = [this] { m_afterSaving = nullptr; }});
+}
+
+void FileActions::saveTo(const QString& path, SceneSaver::As as) {
+  m_settings.setValue(QLatin1String(folderKey), QFileInfo(path).absolutePath());
+  m_saver.save(pathOf(path), as, m_picture ? m_picture() : QImage());
+}
+
+void FileActions::fileChange() {
+  const DocumentFile& file = m_session.file();
+  const bool any = m_session.document().opening != 0;
+  const bool readOnly = file.writable != Writable::yes;
+  QString name = m_session.title();
+  // In a window's title "[*]" is where the mark of changes stands.
+  name.replace(QStringLiteral("[*]"), QStringLiteral("[*][*]"));
+  if (readOnly)
+    name = tr("%1 (read-only)").arg(name);
+  m_window.setWindowTitle(any ? tr("%1[*] – Sline").arg(name) : tr("Sline"));
+  m_window.setWindowModified(any && m_session.modified());
+  m_window.setWindowFilePath(textOf(file.path));
+  for (const char* id : {"saveAs", "saveCopy", "close"})
+    m_actions[QLatin1String(id)].setEnabled(any);
+  m_actions[QStringLiteral("save")].setEnabled(any && (m_session.modified() || file.path.empty()));
+  m_actions[QStringLiteral("revert")].setEnabled(
+      !file.path.empty() && (m_session.modified() || file.writable == Writable::changedOnDisk));
+  if (!readOnly)
+    return m_message.hideNotice();
+  m_message.showNotice(tr("%1 is open read-only").arg(m_session.title()), file.reason,
+                       m_actions[QStringLiteral("saveAs")]);
+}
+
+void FileActions::fillRecent(QMenu& menu) {
+  menu.clear();
+  const QStringList paths = m_recent.paths();
+  for (qsizetype i = 0; i < paths.size(); ++i) {
+    const QFileInfo file(paths[i]);
+    QString name =
+        file.fileName() + QStringLiteral("  –  ") + QDir::toNativeSeparators(file.path());
+    QAction* action = menu.addAction(name.replace(QLatin1Char('&'), QStringLiteral("&&")), this,
+                                     [this, path = paths[i]] { openRecent(path); });
+    action->setObjectName(QStringLiteral("recent-%1").arg(i));
+  }
+  menu.addSeparator();
+  menu.addAction(tr("&Clear List"), this, [this] { m_recent.clear(); })
+      ->setObjectName(QStringLiteral("clearRecent"));
+}
+
+QString FileActions::lastFolder() const {
+  return m_settings.value(QLatin1String(folderKey)).toString();
+}
+
+QString FileActions::suggestedPath() const {
+  if (!m_session.file().path.empty())
+    return textOf(m_session.file().path);
+  QString name = QFileInfo(m_session.document().title).completeBaseName();
+  name.replace(QLatin1Char('/'), QLatin1Char('-'));
+  const QString folder = lastFolder().isEmpty() ? QDir::homePath() : lastFolder();
+  return folder + QLatin1Char('/') + name + QStringLiteral(".sline");
+}
+
+bool FileActions::mayClose() {
+  if (m_closing || (!m_session.modified() && !m_saver.busy()))
+    return true;
+  whenSafe([this] {
+    m_closing = true;
+    m_window.close();
+    m_closing = false;
+  });
+  return false;
+}
+
+void FileActions::letGo() {
+  m_autosaver.discard();
+}
+
+}  // namespace sline::widgets
