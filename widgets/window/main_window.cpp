@@ -37,6 +37,7 @@
 #include "widgets/window/controls_dialog.h"
 #include "widgets/window/controls_memory.h"
 #include "widgets/window/file_actions.h"
+#include "widgets/window/import_actions.h"
 #include "widgets/window/message_bar.h"
 #include "widgets/window/picture_habits.h"
 #include "widgets/window/picture_menu.h"
@@ -157,6 +158,7 @@ void MainWindow::makeControls() {
   makeStart();
   makeTools();
   connectSession();
+  makeImports();
   connectActions();
   connectViews();
   nameStructures();
@@ -282,6 +284,20 @@ void MainWindow::makeStart() {
   const auto follow = [this] { m_start->setRecoverable(m_files->recoverable()); };
   connect(m_files, &FileActions::recoverableChanged, m_start, follow);
   follow();
+}
+
+void MainWindow::makeImports() {
+  m_imports = new ImportActions({.session = m_session,
+                                 .settings = m_settings,
+                                 .preferences = m_preferences,
+                                 .actions = m_actions,
+                                 .message = *m_message},
+                                *this);
+  m_imports->setGuard([this](const std::function<void()>& then) { m_files->whenSafe(then); });
+  m_files->setDropHandler([this](const QStringList& paths) {
+    if (!m_imports->asksFor(paths, {}))
+      m_files->open(paths);
+  });
 }
 
 void MainWindow::showStart() {
@@ -446,7 +462,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
     if (url.isLocalFile())
       paths << url.toLocalFile();
   event->acceptProposedAction();
-  m_files->dropped(paths);
+  if (!m_imports->asksFor(paths, event->modifiers()))
+    m_files->dropped(paths);
 }
 
 void MainWindow::documentChange(const Document& before, const Document& now) {
