@@ -40,7 +40,9 @@ class LayerPainter {
                                                       const AtlasLimits& limits);
 
   enum class Outcome { painted, tooLarge, givenUp };
-  /// Draws the region (in picture pixels) so that it fills the target. `tooLarge`, with nothing
+  /// Draws the region (in picture pixels) so that it fills the target; where that still has what
+  /// the last `paint` drew, only squares are drawn anew that a changed layer touches or touched.
+  /// `tooLarge`, with nothing
   /// drawn, where its layers exceed the atlas: a smaller region may do. `givenUp` where the input
   /// said so on the way: the target's contents are undefined.
   Result<Outcome> paint(gpu::Device& device, const PictureInput& input, const gpu::Rect& region,
@@ -65,6 +67,7 @@ class LayerPainter {
 
   explicit LayerPainter(const AtlasLimits& limits) : m_atlas(limits) {}
   std::vector<std::size_t> reuse(std::vector<Layer>& layers, const Key& key);
+  Status makeRoom(gpu::Device& device);
   bool place(std::vector<Layer>& layers, std::vector<std::size_t>& changed);
   void letGo(gpu::Device& device);
   void clear(gpu::Device& device, std::span<const Layer> layers,
@@ -78,7 +81,8 @@ class LayerPainter {
   void drawInk(gpu::Device& device, const PictureInput& input, std::vector<Layer>& layers,
                std::span<const std::size_t> changed);
   void resolve(gpu::Device& device, const PictureInput& input, const gpu::Rect& region,
-               const gpu::Target& target, std::span<const Layer> layers);
+               const gpu::Target& target, std::span<const Layer> layers,
+               std::span<const std::size_t> changed);
 
   Atlas m_atlas;
   std::unique_ptr<passes::SurfacePass> m_surfacePass;
@@ -88,6 +92,8 @@ class LayerPainter {
   PrintedHatching m_printedHatching;
   Key m_key;
   std::vector<Layer> m_kept;
+  TileMask m_left;  ///< squares that layers touched which are no more as they were
+  const gpu::Target* m_target = nullptr;  ///< of the last `paint`
   bool m_freshAtlas = true;
   int m_layersDrawn = 0;
 };
