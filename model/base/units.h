@@ -36,6 +36,10 @@ class Bounded {
 using Gamma = Bounded<struct GammaTag, 0, 5>;
 /// 0 see-through … 1 opaque.
 using Opacity = Bounded<struct OpacityTag, 0, 1>;
+/// How many strokes hatching has, times the usual; their tone together stays the same. 0: none.
+using HatchDensity = Bounded<struct HatchDensityTag, 0, 4>;
+/// How dark hatching is, times the usual. 0: blank.
+using HatchTone = Bounded<struct HatchToneTag, 0, 4>;
 
 /// An sRGB colour, 8 bits a channel, without alpha.
 struct Colour {

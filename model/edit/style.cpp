@@ -40,6 +40,8 @@ void patch(Style& style, const Style& patch) {
   patchField(style.fill, patch.fill);
   patchField(style.visible, patch.visible);
   patchField(style.penWeight, patch.penWeight);
+  patchField(style.hatchDensity, patch.hatchDensity);
+  patchField(style.hatchTone, patch.hatchTone);
 }
 
 Edited withStyle(const Scene& scene, std::span<const NodeId> ids, const Style& given) {

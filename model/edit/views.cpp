@@ -53,6 +53,8 @@ std::vector<Look> looksOf(const Scene& scene) {
       look.style.opacity = seen.opacity;
       look.style.fill = seen.fill;
       look.style.penWeight = seen.penWeight;
+      look.style.hatchDensity = seen.hatchDensity;
+      look.style.hatchTone = seen.hatchTone;
     }
     looks.push_back(std::move(look));
   }

@@ -88,6 +88,10 @@ Style SceneReader::style(JsonObject& object) const {
     style.visible = visible->flag();
   if (const auto weight = object.take("pen_weight"))
     style.penWeight = weight->number();
+  if (const auto density = object.take("hatch_density"))
+    style.hatchDensity = bounded<HatchDensity>(*density, "0 to 4");
+  if (const auto tone = object.take("hatch_tone"))
+    style.hatchTone = bounded<HatchTone>(*tone, "0 to 4");
   return style;
 }
 
@@ -176,6 +180,8 @@ Node SceneReader::node(const JsonValue& value) const {
     node.style = style(inner);
     object.giveBack("style", inner.rest());
   }
+  if (const auto locked = object.take("locked"))
+    node.locked = locked->flag();
   if (const auto origin = object.take("provenance")) {
     JsonObject inner(*origin);
     node.provenance = provenanceFrom(inner);

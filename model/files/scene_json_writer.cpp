@@ -80,6 +80,10 @@ Ordered styleOf(const Style& style) {
     json["visible"] = *style.visible;
   if (style.penWeight)
     json["pen_weight"] = jsonNumber(*style.penWeight);
+  if (style.hatchDensity)
+    json["hatch_density"] = jsonNumber(style.hatchDensity->value());
+  if (style.hatchTone)
+    json["hatch_tone"] = jsonNumber(style.hatchTone->value());
   return json;
 }
 
@@ -120,6 +124,8 @@ Ordered nodeOf(const Node& node, const std::map<MeshPtr, std::string>& names) {
                     {"triangles", node.mesh->triangleCount()}};
   if (node.style != Style())
     json["style"] = styleOf(node.style);
+  if (node.locked)
+    json["locked"] = true;
   if (node.provenance != Provenance())
     json["provenance"] = provenanceOf(node.provenance);
   addUnread(json, node.unread);

@@ -37,6 +37,8 @@ void inherit(Style& style, const Style& own) {
   take(style.opacity, own.opacity);
   take(style.fill, own.fill);
   take(style.penWeight, own.penWeight);
+  take(style.hatchDensity, own.hatchDensity);
+  take(style.hatchTone, own.hatchTone);
 }
 
 [[maybe_unused]] bool inTreeOrder(const std::vector<Node>& nodes) {
@@ -103,7 +105,16 @@ ResolvedStyle Scene::resolve(NodeId id) const {
   resolved.opacity = style.opacity.value_or(resolved.opacity);
   resolved.fill = style.fill.value_or(resolved.fill);
   resolved.penWeight = style.penWeight.value_or(resolved.penWeight);
+  resolved.hatchDensity = style.hatchDensity.value_or(resolved.hatchDensity);
+  resolved.hatchTone = style.hatchTone.value_or(resolved.hatchTone);
   return resolved;
+}
+
+bool Scene::isLocked(NodeId id) const {
+  for (const Node* node = find(id); node; node = find(node->parent))
+    if (node->locked)
+      return true;
+  return false;
 }
 
 std::vector<NodeId> Scene::named(std::string_view name) const {

@@ -54,7 +54,8 @@ struct Node {
   NodeId parent = rootId;
   std::string name;
   Style style;
-  MeshPtr mesh;  ///< null for a group
+  bool locked = false;  ///< this and all below it are not to be picked or changed by hand
+  MeshPtr mesh;         ///< null for a group
   Provenance provenance;
   std::string unread;  ///< what its scene file says beyond this, as a JSON object; kept for saving
 
@@ -109,6 +110,8 @@ class Scene {
   std::vector<NodeId> named(std::string_view name) const;
   /// Of all visible structures at or below the node; empty where there are none.
   Box visibleBounds(NodeId id = rootId) const;
+  /// The node itself or a group above it is locked.
+  bool isLocked(NodeId id) const;
   /// The enabled sections that cut the node, its own and those of the groups above it.
   std::vector<Section> sectionsOf(NodeId id) const;
 

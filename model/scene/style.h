@@ -23,6 +23,8 @@ struct Style {
   std::optional<Fill> fill;
   std::optional<bool> visible;
   std::optional<float> penWeight;
+  std::optional<HatchDensity> hatchDensity;
+  std::optional<HatchTone> hatchTone;
   bool operator==(const Style&) const = default;
 };
 
@@ -35,6 +37,8 @@ struct ResolvedStyle {
   Fill fill = Fill::none;
   bool visible = true;     ///< false also where a group above is hidden
   float penWeight = 1.0f;  ///< times the scene's pen of 2 λ (METHOD §4)
+  HatchDensity hatchDensity = HatchDensity::clamped(1.0f);
+  HatchTone hatchTone = HatchTone::clamped(1.0f);
   bool operator==(const ResolvedStyle&) const = default;
 };
 

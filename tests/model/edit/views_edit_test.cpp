@@ -102,7 +102,9 @@ void ViewsEditTest::looksBringBackWhatWasSeen() {
                              .opacity = Opacity::clamped(0.1f),
                              .fill = Fill::veil,
                              .visible = false,
-                             .penWeight = 3.0f})
+                             .penWeight = 3.0f,
+                             .hatchDensity = HatchDensity::clamped(2),
+                             .hatchTone = HatchTone::clamped(0.5f)})
                       .scene;
   QVERIFY(!changed.resolve(s.two).visible);
   const Scene back = shown(changed, view).scene;

@@ -20,7 +20,10 @@ Scene sampleScene() {
                   .opacity = Opacity::clamped(0.7f),
                   .fill = Fill::tint,
                   .visible = false,
-                  .penWeight = 1.7f};
+                  .penWeight = 1.7f,
+                  .hatchDensity = HatchDensity::clamped(0.6f),
+                  .hatchTone = HatchTone::clamped(1.3f)};
+  artery.locked = true;
   artery.provenance = {"a.ply", "LPS",   "said so",      3,    2,     1,
                        0.25f,   1000.0f, "glTF: metres", 4321, 0.125f};
   artery.provenance.part = "artery";

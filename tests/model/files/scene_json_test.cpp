@@ -69,9 +69,10 @@ void SceneJsonTest::keysStandInTheOrderDescribed() {
   };
   QCOMPARE(keysOf(root),
            QString("format schema frame unit nodes sections annotations views key_light"));
-  QCOMPARE(keysOf(root["nodes"][2]), QString("id parent name mesh style provenance"));
-  QCOMPARE(keysOf(root["nodes"][2]["style"]),
-           QString("colour ink_colour gamma opacity fill visible pen_weight"));
+  QCOMPARE(keysOf(root["nodes"][2]), QString("id parent name mesh style locked provenance"));
+  QCOMPARE(
+      keysOf(root["nodes"][2]["style"]),
+      QString("colour ink_colour gamma opacity fill visible pen_weight hatch_density hatch_tone"));
   QCOMPARE(keysOf(root["sections"][0]), QString("id name normal offset_mm scope enabled hatched"));
   QCOMPARE(keysOf(root["nodes"][2]["provenance"]),
            QString("file frame frame_reason mm_per_unit unit_reason smoothing_steps "

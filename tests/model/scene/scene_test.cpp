@@ -46,6 +46,7 @@ class SceneTest : public QObject {
   void walksTheTree();
   void inheritsStyle();
   void hiddenGroupHidesAllBelow();
+  void lockedGroupLocksAllBelow();
   void findsByName_data();
   void findsByName();
   void boundsOfWhatIsVisible();
@@ -92,6 +93,8 @@ void SceneTest::inheritsStyle() {
       node.style.colour = Colour{1, 2, 3};
       node.style.fill = Fill::paper;
       node.style.penWeight = 2.0f;
+      node.style.hatchDensity = HatchDensity::clamped(0.5f);
+      node.style.hatchTone = HatchTone::clamped(1.5f);
     }
     if (node.id == s.vessels)
       node.style.gamma = Gamma::clamped(1.0f);
@@ -104,6 +107,8 @@ void SceneTest::inheritsStyle() {
   QVERIFY((vein.colour == Colour{1, 2, 3}));
   QVERIFY(vein.fill == Fill::paper);
   QCOMPARE(vein.penWeight, 2.0f);
+  QCOMPARE(vein.hatchDensity.value(), 0.5f);
+  QCOMPARE(vein.hatchTone.value(), 1.5f);
   QCOMPARE(vein.opacity.value(), 0.25f);
   QCOMPARE(s.scene.resolve(s.artery).opacity.value(), 1.0f);
   QCOMPARE(s.scene.resolve(s.liver).gamma.value(), 4.0f);
@@ -123,6 +128,17 @@ void SceneTest::hiddenGroupHidesAllBelow() {
   QVERIFY(!s.scene.resolve(s.vein).visible);
   QVERIFY(!s.scene.resolve(s.liver).visible);
   QVERIFY(s.scene.resolve(s.bladder).visible);
+}
+
+void SceneTest::lockedGroupLocksAllBelow() {
+  Sample s;
+  std::vector<Node> nodes = s.scene.nodes();
+  for (Node& node : nodes)
+    node.locked = node.id == s.vessels;
+  s.scene.setNodes(nodes);
+  QVERIFY(s.scene.isLocked(s.vessels) && s.scene.isLocked(s.vein));
+  QVERIFY(!s.scene.isLocked(s.trunk) && !s.scene.isLocked(s.liver));
+  QVERIFY(!s.scene.isLocked(rootId));
 }
 
 void SceneTest::findsByName_data() {
