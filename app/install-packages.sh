@@ -9,7 +9,7 @@ packages=(
   build-essential cmake ninja-build ccache git pkg-config clang clang-format clang-tidy
   libclang-rt-14-dev
   # Qt, a display for its tests; meshes and volumes, pixel files
-  qt6-base-dev libqt6opengl6-dev libgl-dev libglx-mesa0 fonts-dejavu-core xvfb xauth
+  qt6-base-dev qt6-svg-dev libqt6opengl6-dev libgl-dev libglx-mesa0 fonts-dejavu-core xvfb xauth
   libvtk9-dev libglew-dev
   libopenimageio-dev openimageio-tools libopencv-dev
   # OpenGL without a display

@@ -5,6 +5,7 @@
 #include <QSettings>
 
 #include "widgets/session/demo_scenes.h"
+#include "widgets/theme/theme.h"
 #include "widgets/window/main_window.h"
 
 namespace {
@@ -25,7 +26,7 @@ void declare(QCommandLineParser& parser) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const QApplication application(argc, argv);
+  QApplication application(argc, argv);
   QApplication::setApplicationName(QStringLiteral("Sline"));
   QApplication::setOrganizationName(QStringLiteral("Sline"));
   QApplication::setApplicationVersion(QStringLiteral(SLINE_VERSION));
@@ -37,6 +38,7 @@ int main(int argc, char** argv) {
   Session session;
   QSettings settings;
   MainWindow window(session, settings);
+  const ThemeFollower theme(application, window.preferences());
   window.show();
   std::vector<std::filesystem::path> paths;
   for (const QString& path : parser.positionalArguments())

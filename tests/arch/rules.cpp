@@ -54,6 +54,8 @@ const std::vector<Room>& rooms() {
        {"model/base", "model/geometry", "model/scene", "model/edit", "render/lines", "render/gpu",
         "render/picture"}},
       {"render", {"model", "render"}},
+      {"widgets/preferences", {}},
+      {"widgets/theme", {"widgets/preferences"}},
       {"widgets/session", {"model"}},
       {"widgets/gamma", {"model", "widgets/session"}},
       {"widgets/structure_tree", {"model", "widgets/session", "widgets/gamma"}},

@@ -19,6 +19,7 @@
 #include "tests/bench/measure.h"
 #include "tests/bench/report.h"
 #include "tests/bench/vtk_phong.h"
+#include "tests/support/process_memory.h"
 
 using namespace sline;
 
@@ -113,7 +114,7 @@ Status measureFrames(render::Picture& picture, const Stage& stage, bench::Report
   if (!frame)
     return frame.error();
   // Read here: the yardsticks upload and hold what no picture needs.
-  report.peakRssMiB = bench::peakResidentMiB();
+  report.peakRssMiB = test::peakResidentMiB();
   report.frame = bench::spreadOf(*frame);
   report.lines = bench::spreadOf(lines);
   for (const std::string& name : order)
@@ -201,8 +202,8 @@ Result<bench::Report> run(const Options& options, const glm::ivec2& size) {
   if (!picture)
     return picture.error();
   report.driver = (*context)->driver();
-  bench::resetPeak();
-  report.baseRssMiB = bench::residentMiB();
+  test::resetPeak();
+  report.baseRssMiB = test::residentMiB();
   const auto stage = importStage(options, size, report);
   if (!stage)
     return stage.error();

@@ -25,10 +25,4 @@ class Stopwatch {
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
-/// Memory of this process in MiB, now and at its highest (from /proc/self/status).
-double residentMiB();
-double peakResidentMiB();
-/// Starts the peak anew from what is resident now, where the system allows it.
-void resetPeak();
-
 }  // namespace sline::bench

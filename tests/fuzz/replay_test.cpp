@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "tests/fuzz/harnesses.h"
+#include "tests/support/process_memory.h"
 
 using namespace sline;
 
@@ -13,14 +14,6 @@ namespace {
 QByteArray contents(const QString& path) {
   QFile file(path);
   return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-/// The most memory this process ever held.
-qint64 peakBytes() {
-  for (const QByteArray& line : contents("/proc/self/status").split('\n'))
-    if (line.startsWith("VmHWM:"))
-      return 1024 * line.mid(6).trimmed().split(' ').front().toLongLong();
-  return 0;
 }
 }  // namespace
 
@@ -58,7 +51,7 @@ class ReplayTest : public QObject {
     }
   }
 
-  void memoryIsBounded() { QVERIFY(peakBytes() < qint64(2) << 30); }
+  void memoryIsBounded() { QVERIFY(test::peakResidentMiB() < 2048); }
 };
 
 QTEST_GUILESS_MAIN(ReplayTest)

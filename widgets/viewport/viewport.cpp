@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -76,6 +77,10 @@ void Viewport::initializeGL() {
   closeGraphics();
   connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::closeGraphics,
           Qt::UniqueConnection);
+  const auto text = [gl = context()->functions()](GLenum name) {
+    return QString::fromUtf8(reinterpret_cast<const char*>(gl->glGetString(name)));
+  };
+  m_driver = text(GL_RENDERER) + QStringLiteral(", ") + text(GL_VERSION);
   m_handoff = std::make_unique<render::gpu::Handoff>();
   m_thread = std::make_unique<RenderThread>(*context(), *m_handoff, m_factory);
   connect(m_thread.get(), &RenderThread::drawn, this, &Viewport::took);

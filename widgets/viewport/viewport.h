@@ -42,6 +42,8 @@ class Viewport : public QOpenGLWidget {
 
   /// True where the picture on screen is of the document and the camera as they are, in full size.
   bool upToDate() const;
+  /// OpenGL's, as it calls itself; empty until the window was first shown.
+  const QString& driver() const { return m_driver; }
   /// The time the last picture took to draw.
   double lastMilliseconds() const { return m_lastMilliseconds; }
 
@@ -88,6 +90,7 @@ class Viewport : public QOpenGLWidget {
   std::vector<glm::vec3> visibleCorners() const;
 
   Session& m_session;
+  QString m_driver;
   PainterFactory m_factory = makePicturePainter;
   std::unique_ptr<render::gpu::Handoff> m_handoff;
   std::unique_ptr<RenderThread> m_thread;

@@ -10,14 +10,13 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QMenu>
-#include <QMenuBar>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QSettings>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
+#include <QUndoView>
 #include <algorithm>
 #include <array>
 
@@ -26,10 +25,13 @@
 #include "model/edit/visibility.h"
 #include "model/import/file_kinds.h"
 #include "widgets/gamma/gamma_panel.h"
+#include "widgets/preferences/preferences_dialog.h"
 #include "widgets/session/demo_scenes.h"
 #include "widgets/structure_tree/structure_tree.h"
 #include "widgets/structure_tree/structure_tree_view.h"
 #include "widgets/viewport/viewport.h"
+#include "widgets/window/about_dialog.h"
+#include "widgets/window/controls_dialog.h"
 #include "widgets/window/message_bar.h"
 #include "widgets/window/section_actions.h"
 #include "widgets/window/view_actions.h"
@@ -43,24 +45,18 @@ constexpr const char* stateKey = "window/state";
 constexpr const char* backgroundKey = "picture/background";
 constexpr const char* folderKey = "files/folder";
 
-struct BackgroundRow {
-  render::Background background;
-  const char* id;
-  QString text;
-};
-
-std::vector<BackgroundRow> backgroundRows() {
-  return {{render::Background::white, "white", MainWindow::tr("&White")},
-          {render::Background::paper, "paper", MainWindow::tr("&Paper")},
-          {render::Background::dark, "dark", MainWindow::tr("&Dark")}};
-}
-
 QDockWidget* dock(const QString& title, const char* name, QWidget* content) {
   auto* panel = new QDockWidget(title);
   panel->setObjectName(QLatin1String(name));
   panel->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
   panel->setWidget(content);
   return panel;
+}
+
+render::Background backgroundOf(const QString& choice) {
+  return choice == QLatin1String("dark")    ? render::Background::dark
+         : choice == QLatin1String("paper") ? render::Background::paper
+                                            : render::Background::white;
 }
 
 QString summaryOf(const model::Scene& scene) {
@@ -93,7 +89,11 @@ QString readablePatterns() {
 }  // namespace
 
 MainWindow::MainWindow(Session& session, QSettings& settings, QWidget* parent)
-    : QMainWindow(parent), m_session(session), m_settings(settings), m_actions(*this) {
+    : QMainWindow(parent),
+      m_session(session),
+      m_settings(settings),
+      m_preferences(settings),
+      m_actions(*this) {
   setObjectName(QStringLiteral("mainWindow"));
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowTabbedDocks);
@@ -129,6 +129,13 @@ void MainWindow::makePanels() {
   m_gamma = new GammaPanel(m_session);
   addDockWidget(Qt::LeftDockWidgetArea, dock(tr("Structures"), "structuresPanel", m_tree));
   addDockWidget(Qt::RightDockWidgetArea, dock(tr("Line Style"), "gammaPanel", m_gamma));
+  auto* history = new QUndoView(&m_session.history());
+  history->setObjectName(QStringLiteral("history"));
+  history->setAccessibleName(tr("History"));
+  history->setEmptyLabel(tr("As opened"));
+  QDockWidget* steps = dock(tr("History"), "historyPanel", history);
+  addDockWidget(Qt::RightDockWidgetArea, steps);
+  steps->hide();
   resizeDocks({findChild<QDockWidget*>(QStringLiteral("structuresPanel")),
                findChild<QDockWidget*>(QStringLiteral("gammaPanel"))},
               {380, 250}, Qt::Horizontal);
@@ -163,125 +170,57 @@ void MainWindow::jobShown(bool running) {
 }
 
 void MainWindow::makeMenus() {
-  makeFileMenu();
-  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-  for (const char* id : {"undo", "redo", "find"})
-    edit->addAction(&m_actions[QLatin1String(id)]);
-  makeStructureMenu();
-  makeViewMenu();
-  makeHelpMenu();
-}
-
-void MainWindow::makeFileMenu() {
-  QMenu* file = menuBar()->addMenu(tr("&File"));
-  file->addAction(&m_actions[QStringLiteral("openFiles")]);
-  file->addAction(&m_actions[QStringLiteral("openFolder")]);
-  file->addAction(&m_actions[QStringLiteral("reload")]);
-  QMenu* demos = file->addMenu(tr("&Demo"));
+  m_menus.emplace(*this, m_actions);
+  const WindowMenus& menus = *m_menus;
   for (const DemoScene& demo : demoScenes()) {
-    QAction* action = demos->addAction(demo.title);
+    QAction* action = menus[QStringLiteral("demoMenu")].addAction(demo.title);
     action->setObjectName(QStringLiteral("demo-") + demo.id);
     connect(action, &QAction::triggered, this,
             [this, demo] { m_session.openMade(demo.title, demo.make); });
   }
-  file->addSeparator();
-  file->addAction(&m_actions[QStringLiteral("quit")]);
-}
-
-void MainWindow::makeStructureMenu() {
-  QMenu* menu = menuBar()->addMenu(tr("&Structure"));
-  for (const char* id :
-       {"focus", "context", "inherit", "", "toggle", "isolate", "showAll", "", "remove"}) {
-    if (*id == '\0') {
-      menu->addSeparator();
-      continue;
-    }
-    QAction* action = &m_actions[QLatin1String(id)];
-    menu->addAction(action);
+  for (QAction* action : menus[QStringLiteral("structureMenu")].actions())
     m_tree->view().addAction(action);
-  }
+  m_views = new ViewActions(m_session, *m_viewport, m_settings, m_actions,
+                            menus[QStringLiteral("savedViews")]);
+  m_sections = new SectionActions(m_session, *m_viewport, m_actions, this);
+  for (QDockWidget* panel : findChildren<QDockWidget*>())
+    menus[QStringLiteral("panelMenu")].addAction(panel->toggleViewAction());
+  makeBackgrounds(menus[QStringLiteral("backgroundMenu")]);
 }
 
-void MainWindow::makeViewMenu() {
-  QMenu* view = menuBar()->addMenu(tr("&View"));
-  for (const std::string_view id : model::anatomicalViewNames)
-    view->addAction(&m_actions[QLatin1String(id.data(), qsizetype(id.size()))]);
-  view->addAction(&m_actions[QStringLiteral("fit")]);
-  m_views = new ViewActions(m_session, *m_viewport, m_settings, m_actions, this);
-  view->addMenu(&m_views->savedViews());
-  view->addSeparator();
-  QMenu* section = view->addMenu(tr("S&ection"));
-  for (const char* id :
-       {"sectionSagittal", "sectionCoronal", "sectionAxial", "", "sectionFlip", "sectionOff"}) {
-    if (*id == '\0')
-      section->addSeparator();
-    else
-      section->addAction(&m_actions[QLatin1String(id)]);
-  }
-  m_sections = new SectionActions(m_session, *m_viewport, m_actions, this);
-  view->addAction(&m_actions[QStringLiteral("keyLight")]);
-  QMenu* background = view->addMenu(tr("&Background"));
-  auto* group = new QActionGroup(this);
-  for (const BackgroundRow& row : backgroundRows()) {
-    QAction* action = background->addAction(row.text);
-    action->setObjectName(QStringLiteral("background-") + QLatin1String(row.id));
+void MainWindow::makeBackgrounds(QMenu& menu) {
+  const QString id = QLatin1String(backgroundKey);
+  const std::vector<PreferenceRow> rows = preferenceRows();
+  const auto row = std::find_if(rows.begin(), rows.end(),
+                                [&id](const PreferenceRow& each) { return each.id == id; });
+  auto* group = new QActionGroup(&menu);
+  for (const ChoiceOf::Row& choice : std::get<ChoiceOf>(row->kind).rows) {
+    QAction* action = menu.addAction(choice.text);
+    action->setObjectName(QStringLiteral("background-") + choice.id);
     action->setCheckable(true);
-    action->setData(int(row.background));
     group->addAction(action);
     connect(action, &QAction::triggered, this,
-            [this, row] { m_viewport->setBackground(row.background); });
+            [this, id, chosen = choice.id] { m_preferences.set(id, chosen); });
   }
-  const auto mark = [this, group] {
+  const auto follow = [this, id, group] {
+    const QString chosen = m_preferences.choice(id);
     for (QAction* action : group->actions())
-      action->setChecked(action->data().toInt() == int(m_viewport->background()));
+      action->setChecked(action->objectName() == QStringLiteral("background-") + chosen);
+    m_viewport->setBackground(backgroundOf(chosen));
   };
-  connect(m_viewport, &Viewport::backgroundChanged, this, mark);
-  mark();
-  view->addSeparator();
-  for (QDockWidget* panel : findChildren<QDockWidget*>())
-    view->addAction(panel->toggleViewAction());
-}
-
-void MainWindow::makeHelpMenu() {
-  QMenu* help = menuBar()->addMenu(tr("&Help"));
-  help->addAction(&m_actions[QStringLiteral("controls")]);
-  help->addAction(&m_actions[QStringLiteral("about")]);
+  connect(&m_preferences, &Preferences::changed, group, follow);
+  follow();
 }
 
 void MainWindow::makeTools() {
-  QToolBar* tools = addToolBar(tr("Tools"));
-  tools->setObjectName(QStringLiteral("tools"));
-  tools->setMovable(false);
-  tools->setToolButtonStyle(Qt::ToolButtonTextOnly);
-  for (const char* id : {"openFolder",
-                         "",
-                         "undo",
-                         "redo",
-                         "",
-                         "focus",
-                         "context",
-                         "isolate",
-                         "showAll",
-                         "",
-                         "anterior",
-                         "posterior",
-                         "left",
-                         "right",
-                         "superior",
-                         "inferior",
-                         "fit",
-                         "",
-                         "sectionSagittal",
-                         "sectionCoronal",
-                         "sectionAxial",
-                         "sectionFlip",
-                         "",
-                         "keyLight"}) {
-    if (*id == '\0')
-      tools->addSeparator();
-    else
-      tools->addAction(&m_actions[QLatin1String(id)]);
-  }
+  QToolBar* tools = makeToolBar(*this, m_actions);
+  const auto follow = [this, tools] {
+    tools->setToolButtonStyle(m_preferences.isOn(QStringLiteral("appearance/toolTexts"))
+                                  ? Qt::ToolButtonTextUnderIcon
+                                  : Qt::ToolButtonIconOnly);
+  };
+  connect(&m_preferences, &Preferences::changed, tools, follow);
+  follow();
 }
 
 void MainWindow::connectSession() {
@@ -340,22 +279,9 @@ void MainWindow::connectActions() {
   });
   on("remove", [this] { editSelection(tr("Remove"), model::removed); });
   on("fit", [this] { m_viewport->fitAll(); });
-  on("controls", [this] {
-    auto* box = new QMessageBox(QMessageBox::NoIcon, tr("Mouse and Keys"), controlsHelp(),
-                                QMessageBox::Close, this);
-    box->setObjectName(QStringLiteral("controlsDialog"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
-  });
-  on("about", [this] {
-    auto* box = new QMessageBox(
-        QMessageBox::NoIcon, tr("About Sline"),
-        tr("<b>Sline</b><p>Focus-and-context line illustration of anatomy.<p>Apache-2.0"),
-        QMessageBox::Close, this);
-    box->setObjectName(QStringLiteral("aboutDialog"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
-  });
+  on("controls", [this] { (new ControlsDialog(this))->open(); });
+  on("preferences", [this] { (new PreferencesDialog(m_preferences, this))->open(); });
+  on("about", [this] { (new AboutDialog(m_viewport->driver(), this))->open(); });
 }
 
 void MainWindow::connectViews() {
@@ -381,18 +307,11 @@ void MainWindow::restore() {
   resize(1360, 860);
   restoreGeometry(m_settings.value(QLatin1String(geometryKey)).toByteArray());
   restoreState(m_settings.value(QLatin1String(stateKey)).toByteArray());
-  const QString background = m_settings.value(QLatin1String(backgroundKey)).toString();
-  for (const BackgroundRow& row : backgroundRows())
-    if (background == QLatin1String(row.id))
-      m_viewport->setBackground(row.background);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   m_settings.setValue(QLatin1String(geometryKey), saveGeometry());
   m_settings.setValue(QLatin1String(stateKey), saveState());
-  for (const BackgroundRow& row : backgroundRows())
-    if (row.background == m_viewport->background())
-      m_settings.setValue(QLatin1String(backgroundKey), QLatin1String(row.id));
   m_session.cancelJob();
   QMainWindow::closeEvent(event);
 }

@@ -4,12 +4,16 @@
 
 #include <QMainWindow>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
+#include "widgets/preferences/preferences.h"
 #include "widgets/session/session.h"
+#include "widgets/window/menu_table.h"
 #include "widgets/window/window_actions.h"
 
 class QLabel;
+class QMenu;
 class QProgressBar;
 class QSettings;
 class QToolButton;
@@ -33,6 +37,7 @@ class MainWindow : public QMainWindow {
 
   Viewport& viewport() { return *m_viewport; }
   StructureTree& tree() { return *m_tree; }
+  Preferences& preferences() { return m_preferences; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -44,10 +49,7 @@ class MainWindow : public QMainWindow {
   void makePanels();
   void makeStatus();
   void makeMenus();
-  void makeFileMenu();
-  void makeStructureMenu();
-  void makeViewMenu();
-  void makeHelpMenu();
+  void makeBackgrounds(QMenu& menu);
   void makeTools();
   void connectSession();
   void connectActions();
@@ -64,7 +66,9 @@ class MainWindow : public QMainWindow {
 
   Session& m_session;
   QSettings& m_settings;
+  Preferences m_preferences;
   WindowActions m_actions;
+  std::optional<WindowMenus> m_menus;
   MessageBar* m_message = nullptr;
   Viewport* m_viewport = nullptr;
   StructureTree* m_tree = nullptr;

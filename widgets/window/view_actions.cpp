@@ -15,14 +15,13 @@ constexpr const char* keyLightKey = "picture/keyLight";
 }
 
 ViewActions::ViewActions(Session& session, Viewport& viewport, QSettings& settings,
-                         const WindowActions& actions, QWidget* parent)
-    : QObject(parent),
+                         const WindowActions& actions, QMenu& savedViews)
+    : QObject(&savedViews),
       m_session(session),
       m_viewport(viewport),
       m_settings(settings),
       m_keyLight(actions[QStringLiteral("keyLight")]),
-      m_savedViews(new QMenu(tr("Saved &Views"), parent)) {
-  m_savedViews->setObjectName(QStringLiteral("savedViews"));
+      m_savedViews(savedViews) {
   m_viewport.setKeyLight(m_settings.value(QLatin1String(keyLightKey)).toBool());
   m_keyLight.setCheckable(true);
   m_keyLight.setChecked(m_viewport.keyLight());
@@ -42,10 +41,10 @@ void ViewActions::lightKey(bool on) {
 }
 
 void ViewActions::listViews() {
-  m_savedViews->clear();
+  m_savedViews.clear();
   for (const model::View& view : m_session.scene().views())
-    m_savedViews->addAction(QString::fromStdString(view.name), this, [this, view] { show(view); });
-  m_savedViews->setEnabled(!m_savedViews->isEmpty());
+    m_savedViews.addAction(QString::fromStdString(view.name), this, [this, view] { show(view); });
+  m_savedViews.setEnabled(!m_savedViews.isEmpty());
 }
 
 void ViewActions::show(const model::View& view) {

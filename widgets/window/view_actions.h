@@ -19,10 +19,7 @@ class ViewActions : public QObject {
   Q_OBJECT
  public:
   ViewActions(Session& session, Viewport& viewport, QSettings& settings,
-              const WindowActions& actions, QWidget* parent);
-
-  /// One entry for each of the scene's views.
-  QMenu& savedViews() { return *m_savedViews; }
+              const WindowActions& actions, QMenu& savedViews);
 
  private:
   void lightKey(bool on);
@@ -34,7 +31,7 @@ class ViewActions : public QObject {
   Viewport& m_viewport;
   QSettings& m_settings;
   QAction& m_keyLight;
-  QMenu* m_savedViews = nullptr;
+  QMenu& m_savedViews;  ///< one entry for each of the scene's views
 };
 
 }  // namespace sline::widgets

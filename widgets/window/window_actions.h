@@ -18,6 +18,7 @@ struct ActionRow {
   QString text;
   QList<QKeySequence> keys;
   QString tip;
+  const char* icon = nullptr;  ///< of widgets/theme/icons.h
 };
 
 /// In the order in which help lists them.
@@ -34,7 +35,11 @@ class WindowActions {
   std::map<QString, QAction*> m_actions;
 };
 
-/// Mouse and keys as a table in HTML.
-QString controlsHelp();
+/// What a button or key does outside the table of actions.
+struct ControlRow {
+  QString control;
+  QString meaning;
+};
+std::vector<ControlRow> mouseRows();
 
 }  // namespace sline::widgets

@@ -7,6 +7,7 @@
 
 #include "tests/model/import/dicom/surface_facts.h"
 #include "tests/model/import/dicom/written_dicom.h"
+#include "tests/support/process_memory.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -14,30 +15,7 @@ using namespace sline::test;
 namespace {
 
 constexpr double mostSeconds = 5.0;  ///< of the processor's time, all threads together
-constexpr long mostKib = 2L * 1024 * 1024;
-
-// The sanitizers make everything several times slower and larger.
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool measures = false;
-#else
-constexpr bool measures = true;
-#endif
-
-/// The most memory this process held since the mark was put back.
-void resetPeak() {
-  QFile marks("/proc/self/clear_refs");
-  if (marks.open(QIODevice::WriteOnly))
-    marks.write("5");
-}
-long peakKib() {
-  QFile status("/proc/self/status");
-  if (!status.open(QIODevice::ReadOnly))
-    return 0;
-  for (const QByteArray& line : status.readAll().split('\n'))
-    if (line.startsWith("VmHWM:"))
-      return line.mid(6).trimmed().split(' ').front().toLong();
-  return 0;
-}
+constexpr double mostMiB = 2048;
 
 using Contours = std::vector<std::vector<glm::dvec3>>;
 
@@ -184,13 +162,13 @@ void TestGreedyDicom::answersSoon() {
   const std::clock_t start = std::clock();
   const auto read = readDicomBytes(folder, bytes);
   const double took = double(std::clock() - start) / CLOCKS_PER_SEC;
-  const long peak = peakKib();
-  qInfo("%lld kB: %.1f s, peak %ld MB, %s", qlonglong(bytes.size() / 1024), took, peak / 1024,
+  const double peak = peakResidentMiB();
+  qInfo("%lld kB: %.1f s, peak %.0f MB, %s", qlonglong(bytes.size() / 1024), took, peak,
         read.ok() ? "read" : read.error().reason.c_str());
-  if (!measures)
+  if (sanitized)
     return;
   QVERIFY(took < mostSeconds);
-  QVERIFY(peak < mostKib);
+  QVERIFY(peak < mostMiB);
 }
 
 QTEST_GUILESS_MAIN(TestGreedyDicom)

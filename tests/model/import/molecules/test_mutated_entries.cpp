@@ -7,6 +7,7 @@
 #include "model/import/molecules/residues.h"
 #include "tests/model/import/molecules/entry_files.h"
 #include "tests/model/import/readers/mesh_files.h"
+#include "tests/support/mutator.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -14,34 +15,12 @@ using namespace sline::test;
 
 namespace {
 
-QByteArray spoiled(QByteArray bytes, std::mt19937& random) {
+void overwrite(Mutator& random, QByteArray& bytes, qsizetype at) {
   static const char* const pieces[] = {"nan",          "1e39", "-1e9",  "\n",      "'", "\"",
                                        ";\n",          "_a.b", "HOH",   "loop_\n", "?", "\r\n",
                                        "999999999999", "\xff", "TER\n", "MODEL\n"};
-  const auto below = [&](std::size_t n) { return std::size_t(random()) % n; };
-  for (std::size_t edits = 1 + below(4); edits > 0 && !bytes.isEmpty(); --edits) {
-    const auto at = qsizetype(below(std::size_t(bytes.size())));
-    const auto length = qsizetype(below(20)) + 1;
-    switch (below(6)) {
-      case 0:
-        bytes[at] = char(below(256));
-        break;
-      case 1:
-        bytes.truncate(at);
-        break;
-      case 2:
-        bytes.remove(at, length);
-        break;
-      case 3:
-        bytes.insert(at, bytes.mid(qsizetype(below(std::size_t(bytes.size()))), 80));
-        break;
-      default: {
-        const QByteArray piece = pieces[below(std::size(pieces))];
-        bytes.replace(at, piece.size(), piece);
-      }
-    }
-  }
-  return bytes;
+  const QByteArray piece = pieces[random.below(std::size(pieces))];
+  bytes.replace(at, piece.size(), piece);
 }
 
 std::vector<Written> scattered(int count, double size) {
@@ -74,11 +53,10 @@ class TestMutatedEntries : public QObject {
     QFETCH(QString, extension);
     QFETCH(QByteArray, bytes);
     const QTemporaryDir folder;
-    std::mt19937 random(20240611);
+    Mutator mutate(20240611, {overwrite, overwrite});
     int refused = 0;
     for (int i = 0; i < 150; ++i) {
-      const Result<RawMeshes> read =
-          readBytes(folder, "spoiled" + extension, spoiled(bytes, random));
+      const Result<RawMeshes> read = readBytes(folder, "spoiled" + extension, mutate(bytes));
       if (read)
         QVERIFY2(isSound(*read), qPrintable(QString("mutation %1").arg(i)));
       else
@@ -102,7 +80,7 @@ class TestMutatedEntries : public QObject {
     const QTemporaryDir folder;
     std::mt19937 random(7);
     for (int i = 0; i < 200; ++i) {
-      Result<EntryRecords> read = recordsOf(folder, qPrintable(extension), spoiled(bytes, random));
+      Result<EntryRecords> read = recordsOf(folder, qPrintable(extension), mutate(bytes));
       if (!read)
         continue;
       const std::size_t atoms = read->atoms.size();

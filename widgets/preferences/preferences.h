@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a person sets once and for all: a table of rows, read and written through one object that
+// says when a value changes. The dialog is made from the same table.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QVariant>
+#include <variant>
+#include <vector>
+
+class QSettings;
+
+namespace sline::widgets {
+
+/// One of several words.
+struct ChoiceOf {
+  struct Row {
+    QString id;  ///< in the settings file
+    QString text;
+  };
+  std::vector<Row> rows;
+  QString standard;
+};
+
+struct Switch {
+  bool standard = false;
+};
+
+struct WholeNumber {
+  int low = 0;
+  int high = 100;
+  int standard = 0;
+  QString unit;        ///< behind the number, "s"
+  QString lowestText;  ///< instead of the lowest number, "never"; may be empty
+};
+
+struct PreferenceRow {
+  QString id;  ///< its key in the settings file: "picture/background"
+  QString page;
+  QString text;
+  QString tip;
+  std::variant<Switch, ChoiceOf, WholeNumber> kind;
+};
+
+/// In the order in which the dialog shows them; rows of one page follow each other.
+std::vector<PreferenceRow> preferenceRows();
+
+class Preferences : public QObject {
+  Q_OBJECT
+ public:
+  /// The settings must outlive it.
+  explicit Preferences(QSettings& settings, QObject* parent = nullptr);
+
+  /// The standard where nothing, or nothing that is allowed, was set. Asserts that the table has
+  /// the row and that it is of that kind.
+  bool isOn(const QString& id) const;
+  QString choice(const QString& id) const;
+  int number(const QString& id) const;
+
+  /// False where it is so already, or is not allowed.
+  bool set(const QString& id, const QVariant& value);
+  /// Forgets all that the table has.
+  void restoreStandards();
+
+ signals:
+  void changed(const QString& id);
+
+ private:
+  QVariant value(const QString& id) const;
+
+  QSettings& m_settings;
+};
+
+}  // namespace sline::widgets

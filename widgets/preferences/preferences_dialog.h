@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QDialog>
+
+#include "widgets/preferences/preferences.h"
+
+class QFormLayout;
+
+namespace sline::widgets {
+
+/// A tab for each page of the table, a control for each row (its objectName is the row's id). What
+/// is set holds at once; nothing waits for a button.
+class PreferencesDialog : public QDialog {
+  Q_OBJECT
+ public:
+  explicit PreferencesDialog(Preferences& preferences, QWidget* parent = nullptr);
+
+ private:
+  void add(const PreferenceRow& row, QFormLayout& form);
+  QWidget* control(const PreferenceRow& row, const Switch& kind);
+  QWidget* control(const PreferenceRow& row, const ChoiceOf& kind);
+  QWidget* control(const PreferenceRow& row, const WholeNumber& kind);
+
+  Preferences& m_preferences;
+};
+
+}  // namespace sline::widgets

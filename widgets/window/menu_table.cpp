@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/window/menu_table.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+#include <set>
+
+#include "widgets/window/window_actions.h"
+
+namespace sline::widgets {
+
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("WindowMenus", text);
+}
+
+std::vector<QString> ids(std::initializer_list<const char*> words) {
+  std::vector<QString> ids;
+  for (const char* word : words)
+    ids.push_back(QLatin1String(word));
+  return ids;
+}
+
+}  // namespace
+
+std::vector<MenuRow> menuRows() {
+  const auto row = [](const char* id, const QString& text, std::vector<QString> entries) {
+    return MenuRow{QLatin1String(id), text, std::move(entries)};
+  };
+  return {
+      row("fileMenu", tr("&File"),
+          ids({"openFiles", "openFolder", ">demoMenu", "", "reload", "", "quit"})),
+      row("demoMenu", tr("&Demo"), {}),
+      row("editMenu", tr("&Edit"), ids({"undo", "redo", "", "find", "", "preferences"})),
+      row("structureMenu", tr("&Structure"),
+          ids({"focus", "context", "inherit", "", "toggle", "isolate", "showAll", "", "remove"})),
+      row("viewMenu", tr("&View"),
+          ids({"anterior", "posterior", "left", "right", "superior", "inferior", "fit", "",
+               ">savedViews", "", ">sectionMenu", "keyLight", ">backgroundMenu", "",
+               ">panelMenu"})),
+      row("savedViews", tr("Saved &Views"), {}),
+      row("sectionMenu", tr("S&ection"),
+          ids({"sectionSagittal", "sectionCoronal", "sectionAxial", "", "sectionFlip",
+               "sectionOff"})),
+      row("backgroundMenu", tr("&Background"), {}),
+      row("panelMenu", tr("Pa&nels"), {}),
+      row("helpMenu", tr("&Help"), ids({"controls", "", "about"})),
+  };
+}
+
+std::vector<QString> toolRows() {
+  return ids({"openFolder",
+              "",
+              "undo",
+              "redo",
+              "",
+              "focus",
+              "context",
+              "isolate",
+              "showAll",
+              "",
+              "anterior",
+              "posterior",
+              "left",
+              "right",
+              "superior",
+              "inferior",
+              "fit",
+              "",
+              "sectionSagittal",
+              "sectionCoronal",
+              "sectionAxial",
+              "sectionFlip",
+              "",
+              "keyLight"});
+}
+
+WindowMenus::WindowMenus(QMainWindow& window, const WindowActions& actions) {
+  const std::vector<MenuRow> rows = menuRows();
+  std::set<QString> below;
+  for (const MenuRow& row : rows) {
+    auto* menu = new QMenu(row.text, &window);
+    menu->setObjectName(row.id);
+    menu->setToolTipsVisible(true);
+    m_menus[row.id] = menu;
+  }
+  for (const MenuRow& row : rows) {
+    QMenu& menu = *m_menus[row.id];
+    for (const QString& entry : row.entries) {
+      if (entry.isEmpty()) {
+        menu.addSeparator();
+      } else if (entry.startsWith(QLatin1Char('>'))) {
+        below.insert(entry.mid(1));
+        menu.addMenu(&(*this)[entry.mid(1)]);
+      } else {
+        menu.addAction(&actions[entry]);
+      }
+    }
+  }
+  for (const MenuRow& row : rows)
+    if (!below.contains(row.id))
+      window.menuBar()->addMenu(m_menus[row.id]);
+}
+
+QMenu& WindowMenus::operator[](const QString& id) const {
+  const auto found = m_menus.find(id);
+  Q_ASSERT(found != m_menus.end());
+  return *found->second;
+}
+
+QToolBar* makeToolBar(QMainWindow& window, const WindowActions& actions) {
+  QToolBar* tools = window.addToolBar(tr("Toolbar"));
+  tools->setObjectName(QStringLiteral("tools"));
+  tools->setMovable(false);
+  tools->setIconSize({20, 20});
+  for (const QString& id : toolRows()) {
+    if (id.isEmpty())
+      tools->addSeparator();
+    else
+      tools->addAction(&actions[id]);
+  }
+  return tools;
+}
+
+}  // namespace sline::widgets
