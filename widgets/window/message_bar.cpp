@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/window/message_bar.h"
 
+#include <QApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
@@ -9,6 +10,7 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <array>
 
 namespace sline::widgets {
 
@@ -72,13 +74,38 @@ void MessageBar::display(Kind kind, const QString& heading, const QString& body)
   m_text->setText(title + body.trimmed().toHtmlEscaped());
   m_details->setVisible(m_remarks.size() > 1);
   m_details->setText(tr("Show all %n", nullptr, int(m_remarks.size())));
-  // Red for what failed, amber for what to know; dark text on either.
-  setStyleSheet(kind == Kind::error
-                    ? QStringLiteral("#messageBar { background: #f6d9d5; } #messageBar QLabel, "
-                                     "#messageBar QToolButton { color: #5a1410; }")
-                    : QStringLiteral("#messageBar { background: #f7ecc9; } #messageBar QLabel, "
-                                     "#messageBar QToolButton { color: #4d3b05; }"));
+  m_kind = kind;
+  dress();
   show();
+}
+
+void MessageBar::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange)
+    dress();
+}
+
+void MessageBar::dress() {
+  // Red for what failed, amber for what to know.
+  struct Colours {
+    const char* light;
+    const char* lightText;
+    const char* dark;
+    const char* darkText;
+  };
+  static constexpr std::array<Colours, 2> colours{
+      {{"#f6d9d5", "#5a1410", "#54241f", "#f6d9d5"}, {"#f7ecc9", "#4d3b05", "#4a3d12", "#f7ecc9"}}};
+  const Colours& own = colours[m_kind == Kind::error ? 0 : 1];
+  const QPalette& dressed = QApplication::palette();
+  const bool dark =
+      dressed.color(QPalette::Window).lightness() < dressed.color(QPalette::WindowText).lightness();
+  const QString sheet = QStringLiteral(
+                            "#messageBar { background: %1; } #messageBar QLabel, "
+                            "#messageBar QToolButton { color: %2; }")
+                            .arg(QLatin1String(dark ? own.dark : own.light),
+                                 QLatin1String(dark ? own.darkText : own.lightText));
+  if (sheet != styleSheet())
+    setStyleSheet(sheet);
 }
 
 void MessageBar::showDetails() {

@@ -21,11 +21,16 @@ class MessageBar : public QFrame {
   void showRemarks(const QStringList& remarks);
   QString text() const;
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   enum class Kind { error, remark };
   void display(Kind kind, const QString& heading, const QString& body);
+  void dress();
   void showDetails();
 
+  Kind m_kind = Kind::remark;
   QLabel* m_text;
   QPushButton* m_details;
   QStringList m_remarks;

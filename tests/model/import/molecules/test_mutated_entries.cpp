@@ -78,7 +78,7 @@ class TestMutatedEntries : public QObject {
     if (bytes.isEmpty())
       QSKIP("no protein data");
     const QTemporaryDir folder;
-    std::mt19937 random(7);
+    Mutator mutate(7, {overwrite, overwrite});
     for (int i = 0; i < 200; ++i) {
       Result<EntryRecords> read = recordsOf(folder, qPrintable(extension), mutate(bytes));
       if (!read)

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the window looks like in the states a person meets first, light and dark. The pictures are
+// for eyes: SLINE_SCREENSHOTS names a folder that takes them. Here it is only checked that they are
+// there, dressed as asked for and drawn.
+#include <QDir>
+#include <QFileInfo>
+#include <QLineEdit>
+#include <QtTest>
+
+#include "tests/gui/window_fixture.h"
+#include "widgets/session/demo_scenes.h"
+#include "widgets/theme/theme.h"
+
+namespace sline::test {
+
+namespace {
+
+void keep(const QImage& picture, const QString& name) {
+  const QString folder = qEnvironmentVariable("SLINE_SCREENSHOTS");
+  if (folder.isEmpty())
+    return;
+  QDir().mkpath(folder);
+  const QString file =
+      QStringLiteral("%1/%2@%3.png").arg(folder, name).arg(qRound(qApp->devicePixelRatio()));
+  QVERIFY2(picture.save(file), qPrintable(file));
+}
+
+/// How many colours a picture has, counted up to a thousand.
+int colours(const QImage& picture) {
+  QSet<QRgb> seen;
+  for (int y = 0; y < picture.height(); y += 3)
+    for (int x = 0; x < picture.width() && seen.size() < 1000; x += 3)
+      seen.insert(picture.pixel(x, y));
+  return int(seen.size());
+}
+
+}  // namespace
+
+class WindowLooksTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void states_data() {
+    QTest::addColumn<QString>("theme");
+    for (const char* theme : {"light", "dark"})
+      QTest::newRow(theme) << theme;
+  }
+
+  void states() {
+    QFETCH(QString, theme);
+    WindowFixture f;
+    const widgets::ThemeFollower dressed(*qApp, f.window.preferences());
+    f.window.preferences().set("appearance/theme", theme);
+    f.window.preferences().set("picture/background", theme == "dark" ? "dark" : "paper");
+    f.window.resize(1280, 800);
+    shoot(f, "start-" + theme);
+
+    const QString real =
+        QStringLiteral(SLINE_TEST_DATA "/abdomen/AbdominalAtlas-2015Sept-Slicer4-4Version.mrml");
+    if (QFileInfo::exists(real)) {
+      QVERIFY(f.drop(real));
+    } else {
+      for (const widgets::DemoScene& demo : widgets::demoScenes())
+        if (demo.id == "abdomen")
+          f.session.openMade(demo.title, demo.make);
+    }
+    QVERIFY(QTest::qWaitFor([&] { return f.session.document().opening != 0; }, 300'000));
+    QVERIFY(f.settled());
+    QTest::keyClick(&f.viewport(), Qt::Key_A);
+    shoot(f, "scene-" + theme);
+
+    auto& filter = f.control<QLineEdit>("structureFilter");
+    filter.setFocus();
+    QTest::keyClicks(&filter, "kid");
+    QVERIFY(f.settled());
+    QCOMPARE(filter.text(), "kid");
+    shoot(f, "filter-" + theme);
+  }
+
+ private:
+  void shoot(WindowFixture& f, const QString& name) {
+    QVERIFY(QTest::qWaitFor([&] { return !f.session.busy(); }, 300'000));
+    if (f.session.document().opening != 0)
+      QVERIFY(f.settled());
+    const QImage picture = f.window.grab().toImage();
+    QCOMPARE(picture.size(), f.window.size() * f.window.devicePixelRatio());
+    QVERIFY(colours(picture) > 20);
+    const bool dark =
+        picture.pixelColor(picture.width() - 3, picture.height() - 3).lightness() < 128;
+    QCOMPARE(dark, name.endsWith("dark"));
+    keep(picture, name);
+  }
+};
+
+}  // namespace sline::test
+
+QTEST_MAIN(sline::test::WindowLooksTest)
+#include "window_looks_test.moc"
