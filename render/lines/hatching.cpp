@@ -17,8 +17,8 @@
 namespace sline::render {
 
 namespace {
-// A stroke narrower than this half width (λ) ends rather than become a grey hair. Where strokes lie
-// closer they may be as much thinner: the same tones begin and end in the same places.
+// A stroke narrower than this half width (λ) ends rather than become a grey hair. Where all are to
+// be thinner than usual this one may be as much: hatching ends in the same places.
 constexpr float hair = 0.36f;
 constexpr float pen = 0.52f;  // half width at and above which it is drawn as it is
 // Of the space between strokes ink takes no more, however dark it is to be.
@@ -141,10 +141,11 @@ class Hatcher {
         std::clamp(seenLevel + 1.0f - float(level), 0.0f, 1.0f) * std::min(1.0f, across / narrow);
   }
 
-  /// The thinnest strokes taper off quickly instead of fading.
-  float definite(float halfWidth) const {
-    const float least = hair * m_request.spacing / hatchSpacing;
-    const float whole = pen * m_request.spacing / hatchSpacing;
+  /// The thinnest strokes taper off quickly instead of fading. `usual`: how much thinner or wider
+  /// than usual all are.
+  static float definite(float halfWidth, float usual) {
+    const float least = hair * usual;
+    const float whole = pen * usual;
     return halfWidth >= whole ? halfWidth
                               : std::max(halfWidth - least, 0.0f) * whole / (whole - least);
   }
@@ -152,10 +153,12 @@ class Hatcher {
   float halfWidth(const Sample& s, float entered) const {
     const float share =
         std::min(hatchWidth(hatchOpacity(s.weight, s.angle, entered)) * m_request.tone, mostInk);
+    const float closer = m_request.spacing / hatchSpacing;
     if (m_layout.length() > 0.0f)
-      return definite(0.5f * m_request.spacing * share * s.presence);
+      return definite(0.5f * m_request.spacing * share * s.presence, closer * m_request.tone);
     // A disc of radius r in a square of the spacing's side covers πr² of it.
-    return definite(m_request.spacing * std::sqrt(share / 3.14159265f) * s.presence);
+    return definite(m_request.spacing * std::sqrt(share / 3.14159265f) * s.presence,
+                    std::sqrt(m_request.tone));
   }
 
   /// θ_c is re-timed (METHOD §7 ▲) so that the amount of ink grows evenly with T_H: the value of
@@ -272,7 +275,7 @@ class Hatcher {
 }  // namespace
 
 float spacingOf(HatchDensity density) {
-  return hatchSpacing / std::sqrt(density.value());
+  return hatchSpacing * std::pow(density.value(), -2.0f / 3.0f);
 }
 
 Hatching extractHatching(StrokeLayout& layout, const model::Camera& camera,

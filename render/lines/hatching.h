@@ -43,9 +43,10 @@ inline constexpr float longestHatchStroke = 140.0f;
 
 using model::upperLeftLight;
 
-/// λ between strokes of that density. Strokes get shorter as they come nearer to each other, so
-/// their number grows with the square of how close they lie. Levels of the layout grow in one after
-/// the other: density varies as evenly as zoom does, and costs what a view from nearer would.
+/// λ between strokes of that density. Were strokes as long as the places that they hatch, their
+/// number would grow as fast as they come closer; were they as short as their layout lets them,
+/// with its square; they are between both. Levels of the layout grow in one after the other, so
+/// that density varies as evenly as zoom does, and costs what a view from as much nearer would.
 float spacingOf(HatchDensity density);
 
 struct HatchingRequest {

@@ -104,6 +104,15 @@ Result<std::unique_ptr<LayerPainter>> LayerPainter::create(const gpu::Device& de
   return painter;
 }
 
+std::unique_ptr<LayerPainter> LayerPainter::another(const AtlasLimits& limits) const {
+  std::unique_ptr<LayerPainter> painter(new LayerPainter(limits));
+  painter->m_surfacePass = m_surfacePass;
+  painter->m_capPass = m_capPass;
+  painter->m_inkPass = m_inkPass;
+  painter->m_resolvePass = m_resolvePass;
+  return painter;
+}
+
 std::vector<std::size_t> LayerPainter::reuse(std::vector<Layer>& layers, const Key& key) {
   std::vector<std::size_t> changed;
   if (key != m_key)

@@ -39,6 +39,9 @@ class LayerPainter {
   static Result<std::unique_ptr<LayerPainter>> create(const gpu::Device& device,
                                                       const AtlasLimits& limits);
 
+  /// Another with the same programs, which neither shares nor spoils what this one keeps.
+  std::unique_ptr<LayerPainter> another(const AtlasLimits& limits) const;
+
   enum class Outcome { painted, tooLarge, givenUp };
   /// Draws the region (in picture pixels) so that it fills the target; where that still has what
   /// the last `paint` drew, only squares are drawn anew that a changed layer touches or touched.
@@ -85,10 +88,10 @@ class LayerPainter {
                std::span<const std::size_t> changed);
 
   Atlas m_atlas;
-  std::unique_ptr<passes::SurfacePass> m_surfacePass;
-  std::unique_ptr<passes::CapPass> m_capPass;
-  std::unique_ptr<passes::InkPass> m_inkPass;
-  std::unique_ptr<passes::ResolvePass> m_resolvePass;
+  std::shared_ptr<passes::SurfacePass> m_surfacePass;
+  std::shared_ptr<passes::CapPass> m_capPass;
+  std::shared_ptr<passes::InkPass> m_inkPass;
+  std::shared_ptr<passes::ResolvePass> m_resolvePass;
   PrintedHatching m_printedHatching;
   Key m_key;
   std::vector<Layer> m_kept;

@@ -84,6 +84,7 @@ void Viewport::initializeGL() {
   m_handoff = std::make_unique<render::gpu::Handoff>();
   m_thread = std::make_unique<RenderThread>(*context(), *m_handoff, m_factory);
   connect(m_thread.get(), &RenderThread::drawn, this, &Viewport::took);
+  connect(m_thread.get(), &RenderThread::previewed, this, &Viewport::previewed);
   connect(m_thread.get(), &RenderThread::failed, this, &Viewport::failed);
   refresh();
 }
@@ -144,8 +145,14 @@ void Viewport::refresh() {
   m_thread->ask(std::move(request));
 }
 
+void Viewport::askPreviews(PreviewRequest request) {
+  if (m_thread)
+    m_thread->ask(std::move(request));
+}
+
 void Viewport::took(const PictureReport& report) {
   m_lastMilliseconds = report.milliseconds;
+  m_lastLayersDrawn = report.layersDrawn;
   // Only pictures of a moving camera are drawn anew as a whole; others keep most layers.
   if (report.moving)
     m_quality.took(report.milliseconds, report.scale);

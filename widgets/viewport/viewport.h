@@ -46,6 +46,11 @@ class Viewport : public QOpenGLWidget {
   const QString& driver() const { return m_driver; }
   /// The time the last picture took to draw.
   double lastMilliseconds() const { return m_lastMilliseconds; }
+  /// How many of its layers had to be drawn; the others were kept.
+  int lastLayersDrawn() const { return m_lastLayersDrawn; }
+  /// Small pictures by the same renderer, whenever the picture itself is done; `previewed` follows
+  /// for each. They replace those asked for before.
+  void askPreviews(PreviewRequest request);
 
  signals:
   void cameraChanged();
@@ -54,6 +59,7 @@ class Viewport : public QOpenGLWidget {
   void pictureShown();
   /// The camera turns around this point of a structure from now on.
   void pivotChosen(const QString& structure);
+  void previewed(int id, const QImage& image);
   void failed(const sline::Error& error);
 
  protected:
@@ -110,6 +116,7 @@ class Viewport : public QOpenGLWidget {
   float m_askedScale = 1.0f;
   std::uint64_t m_shown = 0;  ///< on screen
   double m_lastMilliseconds = 0.0;
+  int m_lastLayersDrawn = 0;
 
   std::shared_ptr<PickIndex> m_picks = std::make_shared<PickIndex>();
   QThreadPool m_pickers;
