@@ -23,6 +23,7 @@
 #include "widgets/focus/focus_context.h"
 #include "widgets/focus/focus_panel.h"
 #include "widgets/gamma/gamma_panel.h"
+#include "widgets/gamma/stage_strip.h"
 #include "widgets/help/help_pages.h"
 #include "widgets/help/help_window.h"
 #include "widgets/language/languages.h"
@@ -32,6 +33,7 @@
 #include "widgets/start/start_page.h"
 #include "widgets/structure_tree/structure_tree.h"
 #include "widgets/structure_tree/structure_tree_view.h"
+#include "widgets/viewport/stage_previews.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/window/about_dialog.h"
 #include "widgets/window/controls_dialog.h"
@@ -66,6 +68,17 @@ render::Background backgroundOf(const QString& choice) {
   return choice == QLatin1String("dark")    ? render::Background::dark
          : choice == QLatin1String("paper") ? render::Background::paper
                                             : render::Background::white;
+}
+
+/// The small pictures beside the Γ slider come from the picture's renderer.
+void connectPreviews(Session& session, Viewport& viewport, StageStrip& stages) {
+  auto* previews = new StagePreviews(session, viewport, &stages);
+  QObject::connect(&stages, &StageStrip::picturesWanted, previews,
+                   [previews, &stages](QSize size, double ratio) {
+                     previews->want(stages.pictured(), size, ratio);
+                   });
+  QObject::connect(previews, &StagePreviews::made, &stages, &StageStrip::showPicture);
+  QObject::connect(previews, &StagePreviews::cleared, &stages, &StageStrip::clearPictures);
 }
 
 QString summaryOf(const model::Scene& scene) {
@@ -124,7 +137,7 @@ void MainWindow::makeCentre() {
 
 void MainWindow::makePanels() {
   m_tree = new StructureTree(m_session);
-  m_gamma = new GammaPanel(m_session);
+  m_gamma = new GammaPanel(m_session, m_settings);
   addDockWidget(Qt::LeftDockWidgetArea, dock(tr("Structures"), "structuresPanel", m_tree));
   addDockWidget(Qt::RightDockWidgetArea, dock(tr("Line Style"), "gammaPanel", m_gamma));
   auto* focus = new FocusPanel(m_session, *m_focus);
@@ -418,8 +431,7 @@ void MainWindow::connectViews() {
   });
   connect(m_gamma, &GammaPanel::focusWanted, &m_actions[QStringLiteral("focus")],
           &QAction::trigger);
-  connect(m_gamma, &GammaPanel::contextWanted, &m_actions[QStringLiteral("context")],
-          &QAction::trigger);
+  connectPreviews(m_session, *m_viewport, m_gamma->stages());
 }
 
 void MainWindow::showHelp() {
