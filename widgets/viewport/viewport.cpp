@@ -93,6 +93,7 @@ void Viewport::openGraphics() {
   m_handoff = std::make_unique<render::gpu::Handoff>();
   m_thread = std::make_unique<RenderThread>(*context(), *m_handoff, m_factory);
   connect(m_thread.get(), &RenderThread::drawn, this, &Viewport::took);
+  connect(m_thread.get(), &RenderThread::previewed, this, &Viewport::previewed);
   connect(m_thread.get(), &RenderThread::failed, this, &Viewport::failure);
   refresh();
 }
@@ -167,13 +168,21 @@ void Viewport::refresh() {
   m_thread->ask(std::move(request));
 }
 
+void Viewport::askPreviews(PreviewRequest request) {
+  if (m_thread)
+    m_thread->ask(std::move(request));
+}
+
 void Viewport::took(const PictureReport& report) {
   m_rebuilt = false;
   m_lastMilliseconds = report.milliseconds;
+  m_lastLayersDrawn = report.layersDrawn;
   // Only pictures of a moving camera are drawn anew as a whole; others keep most layers.
   if (report.moving && !m_cutting)
     m_quality.took(report.milliseconds, report.scale);
   m_marks->showTime(report.milliseconds, report.scale);
+  m_drawnCamera = report.camera;
+  showSection();
   update();
 }
 
@@ -304,6 +313,7 @@ void Viewport::documentChange(const Document& before, const Document& now) {
   forgetName();
   if (another) {
     cancelDrag();
+    m_drawnCamera.reset();
     m_quality = {};
     pivotToMiddle();
     stopFlight();
@@ -329,7 +339,8 @@ void Viewport::placeMarks() {
 
 void Viewport::showSection() {
   const bool dragging = m_sectionTool.dragging();
-  const auto handles = m_sectionTool.handles(size2());
+  // Where it is in the picture that is shown, which may lag behind the camera.
+  const auto handles = m_sectionTool.handles(size2(), m_drawnCamera.value_or(m_camera));
   const Pointer mouse = pointer(m_mouse, Qt::NoButton, {});
   const bool over = handles && !m_held && underMouse();
   m_marks->section().show({.handles = handles,
