@@ -1347,20 +1347,12 @@
         <translation>Was gesperrt ist, behält Aussehen, Namen und Platz und lässt sich im Bild nicht anklicken</translation>
     </message>
     <message>
-        <source>Propert&amp;ies…</source>
-        <translation>Eigens&amp;chaften …</translation>
-    </message>
-    <message>
         <source>Alt+Return</source>
         <translation>Alt+Return</translation>
     </message>
     <message>
         <source>Where it came from, how large it is, how it is drawn</source>
         <translation>Woher sie kommt, wie groß sie ist, wie sie gezeichnet wird</translation>
-    </message>
-    <message>
-        <source>&amp;Facing the View</source>
-        <translation>&amp;Quer zum Blick</translation>
     </message>
     <message>
         <source>Ctrl+4</source>
@@ -1537,6 +1529,14 @@
     <message>
         <source>Import what is open once more, with other units, smoothing or choice</source>
         <translation>Das Offene noch einmal importieren, mit anderen Einheiten, anderer Glättung oder Auswahl</translation>
+    </message>
+    <message>
+        <source>Proper&amp;ties…</source>
+        <translation>Eigens&amp;chaften …</translation>
+    </message>
+    <message>
+        <source>Facing the &amp;View</source>
+        <translation>&amp;Quer zum Blick</translation>
     </message>
 </context>
 <context>
@@ -2587,10 +2587,6 @@ OpenGL: %3</translation>
         <translation>&amp;Axial</translation>
     </message>
     <message>
-        <source>&amp;Facing the View</source>
-        <translation>&amp;Quer zum Blick</translation>
-    </message>
-    <message>
         <source>%1 cannot be added: a structure can have %2 sections at most</source>
         <translation>%1 lässt sich nicht hinzufügen: eine Struktur kann höchstens %2 Schnitte haben</translation>
     </message>
@@ -2601,6 +2597,10 @@ OpenGL: %3</translation>
     <message>
         <source>Of %1 alone</source>
         <translation>Nur von %1</translation>
+    </message>
+    <message>
+        <source>Facing the &amp;View</source>
+        <translation>&amp;Quer zum Blick</translation>
     </message>
 </context>
 <context>

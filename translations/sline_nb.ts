@@ -1347,20 +1347,12 @@
         <translation>Det som er låst, beholder utseende, navn og plass og kan ikke klikkes i bildet</translation>
     </message>
     <message>
-        <source>Propert&amp;ies…</source>
-        <translation>Egens&amp;kaper …</translation>
-    </message>
-    <message>
         <source>Alt+Return</source>
         <translation>Alt+Return</translation>
     </message>
     <message>
         <source>Where it came from, how large it is, how it is drawn</source>
         <translation>Hvor den kom fra, hvor stor den er, hvordan den tegnes</translation>
-    </message>
-    <message>
-        <source>&amp;Facing the View</source>
-        <translation>På &amp;tvers av blikket</translation>
     </message>
     <message>
         <source>Ctrl+4</source>
@@ -1537,6 +1529,14 @@
     <message>
         <source>Import what is open once more, with other units, smoothing or choice</source>
         <translation>Importer det som er åpent, en gang til, med andre enheter, annen glatting eller annet utvalg</translation>
+    </message>
+    <message>
+        <source>Proper&amp;ties…</source>
+        <translation>Egens&amp;kaper …</translation>
+    </message>
+    <message>
+        <source>Facing the &amp;View</source>
+        <translation>På &amp;tvers av blikket</translation>
     </message>
 </context>
 <context>
@@ -2587,10 +2587,6 @@ OpenGL: %3</translation>
         <translation>&amp;Aksialt</translation>
     </message>
     <message>
-        <source>&amp;Facing the View</source>
-        <translation>På &amp;tvers av blikket</translation>
-    </message>
-    <message>
         <source>%1 cannot be added: a structure can have %2 sections at most</source>
         <translation>%1 kan ikke legges til: en struktur kan ha høyst %2 snitt</translation>
     </message>
@@ -2601,6 +2597,10 @@ OpenGL: %3</translation>
     <message>
         <source>Of %1 alone</source>
         <translation>Bare av %1</translation>
+    </message>
+    <message>
+        <source>Facing the &amp;View</source>
+        <translation>På &amp;tvers av blikket</translation>
     </message>
 </context>
 <context>

@@ -1347,20 +1347,12 @@
         <translation>Wat vergrendeld is, houdt uiterlijk, naam en plaats en kan in het beeld niet aangeklikt worden</translation>
     </message>
     <message>
-        <source>Propert&amp;ies…</source>
-        <translation>Eigens&amp;chappen…</translation>
-    </message>
-    <message>
         <source>Alt+Return</source>
         <translation>Alt+Return</translation>
     </message>
     <message>
         <source>Where it came from, how large it is, how it is drawn</source>
         <translation>Waar het vandaan komt, hoe groot het is, hoe het getekend wordt</translation>
-    </message>
-    <message>
-        <source>&amp;Facing the View</source>
-        <translation>&amp;Dwars op de blik</translation>
     </message>
     <message>
         <source>Ctrl+4</source>
@@ -1537,6 +1529,14 @@
     <message>
         <source>Import what is open once more, with other units, smoothing or choice</source>
         <translation>Wat open is nogmaals importeren, met andere eenheden, gladmaking of keuze</translation>
+    </message>
+    <message>
+        <source>Proper&amp;ties…</source>
+        <translation>Eigens&amp;chappen…</translation>
+    </message>
+    <message>
+        <source>Facing the &amp;View</source>
+        <translation>&amp;Dwars op de blik</translation>
     </message>
 </context>
 <context>
@@ -2587,10 +2587,6 @@ OpenGL: %3</translation>
         <translation>&amp;Axiaal</translation>
     </message>
     <message>
-        <source>&amp;Facing the View</source>
-        <translation>&amp;Dwars op de blik</translation>
-    </message>
-    <message>
         <source>%1 cannot be added: a structure can have %2 sections at most</source>
         <translation>%1 kan niet worden toegevoegd: een structuur kan hoogstens %2 doorsneden hebben</translation>
     </message>
@@ -2601,6 +2597,10 @@ OpenGL: %3</translation>
     <message>
         <source>Of %1 alone</source>
         <translation>Alleen van %1</translation>
+    </message>
+    <message>
+        <source>Facing the &amp;View</source>
+        <translation>&amp;Dwars op de blik</translation>
     </message>
 </context>
 <context>

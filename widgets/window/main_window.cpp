@@ -188,6 +188,7 @@ void MainWindow::remakeControls() {
       source->disconnect(listener);
   placeMessage(false);
   delete m_start;
+  delete m_imports;
   delete m_parts;
   clearControls(*this);
   m_actions.remake(*this);
