@@ -1196,11 +1196,11 @@
     </message>
     <message>
         <source>&amp;Inherit</source>
-        <translation>E&amp;rben</translation>
+        <translation>&amp;Erben</translation>
     </message>
     <message>
         <source>&amp;Over the Picture</source>
-        <translation>Ü&amp;ber dem Bild</translation>
+        <translation>&amp;Über dem Bild</translation>
     </message>
     <message>
         <source>Re&amp;load from Source</source>
@@ -1272,7 +1272,7 @@
     </message>
     <message>
         <source>&amp;Zoom To</source>
-        <translation>&amp;Heranzoomen</translation>
+        <translation>Heran&amp;zoomen</translation>
     </message>
     <message>
         <source>Z</source>
@@ -1347,20 +1347,12 @@
         <translation>Was gesperrt ist, behält Aussehen, Namen und Platz und lässt sich im Bild nicht anklicken</translation>
     </message>
     <message>
-        <source>Propert&amp;ies…</source>
-        <translation>Eigens&amp;chaften …</translation>
-    </message>
-    <message>
         <source>Alt+Return</source>
         <translation>Alt+Return</translation>
     </message>
     <message>
         <source>Where it came from, how large it is, how it is drawn</source>
         <translation>Woher sie kommt, wie groß sie ist, wie sie gezeichnet wird</translation>
-    </message>
-    <message>
-        <source>&amp;Facing the View</source>
-        <translation>&amp;Quer zum Blick</translation>
     </message>
     <message>
         <source>Ctrl+4</source>
@@ -1453,6 +1445,98 @@
     <message>
         <source>New Group</source>
         <translation>Neue Gruppe</translation>
+    </message>
+    <message>
+        <source>How wide lines are, times the usual; 0 draws none</source>
+        <translation>Wie breit Linien sind, im Verhältnis zum Üblichen; 0 zeichnet keine</translation>
+    </message>
+    <message>
+        <source>Hatching: strokes</source>
+        <translation>Schraffur: Striche</translation>
+    </message>
+    <message>
+        <source>How many strokes hatching has, times the usual; its tone stays</source>
+        <translation>Wie viele Striche die Schraffur hat, im Verhältnis zum Üblichen; ihr Tonwert bleibt</translation>
+    </message>
+    <message>
+        <source>Hatching: tone</source>
+        <translation>Schraffur: Tonwert</translation>
+    </message>
+    <message>
+        <source>How dark hatching is, times the usual, by the width of its strokes</source>
+        <translation>Wie dunkel die Schraffur ist, im Verhältnis zum Üblichen, durch die Breite ihrer Striche</translation>
+    </message>
+    <message>
+        <source>How much of what lies behind the colour is hidden; lines stay</source>
+        <translation>Wie viel von dem verdeckt ist, was hinter der Farbe liegt; Linien bleiben</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Of the shaded surface and of washes</source>
+        <translation>Der schattierten Oberfläche und der Lasuren</translation>
+    </message>
+    <message>
+        <source>Ink</source>
+        <translation>Tinte</translation>
+    </message>
+    <message>
+        <source>Of lines and hatching; else black, or light on a dark background</source>
+        <translation>Für Linien und Schraffur; sonst schwarz, oder hell auf dunklem Hintergrund</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Füllung</translation>
+    </message>
+    <message>
+        <source>Always show import options</source>
+        <translation>Importoptionen immer zeigen</translation>
+    </message>
+    <message>
+        <source>Before meshes are opened: units, smoothing and what is left out</source>
+        <translation>Bevor Netze geöffnet werden: Einheiten, Glättung und was weggelassen wird</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importieren …</translation>
+    </message>
+    <message>
+        <source>Ctrl+I</source>
+        <translation>Ctrl+I</translation>
+    </message>
+    <message>
+        <source>See and change what an import would do, before it is done</source>
+        <translation>Sehen und ändern, was ein Import tun würde, bevor er geschieht</translation>
+    </message>
+    <message>
+        <source>Import Fol&amp;der…</source>
+        <translation>O&amp;rdner importieren …</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+I</source>
+        <translation>Ctrl+Shift+I</translation>
+    </message>
+    <message>
+        <source>The same for all meshes in a folder</source>
+        <translation>Dasselbe für alle Netze in einem Ordner</translation>
+    </message>
+    <message>
+        <source>Import Op&amp;tions…</source>
+        <translation>Impor&amp;toptionen …</translation>
+    </message>
+    <message>
+        <source>Import what is open once more, with other units, smoothing or choice</source>
+        <translation>Das Offene noch einmal importieren, mit anderen Einheiten, anderer Glättung oder Auswahl</translation>
+    </message>
+    <message>
+        <source>Proper&amp;ties…</source>
+        <translation>Eigens&amp;chaften …</translation>
+    </message>
+    <message>
+        <source>Facing the &amp;View</source>
+        <translation>&amp;Quer zum Blick</translation>
     </message>
 </context>
 <context>
@@ -1763,32 +1847,16 @@ OpenGL: %3</translation>
         <translation>Wo nur Linien gezeichnet sind</translation>
     </message>
     <message>
-        <source>Emphasis</source>
-        <translation>Hervorhebung</translation>
-    </message>
-    <message>
-        <source>Focus</source>
-        <translation>Fokus</translation>
-    </message>
-    <message>
-        <source>These in detail, everything else as contours</source>
-        <translation>Diese in allen Einzelheiten, alles andere als Konturen</translation>
-    </message>
-    <message>
-        <source>Context</source>
-        <translation>Kontext</translation>
-    </message>
-    <message>
-        <source>These as contours</source>
-        <translation>Diese als Konturen</translation>
-    </message>
-    <message>
         <source>Inherit Γ</source>
         <translation>Γ erben</translation>
     </message>
     <message>
         <source>Fill</source>
         <translation>Füllung</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Vorgaben</translation>
     </message>
 </context>
 <context>
@@ -1826,6 +1894,272 @@ OpenGL: %3</translation>
 %1</source>
         <translation>Dieser Verweis führt aus dem Programm hinaus, zu
 %1</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ImportDialog</name>
+    <message>
+        <source>Import %1</source>
+        <translation>%1 importieren</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Strukturen</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Weggelassen</translation>
+    </message>
+    <message>
+        <source>Filter by name or file</source>
+        <translation>Nach Name oder Datei filtern</translation>
+    </message>
+    <message>
+        <source>What is left out or mended</source>
+        <translation>Was weggelassen oder ausgebessert wird</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>What happened, and what to do</source>
+        <translation>Was geschehen ist und was zu tun ist</translation>
+    </message>
+    <message>
+        <source>Progress of reading</source>
+        <translation>Fortschritt des Lesens</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Import</translation>
+    </message>
+    <message>
+        <source>Opens what is listed as a scene of its own</source>
+        <translation>Öffnet das Aufgeführte als eigene Szene</translation>
+    </message>
+    <message>
+        <source>Add to Scene</source>
+        <translation>Zur Szene hinzufügen</translation>
+    </message>
+    <message>
+        <source>Puts what is listed below the structures of the open scene</source>
+        <translation>Fügt das Aufgeführte unter den Strukturen der offenen Szene ein</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>Wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Left out or mended</source>
+        <translation>Weggelassen oder ausgebessert</translation>
+    </message>
+    <message>
+        <source>Left out or mended (%1)</source>
+        <translation>Weggelassen oder ausgebessert (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ImportDraft</name>
+    <message>
+        <source>LPS – left, posterior, superior</source>
+        <translation>LPS – links, hinten, oben</translation>
+    </message>
+    <message>
+        <source>RAS – right, anterior, superior</source>
+        <translation>RAS – rechts, vorn, oben</translation>
+    </message>
+    <message>
+        <source>As in the file, unturned</source>
+        <translation>Wie in der Datei, ungedreht</translation>
+    </message>
+    <message>
+        <source>mm – millimetres</source>
+        <translation>mm – Millimeter</translation>
+    </message>
+    <message>
+        <source>cm – centimetres</source>
+        <translation>cm – Zentimeter</translation>
+    </message>
+    <message>
+        <source>m – metres</source>
+        <translation>m – Meter</translation>
+    </message>
+    <message>
+        <source>in – inches</source>
+        <translation>in – Zoll</translation>
+    </message>
+    <message>
+        <source>µm – micrometres</source>
+        <translation>µm – Mikrometer</translation>
+    </message>
+    <message>
+        <source>Å – ångström</source>
+        <translation>Å – Ångström</translation>
+    </message>
+    <message>
+        <source>Where it shows steps</source>
+        <translation>Wo Stufen zu sehen sind</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n steps</source>
+        <translation>
+            <numerusform>%n Schritt</numerusform>
+            <numerusform>%n Schritte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Keep all</source>
+        <translation>Alle behalten</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>within %1 mm</source>
+        <translation>innerhalb %1 mm</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>as the scene file has it</source>
+        <translation>wie die Szenendatei es hat</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>; and %n more</source>
+        <translation>
+            <numerusform>; und %n weitere</numerusform>
+            <numerusform>; und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>as in the file</source>
+        <translation>wie in der Datei</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures</source>
+        <translation>
+            <numerusform>%n Struktur</numerusform>
+            <numerusform>%n Strukturen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n groups</source>
+        <translation>
+            <numerusform>%n Gruppe</numerusform>
+            <numerusform>%n Gruppen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 Dreiecke</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n skipped</source>
+        <translation>
+            <numerusform>%n übersprungen</numerusform>
+            <numerusform>%n übersprungen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Everything together is %1 mm large</source>
+        <translation>Alles zusammen ist %1 mm groß</translation>
+    </message>
+    <message>
+        <source>%1. If the files are in %2, it is %3 mm.</source>
+        <translation>%1. Wenn die Dateien in %2 sind, sind es %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1, which is small for anatomy.</source>
+        <translation>%1, das ist klein für Anatomie.</translation>
+    </message>
+    <message>
+        <source>%1, which is large for anatomy.</source>
+        <translation>%1, das ist groß für Anatomie.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Left and right look swapped: all %n structures with a side in their names lie on the other side (%1). Choose the other frame.</source>
+        <translation>
+            <numerusform>Links und rechts scheinen vertauscht: die %n Struktur mit einer Seite im Namen liegt auf der anderen Seite (%1). Wähle das andere Koordinatensystem.</numerusform>
+            <numerusform>Links und rechts scheinen vertauscht: alle %n Strukturen mit einer Seite im Namen liegen auf der anderen Seite (%1). Wähle das andere Koordinatensystem.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures lie on the other side than their names say: %1.</source>
+        <translation>
+            <numerusform>%n Struktur liegt auf der anderen Seite, als ihr Name sagt: %1.</numerusform>
+            <numerusform>%n Strukturen liegen auf der anderen Seite, als ihre Namen sagen: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 triangles, %4</source>
+        <translation>%1: %2, %3 Dreiecke, %4</translation>
+    </message>
+    <message>
+        <source>%1, from %2</source>
+        <translation>%1, aus %2</translation>
+    </message>
+    <message>
+        <source>From a scene file: it keeps its place, size and triangles.</source>
+        <translation>Aus einer Szenendatei: sie behält Lage, Größe und Dreiecke.</translation>
+    </message>
+    <message>
+        <source>Frame: %1</source>
+        <translation>Koordinatensystem: %1</translation>
+    </message>
+    <message>
+        <source>Unit: %1</source>
+        <translation>Einheit: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n faces mended</source>
+        <translation>
+            <numerusform>%n Fläche ausgebessert</numerusform>
+            <numerusform>%n Flächen ausgebessert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its name says the other side than it lies on.</source>
+        <translation>Ihr Name sagt die andere Seite als die, auf der sie liegt.</translation>
     </message>
 </context>
 <context>
@@ -1884,6 +2218,21 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::ManagePresetsDialog</name>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Vorgaben</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::MessageBar</name>
     <message>
         <source>Message</source>
@@ -1907,6 +2256,72 @@ OpenGL: %3</translation>
     <message>
         <source>What was left out or mended</source>
         <translation>Was weggelassen oder ausgebessert wurde</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::MorePanel</name>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>Line width, hatching, opacity and colours</source>
+        <translation>Linienstärke, Schraffur, Deckkraft und Farben</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Offen</translation>
+    </message>
+    <message>
+        <source>Folded away</source>
+        <translation>Eingeklappt</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::OptionsPanel</name>
+    <message>
+        <source>&amp;Mend faces</source>
+        <translation>Flächen aus&amp;bessern</translation>
+    </message>
+    <message>
+        <source>Lay molecules &amp;over each other</source>
+        <translation>Moleküle über&amp;einanderlegen</translation>
+    </message>
+    <message>
+        <source>As found</source>
+        <translation>Wie gefunden</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Keep all</source>
+        <translation>Alle behalten</translation>
+    </message>
+    <message>
+        <source>As few triangles as can be with no part of a surface moved by more than this</source>
+        <translation>So wenige Dreiecke wie möglich, ohne dass sich ein Teil einer Oberfläche um mehr als dies verschiebt</translation>
+    </message>
+    <message>
+        <source>Leaves out faces without area or given twice, and turns those that look inwards</source>
+        <translation>Lässt Flächen ohne Inhalt und doppelte weg und dreht die um, die nach innen blicken</translation>
+    </message>
+    <message>
+        <source>Coor&amp;dinates</source>
+        <translation>Koor&amp;dinaten</translation>
+    </message>
+    <message>
+        <source>&amp;Length of a unit</source>
+        <translation>&amp;Länge einer Einheit</translation>
+    </message>
+    <message>
+        <source>Fewer t&amp;riangles, within</source>
+        <translation>Weniger D&amp;reiecke, innerhalb</translation>
+    </message>
+    <message>
+        <source>S&amp;moothing</source>
+        <translation>&amp;Glättung</translation>
     </message>
 </context>
 <context>
@@ -1943,6 +2358,52 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::PlanTree</name>
+    <message>
+        <source>What would be imported</source>
+        <translation>Was importiert würde</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PlanTreeModel</name>
+    <message>
+        <source>Å</source>
+        <translation>Å</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Size, mm</source>
+        <translation>Größe, mm</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>Fewer triangles</source>
+        <translation>Weniger Dreiecke</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::PreferencesDialog</name>
     <message>
         <source>Preferences</source>
@@ -1951,6 +2412,64 @@ OpenGL: %3</translation>
     <message>
         <source>%1:</source>
         <translation>%1:</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PresetPanel</name>
+    <message>
+        <source>Focus</source>
+        <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>These in detail, everything else by what it is to them</source>
+        <translation>Diese in allen Einzelheiten, alles andere nach dem, was es für sie ist</translation>
+    </message>
+    <message>
+        <source>Context</source>
+        <translation>Kontext</translation>
+    </message>
+    <message>
+        <source>These as contours</source>
+        <translation>Diese als Konturen</translation>
+    </message>
+    <message>
+        <source>Ghost</source>
+        <translation>Geist</translation>
+    </message>
+    <message>
+        <source>These as their outer edges alone</source>
+        <translation>Diese nur mit ihren äußeren Rändern</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Ausgeblendet</translation>
+    </message>
+    <message>
+        <source>Hides these</source>
+        <translation>Blendet diese aus</translation>
+    </message>
+    <message>
+        <source>My presets</source>
+        <translation>Meine Vorgaben</translation>
+    </message>
+    <message>
+        <source>Looks that you have named</source>
+        <translation>Aussehen, das du benannt hast</translation>
+    </message>
+    <message>
+        <source>&amp;Save This Look…</source>
+        <translation>Dieses Aussehen &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>&amp;Manage…</source>
+        <translation>&amp;Verwalten …</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::RangeBox</name>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
     </message>
 </context>
 <context>
@@ -1988,7 +2507,7 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation>Delete</translation>
+        <translation>Löschen</translation>
     </message>
     <message>
         <source>Delete the unsaved work on “%1”?</source>
@@ -1997,6 +2516,29 @@ OpenGL: %3</translation>
     <message>
         <source>It cannot be brought back.</source>
         <translation>Sie lässt sich nicht zurückholen.</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SavePresetDialog</name>
+    <message>
+        <source>Save Preset</source>
+        <translation>Vorgabe speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>What it keeps of the look:</source>
+        <translation>Was sie vom Aussehen behält:</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
     </message>
 </context>
 <context>
@@ -2045,10 +2587,6 @@ OpenGL: %3</translation>
         <translation>&amp;Axial</translation>
     </message>
     <message>
-        <source>&amp;Facing the View</source>
-        <translation>&amp;Quer zum Blick</translation>
-    </message>
-    <message>
         <source>%1 cannot be added: a structure can have %2 sections at most</source>
         <translation>%1 lässt sich nicht hinzufügen: eine Struktur kann höchstens %2 Schnitte haben</translation>
     </message>
@@ -2059,6 +2597,10 @@ OpenGL: %3</translation>
     <message>
         <source>Of %1 alone</source>
         <translation>Nur von %1</translation>
+    </message>
+    <message>
+        <source>Facing the &amp;View</source>
+        <translation>&amp;Quer zum Blick</translation>
     </message>
 </context>
 <context>
@@ -2131,7 +2673,7 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation>Delete</translation>
+        <translation>Löschen</translation>
     </message>
     <message>
         <source>Take this section away</source>
@@ -2180,6 +2722,52 @@ OpenGL: %3</translation>
     <message>
         <source>What a Section Cuts</source>
         <translation>Was ein Schnitt schneidet</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SelectionPanel</name>
+    <message>
+        <source>&amp;Import</source>
+        <translation>&amp;Importieren</translation>
+    </message>
+    <message>
+        <source>&amp;Colour…</source>
+        <translation>Far&amp;be …</translation>
+    </message>
+    <message>
+        <source>&amp;Frame</source>
+        <translation>&amp;Koordinatensystem</translation>
+    </message>
+    <message>
+        <source>&amp;Unit</source>
+        <translation>&amp;Einheit</translation>
+    </message>
+    <message>
+        <source>&amp;Smoothing</source>
+        <translation>&amp;Glättung</translation>
+    </message>
+    <message>
+        <source>Fewer &amp;triangles</source>
+        <translation>Weniger &amp;Dreiecke</translation>
+    </message>
+    <message>
+        <source>As for all</source>
+        <translation>Wie für alle</translation>
+    </message>
+    <message>
+        <source>Different</source>
+        <translation>Verschieden</translation>
+    </message>
+    <message numerus="yes">
+        <source>For the selected %n structures</source>
+        <translation>
+            <numerusform>Für die gewählte Struktur</numerusform>
+            <numerusform>Für die gewählten %n Strukturen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select structures to treat them unlike the others</source>
+        <translation>Wähle Strukturen, um sie anders zu behandeln als die übrigen</translation>
     </message>
 </context>
 <context>
@@ -2244,6 +2832,28 @@ OpenGL: %3</translation>
     <message>
         <source>Hide</source>
         <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n items</source>
+        <translation>
+            <numerusform>%1 von %n Element</numerusform>
+            <numerusform>%1 von %n Elementen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StageButton</name>
+    <message>
+        <source>%1, Γ %2</source>
+        <translation>%1, Γ %2</translation>
     </message>
 </context>
 <context>
@@ -2432,6 +3042,32 @@ OpenGL: %3</translation>
     <message>
         <source>Locked</source>
         <translation>Gesperrt</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StyleColourEditor</name>
+    <message>
+        <source>Several</source>
+        <translation>Mehrere</translation>
+    </message>
+    <message>
+        <source>With the background</source>
+        <translation>Mit dem Hintergrund</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StyleEditor</name>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>As the group above, or the usual, says</source>
+        <translation>Wie die Gruppe darüber oder das Übliche sagt</translation>
+    </message>
+    <message>
+        <source>Reset %1</source>
+        <translation>%1 zurücksetzen</translation>
     </message>
 </context>
 <context>

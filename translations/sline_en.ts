@@ -29,6 +29,65 @@
     </message>
 </context>
 <context>
+    <name>sline::widgets::ImportDraft</name>
+    <message numerus="yes">
+        <source>%n steps</source>
+        <translation>
+            <numerusform>%n step</numerusform>
+            <numerusform>%n steps</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>; and %n more</source>
+        <translation>
+            <numerusform>; and %n more</numerusform>
+            <numerusform>; and %n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures</source>
+        <translation>
+            <numerusform>%n structure</numerusform>
+            <numerusform>%n structures</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n groups</source>
+        <translation>
+            <numerusform>%n group</numerusform>
+            <numerusform>%n groups</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n skipped</source>
+        <translation>
+            <numerusform>%n skipped</numerusform>
+            <numerusform>%n skipped</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left and right look swapped: all %n structures with a side in their names lie on the other side (%1). Choose the other frame.</source>
+        <translation>
+            <numerusform>Left and right look swapped: the %n structure with a side in its name lies on the other side (%1). Choose the other frame.</numerusform>
+            <numerusform>Left and right look swapped: all %n structures with a side in their names lie on the other side (%1). Choose the other frame.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures lie on the other side than their names say: %1.</source>
+        <translation>
+            <numerusform>%n structure lies on the other side than its name says: %1.</numerusform>
+            <numerusform>%n structures lie on the other side than their names say: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n faces mended</source>
+        <translation>
+            <numerusform>%n face mended</numerusform>
+            <numerusform>%n faces mended</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::MessageBar</name>
     <message numerus="yes">
         <source>Show all %n</source>
@@ -45,6 +104,16 @@
         <translation>
             <numerusform>%1 and %n more</numerusform>
             <numerusform>%1 and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SelectionPanel</name>
+    <message numerus="yes">
+        <source>For the selected %n structures</source>
+        <translation>
+            <numerusform>For the selected structure</numerusform>
+            <numerusform>For the selected %n structures</numerusform>
         </translation>
     </message>
 </context>
@@ -69,6 +138,13 @@
         <translation>
             <numerusform>%n structure was read again</numerusform>
             <numerusform>%n structures were read again</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n items</source>
+        <translation>
+            <numerusform>%1 of %n item</numerusform>
+            <numerusform>%1 of %n items</numerusform>
         </translation>
     </message>
 </context>

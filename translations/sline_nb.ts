@@ -1200,7 +1200,7 @@
     </message>
     <message>
         <source>&amp;Over the Picture</source>
-        <translation>&amp;Over bildet</translation>
+        <translation>Over b&amp;ildet</translation>
     </message>
     <message>
         <source>Re&amp;load from Source</source>
@@ -1312,7 +1312,7 @@
     </message>
     <message>
         <source>Grou&amp;p</source>
-        <translation>&amp;Grupper</translation>
+        <translation>Grup&amp;per</translation>
     </message>
     <message>
         <source>Ctrl+G</source>
@@ -1347,20 +1347,12 @@
         <translation>Det som er låst, beholder utseende, navn og plass og kan ikke klikkes i bildet</translation>
     </message>
     <message>
-        <source>Propert&amp;ies…</source>
-        <translation>&amp;Egenskaper …</translation>
-    </message>
-    <message>
         <source>Alt+Return</source>
         <translation>Alt+Return</translation>
     </message>
     <message>
         <source>Where it came from, how large it is, how it is drawn</source>
         <translation>Hvor den kom fra, hvor stor den er, hvordan den tegnes</translation>
-    </message>
-    <message>
-        <source>&amp;Facing the View</source>
-        <translation>På &amp;tvers av blikket</translation>
     </message>
     <message>
         <source>Ctrl+4</source>
@@ -1453,6 +1445,98 @@
     <message>
         <source>New Group</source>
         <translation>Ny gruppe</translation>
+    </message>
+    <message>
+        <source>How wide lines are, times the usual; 0 draws none</source>
+        <translation>Hvor brede linjer er, ganger det vanlige; 0 tegner ingen</translation>
+    </message>
+    <message>
+        <source>Hatching: strokes</source>
+        <translation>Skravering: streker</translation>
+    </message>
+    <message>
+        <source>How many strokes hatching has, times the usual; its tone stays</source>
+        <translation>Hvor mange streker skraveringen har, ganger det vanlige; tonen blir</translation>
+    </message>
+    <message>
+        <source>Hatching: tone</source>
+        <translation>Skravering: tone</translation>
+    </message>
+    <message>
+        <source>How dark hatching is, times the usual, by the width of its strokes</source>
+        <translation>Hvor mørk skraveringen er, ganger det vanlige, ved strekenes bredde</translation>
+    </message>
+    <message>
+        <source>How much of what lies behind the colour is hidden; lines stay</source>
+        <translation>Hvor mye av det bak fargen som dekkes; linjene blir</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Of the shaded surface and of washes</source>
+        <translation>For den skyggelagte overflaten og for toner</translation>
+    </message>
+    <message>
+        <source>Ink</source>
+        <translation>Blekk</translation>
+    </message>
+    <message>
+        <source>Of lines and hatching; else black, or light on a dark background</source>
+        <translation>For linjer og skravering; ellers svart, eller lyst på mørk bakgrunn</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Fylling</translation>
+    </message>
+    <message>
+        <source>Always show import options</source>
+        <translation>Vis alltid importvalg</translation>
+    </message>
+    <message>
+        <source>Before meshes are opened: units, smoothing and what is left out</source>
+        <translation>Før nett åpnes: enheter, glatting og hva som utelates</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>Im&amp;porter …</translation>
+    </message>
+    <message>
+        <source>Ctrl+I</source>
+        <translation>Ctrl+I</translation>
+    </message>
+    <message>
+        <source>See and change what an import would do, before it is done</source>
+        <translation>Se og endre hva en import vil gjøre, før den gjøres</translation>
+    </message>
+    <message>
+        <source>Import Fol&amp;der…</source>
+        <translation>Importer m&amp;appe …</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+I</source>
+        <translation>Ctrl+Shift+I</translation>
+    </message>
+    <message>
+        <source>The same for all meshes in a folder</source>
+        <translation>Det samme for alle nett i en mappe</translation>
+    </message>
+    <message>
+        <source>Import Op&amp;tions…</source>
+        <translation>Importval&amp;g …</translation>
+    </message>
+    <message>
+        <source>Import what is open once more, with other units, smoothing or choice</source>
+        <translation>Importer det som er åpent, en gang til, med andre enheter, annen glatting eller annet utvalg</translation>
+    </message>
+    <message>
+        <source>Proper&amp;ties…</source>
+        <translation>Egens&amp;kaper …</translation>
+    </message>
+    <message>
+        <source>Facing the &amp;View</source>
+        <translation>På &amp;tvers av blikket</translation>
     </message>
 </context>
 <context>
@@ -1763,32 +1847,16 @@ OpenGL: %3</translation>
         <translation>Der bare linjer er tegnet</translation>
     </message>
     <message>
-        <source>Emphasis</source>
-        <translation>Fremheving</translation>
-    </message>
-    <message>
-        <source>Focus</source>
-        <translation>Fokus</translation>
-    </message>
-    <message>
-        <source>These in detail, everything else as contours</source>
-        <translation>Disse i detalj, alt annet som konturer</translation>
-    </message>
-    <message>
-        <source>Context</source>
-        <translation>Kontekst</translation>
-    </message>
-    <message>
-        <source>These as contours</source>
-        <translation>Disse som konturer</translation>
-    </message>
-    <message>
         <source>Inherit Γ</source>
         <translation>Arv Γ</translation>
     </message>
     <message>
         <source>Fill</source>
         <translation>Fylling</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Forvalg</translation>
     </message>
 </context>
 <context>
@@ -1826,6 +1894,272 @@ OpenGL: %3</translation>
 %1</source>
         <translation>Denne lenken fører ut av programmet, til
 %1</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ImportDialog</name>
+    <message>
+        <source>Import %1</source>
+        <translation>Importer %1</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Strukturer</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Utelatt</translation>
+    </message>
+    <message>
+        <source>Filter by name or file</source>
+        <translation>Filtrer etter navn eller fil</translation>
+    </message>
+    <message>
+        <source>What is left out or mended</source>
+        <translation>Hva som utelates eller repareres</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>What happened, and what to do</source>
+        <translation>Hva som skjedde, og hva som kan gjøres</translation>
+    </message>
+    <message>
+        <source>Progress of reading</source>
+        <translation>Framdrift i lesingen</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Import</translation>
+    </message>
+    <message>
+        <source>Opens what is listed as a scene of its own</source>
+        <translation>Åpner det som er listet, som en egen scene</translation>
+    </message>
+    <message>
+        <source>Add to Scene</source>
+        <translation>Legg til i scenen</translation>
+    </message>
+    <message>
+        <source>Puts what is listed below the structures of the open scene</source>
+        <translation>Legger det som er listet, under strukturene i den åpne scenen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>Leser …</translation>
+    </message>
+    <message>
+        <source>Left out or mended</source>
+        <translation>Utelatt eller reparert</translation>
+    </message>
+    <message>
+        <source>Left out or mended (%1)</source>
+        <translation>Utelatt eller reparert (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ImportDraft</name>
+    <message>
+        <source>LPS – left, posterior, superior</source>
+        <translation>LPS – venstre, bak, øvre</translation>
+    </message>
+    <message>
+        <source>RAS – right, anterior, superior</source>
+        <translation>RAS – høyre, foran, øvre</translation>
+    </message>
+    <message>
+        <source>As in the file, unturned</source>
+        <translation>Som i filen, ikke dreid</translation>
+    </message>
+    <message>
+        <source>mm – millimetres</source>
+        <translation>mm – millimeter</translation>
+    </message>
+    <message>
+        <source>cm – centimetres</source>
+        <translation>cm – centimeter</translation>
+    </message>
+    <message>
+        <source>m – metres</source>
+        <translation>m – meter</translation>
+    </message>
+    <message>
+        <source>in – inches</source>
+        <translation>in – tommer</translation>
+    </message>
+    <message>
+        <source>µm – micrometres</source>
+        <translation>µm – mikrometer</translation>
+    </message>
+    <message>
+        <source>Å – ångström</source>
+        <translation>Å – ångström</translation>
+    </message>
+    <message>
+        <source>Where it shows steps</source>
+        <translation>Der det vises trinn</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Av</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n steps</source>
+        <translation>
+            <numerusform>%n trinn</numerusform>
+            <numerusform>%n trinn</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Keep all</source>
+        <translation>Behold alle</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisk</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>av</translation>
+    </message>
+    <message>
+        <source>within %1 mm</source>
+        <translation>innenfor %1 mm</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nei</translation>
+    </message>
+    <message>
+        <source>as the scene file has it</source>
+        <translation>slik scenefilen har det</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>; and %n more</source>
+        <translation>
+            <numerusform>; og %n til</numerusform>
+            <numerusform>; og %n til</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>ukjent</translation>
+    </message>
+    <message>
+        <source>as in the file</source>
+        <translation>som i filen</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>«%1»</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures</source>
+        <translation>
+            <numerusform>%n struktur</numerusform>
+            <numerusform>%n strukturer</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n groups</source>
+        <translation>
+            <numerusform>%n gruppe</numerusform>
+            <numerusform>%n grupper</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 trekanter</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n skipped</source>
+        <translation>
+            <numerusform>%n hoppet over</numerusform>
+            <numerusform>%n hoppet over</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Everything together is %1 mm large</source>
+        <translation>Alt sammen er %1 mm stort</translation>
+    </message>
+    <message>
+        <source>%1. If the files are in %2, it is %3 mm.</source>
+        <translation>%1. Hvis filene er i %2, er det %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1, which is small for anatomy.</source>
+        <translation>%1, noe som er lite for anatomi.</translation>
+    </message>
+    <message>
+        <source>%1, which is large for anatomy.</source>
+        <translation>%1, noe som er stort for anatomi.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Left and right look swapped: all %n structures with a side in their names lie on the other side (%1). Choose the other frame.</source>
+        <translation>
+            <numerusform>Venstre og høyre ser ombyttet ut: den %n strukturen med en side i navnet ligger på den andre siden (%1). Velg det andre aksesystemet.</numerusform>
+            <numerusform>Venstre og høyre ser ombyttet ut: alle %n strukturer med en side i navnet ligger på den andre siden (%1). Velg det andre aksesystemet.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures lie on the other side than their names say: %1.</source>
+        <translation>
+            <numerusform>%n struktur ligger på den andre siden enn navnet sier: %1.</numerusform>
+            <numerusform>%n strukturer ligger på den andre siden enn navnene sier: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 triangles, %4</source>
+        <translation>%1: %2, %3 trekanter, %4</translation>
+    </message>
+    <message>
+        <source>%1, from %2</source>
+        <translation>%1, fra %2</translation>
+    </message>
+    <message>
+        <source>From a scene file: it keeps its place, size and triangles.</source>
+        <translation>Fra en scenefil: den beholder plass, størrelse og trekanter.</translation>
+    </message>
+    <message>
+        <source>Frame: %1</source>
+        <translation>Aksesystem: %1</translation>
+    </message>
+    <message>
+        <source>Unit: %1</source>
+        <translation>Enhet: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n faces mended</source>
+        <translation>
+            <numerusform>%n flate reparert</numerusform>
+            <numerusform>%n flater reparert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its name says the other side than it lies on.</source>
+        <translation>Navnet sier den andre siden enn den ligger på.</translation>
     </message>
 </context>
 <context>
@@ -1884,6 +2218,21 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::ManagePresetsDialog</name>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Gi nytt navn</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Slett</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Forvalg</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::MessageBar</name>
     <message>
         <source>Message</source>
@@ -1907,6 +2256,72 @@ OpenGL: %3</translation>
     <message>
         <source>What was left out or mended</source>
         <translation>Hva som ble utelatt eller reparert</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::MorePanel</name>
+    <message>
+        <source>More</source>
+        <translation>Mer</translation>
+    </message>
+    <message>
+        <source>Line width, hatching, opacity and colours</source>
+        <translation>Linjebredde, skravering, dekkevne og farger</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Åpen</translation>
+    </message>
+    <message>
+        <source>Folded away</source>
+        <translation>Foldet sammen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::OptionsPanel</name>
+    <message>
+        <source>&amp;Mend faces</source>
+        <translation>Rep&amp;arer flater</translation>
+    </message>
+    <message>
+        <source>Lay molecules &amp;over each other</source>
+        <translation>Legg molekyler &amp;over hverandre</translation>
+    </message>
+    <message>
+        <source>As found</source>
+        <translation>Som funnet</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Keep all</source>
+        <translation>Behold alle</translation>
+    </message>
+    <message>
+        <source>As few triangles as can be with no part of a surface moved by more than this</source>
+        <translation>Så få trekanter som mulig uten at noen del av en overflate flyttes mer enn dette</translation>
+    </message>
+    <message>
+        <source>Leaves out faces without area or given twice, and turns those that look inwards</source>
+        <translation>Utelater flater uten areal eller som er gitt to ganger, og snur dem som vender innover</translation>
+    </message>
+    <message>
+        <source>Coor&amp;dinates</source>
+        <translation>Koor&amp;dinater</translation>
+    </message>
+    <message>
+        <source>&amp;Length of a unit</source>
+        <translation>&amp;Lengden av en enhet</translation>
+    </message>
+    <message>
+        <source>Fewer t&amp;riangles, within</source>
+        <translation>Færre t&amp;rekanter, innenfor</translation>
+    </message>
+    <message>
+        <source>S&amp;moothing</source>
+        <translation>&amp;Glatting</translation>
     </message>
 </context>
 <context>
@@ -1943,6 +2358,52 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::PlanTree</name>
+    <message>
+        <source>What would be imported</source>
+        <translation>Hva som ville bli importert</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PlanTreeModel</name>
+    <message>
+        <source>Å</source>
+        <translation>Å</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Trekanter</translation>
+    </message>
+    <message>
+        <source>Size, mm</source>
+        <translation>Størrelse, mm</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Aksesystem</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Enhet</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glatting</translation>
+    </message>
+    <message>
+        <source>Fewer triangles</source>
+        <translation>Færre trekanter</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::PreferencesDialog</name>
     <message>
         <source>Preferences</source>
@@ -1951,6 +2412,64 @@ OpenGL: %3</translation>
     <message>
         <source>%1:</source>
         <translation>%1:</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PresetPanel</name>
+    <message>
+        <source>Focus</source>
+        <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>These in detail, everything else by what it is to them</source>
+        <translation>Disse i detalj, alt annet etter hva det er for dem</translation>
+    </message>
+    <message>
+        <source>Context</source>
+        <translation>Kontekst</translation>
+    </message>
+    <message>
+        <source>These as contours</source>
+        <translation>Disse som konturer</translation>
+    </message>
+    <message>
+        <source>Ghost</source>
+        <translation>Skygge</translation>
+    </message>
+    <message>
+        <source>These as their outer edges alone</source>
+        <translation>Disse bare med ytterkantene</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Skjult</translation>
+    </message>
+    <message>
+        <source>Hides these</source>
+        <translation>Skjuler disse</translation>
+    </message>
+    <message>
+        <source>My presets</source>
+        <translation>Mine forvalg</translation>
+    </message>
+    <message>
+        <source>Looks that you have named</source>
+        <translation>Utseender du har gitt navn</translation>
+    </message>
+    <message>
+        <source>&amp;Save This Look…</source>
+        <translation>&amp;Lagre dette utseendet …</translation>
+    </message>
+    <message>
+        <source>&amp;Manage…</source>
+        <translation>&amp;Behandle …</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::RangeBox</name>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
     </message>
 </context>
 <context>
@@ -1988,7 +2507,7 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation>Delete</translation>
+        <translation>Slett</translation>
     </message>
     <message>
         <source>Delete the unsaved work on “%1”?</source>
@@ -1997,6 +2516,29 @@ OpenGL: %3</translation>
     <message>
         <source>It cannot be brought back.</source>
         <translation>Det kan ikke hentes tilbake.</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SavePresetDialog</name>
+    <message>
+        <source>Save Preset</source>
+        <translation>Lagre forvalg</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Navn</translation>
+    </message>
+    <message>
+        <source>What it keeps of the look:</source>
+        <translation>Hva det tar vare på av utseendet:</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Erstatt</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Lagre</translation>
     </message>
 </context>
 <context>
@@ -2045,10 +2587,6 @@ OpenGL: %3</translation>
         <translation>&amp;Aksialt</translation>
     </message>
     <message>
-        <source>&amp;Facing the View</source>
-        <translation>På &amp;tvers av blikket</translation>
-    </message>
-    <message>
         <source>%1 cannot be added: a structure can have %2 sections at most</source>
         <translation>%1 kan ikke legges til: en struktur kan ha høyst %2 snitt</translation>
     </message>
@@ -2059,6 +2597,10 @@ OpenGL: %3</translation>
     <message>
         <source>Of %1 alone</source>
         <translation>Bare av %1</translation>
+    </message>
+    <message>
+        <source>Facing the &amp;View</source>
+        <translation>På &amp;tvers av blikket</translation>
     </message>
 </context>
 <context>
@@ -2131,7 +2673,7 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation>Delete</translation>
+        <translation>Slett</translation>
     </message>
     <message>
         <source>Take this section away</source>
@@ -2180,6 +2722,52 @@ OpenGL: %3</translation>
     <message>
         <source>What a Section Cuts</source>
         <translation>Hva et snitt skjærer</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SelectionPanel</name>
+    <message>
+        <source>&amp;Import</source>
+        <translation>&amp;Importer</translation>
+    </message>
+    <message>
+        <source>&amp;Colour…</source>
+        <translation>&amp;Farge …</translation>
+    </message>
+    <message>
+        <source>&amp;Frame</source>
+        <translation>&amp;Aksesystem</translation>
+    </message>
+    <message>
+        <source>&amp;Unit</source>
+        <translation>&amp;Enhet</translation>
+    </message>
+    <message>
+        <source>&amp;Smoothing</source>
+        <translation>&amp;Glatting</translation>
+    </message>
+    <message>
+        <source>Fewer &amp;triangles</source>
+        <translation>Færre &amp;trekanter</translation>
+    </message>
+    <message>
+        <source>As for all</source>
+        <translation>Som for alle</translation>
+    </message>
+    <message>
+        <source>Different</source>
+        <translation>Ulike</translation>
+    </message>
+    <message numerus="yes">
+        <source>For the selected %n structures</source>
+        <translation>
+            <numerusform>For den valgte strukturen</numerusform>
+            <numerusform>For de valgte %n strukturene</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select structures to treat them unlike the others</source>
+        <translation>Velg strukturer for å behandle dem annerledes enn de andre</translation>
     </message>
 </context>
 <context>
@@ -2244,6 +2832,28 @@ OpenGL: %3</translation>
     <message>
         <source>Hide</source>
         <translation>Skjul</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 for %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n items</source>
+        <translation>
+            <numerusform>%1 for %n element</numerusform>
+            <numerusform>%1 for %n elementer</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Legg til %1</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StageButton</name>
+    <message>
+        <source>%1, Γ %2</source>
+        <translation>%1, Γ %2</translation>
     </message>
 </context>
 <context>
@@ -2432,6 +3042,32 @@ OpenGL: %3</translation>
     <message>
         <source>Locked</source>
         <translation>Låst</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StyleColourEditor</name>
+    <message>
+        <source>Several</source>
+        <translation>Flere</translation>
+    </message>
+    <message>
+        <source>With the background</source>
+        <translation>Med bakgrunnen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StyleEditor</name>
+    <message>
+        <source>Reset</source>
+        <translation>Tilbakestill</translation>
+    </message>
+    <message>
+        <source>As the group above, or the usual, says</source>
+        <translation>Slik gruppen over, eller det vanlige, sier</translation>
+    </message>
+    <message>
+        <source>Reset %1</source>
+        <translation>Tilbakestill %1</translation>
     </message>
 </context>
 <context>

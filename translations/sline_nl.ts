@@ -1196,11 +1196,11 @@
     </message>
     <message>
         <source>&amp;Inherit</source>
-        <translation>Over&amp;nemen</translation>
+        <translation>&amp;Overnemen</translation>
     </message>
     <message>
         <source>&amp;Over the Picture</source>
-        <translation>&amp;Over het beeld</translation>
+        <translation>Over het b&amp;eeld</translation>
     </message>
     <message>
         <source>Re&amp;load from Source</source>
@@ -1208,7 +1208,7 @@
     </message>
     <message>
         <source>&amp;Ghost</source>
-        <translation>S&amp;chim</translation>
+        <translation>Sch&amp;im</translation>
     </message>
     <message>
         <source>Ctrl+Shift+D</source>
@@ -1324,7 +1324,7 @@
     </message>
     <message>
         <source>&amp;Ungroup</source>
-        <translation>Groep opheffe&amp;n</translation>
+        <translation>Groep op&amp;heffen</translation>
     </message>
     <message>
         <source>Ctrl+Shift+G</source>
@@ -1336,7 +1336,7 @@
     </message>
     <message>
         <source>Loc&amp;k</source>
-        <translation>&amp;Vergrendelen</translation>
+        <translation>Ver&amp;grendelen</translation>
     </message>
     <message>
         <source>Ctrl+L</source>
@@ -1347,20 +1347,12 @@
         <translation>Wat vergrendeld is, houdt uiterlijk, naam en plaats en kan in het beeld niet aangeklikt worden</translation>
     </message>
     <message>
-        <source>Propert&amp;ies…</source>
-        <translation>Eigensch&amp;appen…</translation>
-    </message>
-    <message>
         <source>Alt+Return</source>
         <translation>Alt+Return</translation>
     </message>
     <message>
         <source>Where it came from, how large it is, how it is drawn</source>
         <translation>Waar het vandaan komt, hoe groot het is, hoe het getekend wordt</translation>
-    </message>
-    <message>
-        <source>&amp;Facing the View</source>
-        <translation>&amp;Dwars op de blik</translation>
     </message>
     <message>
         <source>Ctrl+4</source>
@@ -1453,6 +1445,98 @@
     <message>
         <source>New Group</source>
         <translation>Nieuwe groep</translation>
+    </message>
+    <message>
+        <source>How wide lines are, times the usual; 0 draws none</source>
+        <translation>Hoe breed lijnen zijn, maal het gewone; 0 tekent er geen</translation>
+    </message>
+    <message>
+        <source>Hatching: strokes</source>
+        <translation>Arcering: streken</translation>
+    </message>
+    <message>
+        <source>How many strokes hatching has, times the usual; its tone stays</source>
+        <translation>Hoeveel streken de arcering heeft, maal het gewone; de toon blijft</translation>
+    </message>
+    <message>
+        <source>Hatching: tone</source>
+        <translation>Arcering: toon</translation>
+    </message>
+    <message>
+        <source>How dark hatching is, times the usual, by the width of its strokes</source>
+        <translation>Hoe donker de arcering is, maal het gewone, door de breedte van de streken</translation>
+    </message>
+    <message>
+        <source>How much of what lies behind the colour is hidden; lines stay</source>
+        <translation>Hoeveel van wat achter de kleur ligt bedekt is; lijnen blijven</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Of the shaded surface and of washes</source>
+        <translation>Van het oppervlak met schaduw en van tinten</translation>
+    </message>
+    <message>
+        <source>Ink</source>
+        <translation>Inkt</translation>
+    </message>
+    <message>
+        <source>Of lines and hatching; else black, or light on a dark background</source>
+        <translation>Van lijnen en arcering; anders zwart, of licht op een donkere achtergrond</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Vulling</translation>
+    </message>
+    <message>
+        <source>Always show import options</source>
+        <translation>Importopties altijd tonen</translation>
+    </message>
+    <message>
+        <source>Before meshes are opened: units, smoothing and what is left out</source>
+        <translation>Voordat meshes geopend worden: eenheden, gladmaken en wat weggelaten wordt</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importeren…</translation>
+    </message>
+    <message>
+        <source>Ctrl+I</source>
+        <translation>Ctrl+I</translation>
+    </message>
+    <message>
+        <source>See and change what an import would do, before it is done</source>
+        <translation>Zien en wijzigen wat een import zou doen, voordat het gebeurt</translation>
+    </message>
+    <message>
+        <source>Import Fol&amp;der…</source>
+        <translation>Ma&amp;p importeren…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+I</source>
+        <translation>Ctrl+Shift+I</translation>
+    </message>
+    <message>
+        <source>The same for all meshes in a folder</source>
+        <translation>Hetzelfde voor alle meshes in een map</translation>
+    </message>
+    <message>
+        <source>Import Op&amp;tions…</source>
+        <translation>Importopties wi&amp;jzigen…</translation>
+    </message>
+    <message>
+        <source>Import what is open once more, with other units, smoothing or choice</source>
+        <translation>Wat open is nogmaals importeren, met andere eenheden, gladmaking of keuze</translation>
+    </message>
+    <message>
+        <source>Proper&amp;ties…</source>
+        <translation>Eigens&amp;chappen…</translation>
+    </message>
+    <message>
+        <source>Facing the &amp;View</source>
+        <translation>&amp;Dwars op de blik</translation>
     </message>
 </context>
 <context>
@@ -1763,32 +1847,16 @@ OpenGL: %3</translation>
         <translation>Waar alleen lijnen getekend zijn</translation>
     </message>
     <message>
-        <source>Emphasis</source>
-        <translation>Nadruk</translation>
-    </message>
-    <message>
-        <source>Focus</source>
-        <translation>Focus</translation>
-    </message>
-    <message>
-        <source>These in detail, everything else as contours</source>
-        <translation>Deze in detail, al het andere als contouren</translation>
-    </message>
-    <message>
-        <source>Context</source>
-        <translation>Context</translation>
-    </message>
-    <message>
-        <source>These as contours</source>
-        <translation>Deze als contouren</translation>
-    </message>
-    <message>
         <source>Inherit Γ</source>
         <translation>Γ overnemen</translation>
     </message>
     <message>
         <source>Fill</source>
         <translation>Vulling</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Voorinstellingen</translation>
     </message>
 </context>
 <context>
@@ -1826,6 +1894,272 @@ OpenGL: %3</translation>
 %1</source>
         <translation>Deze koppeling leidt buiten het programma, naar
 %1</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ImportDialog</name>
+    <message>
+        <source>Import %1</source>
+        <translation>%1 importeren</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Structuren</translation>
+    </message>
+    <message>
+        <source>Left out</source>
+        <translation>Weggelaten</translation>
+    </message>
+    <message>
+        <source>Filter by name or file</source>
+        <translation>Op naam of bestand filteren</translation>
+    </message>
+    <message>
+        <source>What is left out or mended</source>
+        <translation>Wat weggelaten of hersteld wordt</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Bestand</translation>
+    </message>
+    <message>
+        <source>What happened, and what to do</source>
+        <translation>Wat er gebeurd is en wat te doen</translation>
+    </message>
+    <message>
+        <source>Progress of reading</source>
+        <translation>Voortgang van het lezen</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Import</translation>
+    </message>
+    <message>
+        <source>Opens what is listed as a scene of its own</source>
+        <translation>Opent wat in de lijst staat als eigen scène</translation>
+    </message>
+    <message>
+        <source>Add to Scene</source>
+        <translation>Aan scène toevoegen</translation>
+    </message>
+    <message>
+        <source>Puts what is listed below the structures of the open scene</source>
+        <translation>Zet wat in de lijst staat onder de structuren van de open scène</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>Bezig met lezen…</translation>
+    </message>
+    <message>
+        <source>Left out or mended</source>
+        <translation>Weggelaten of hersteld</translation>
+    </message>
+    <message>
+        <source>Left out or mended (%1)</source>
+        <translation>Weggelaten of hersteld (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ImportDraft</name>
+    <message>
+        <source>LPS – left, posterior, superior</source>
+        <translation>LPS – links, achter, boven</translation>
+    </message>
+    <message>
+        <source>RAS – right, anterior, superior</source>
+        <translation>RAS – rechts, voor, boven</translation>
+    </message>
+    <message>
+        <source>As in the file, unturned</source>
+        <translation>Zoals in het bestand, ongedraaid</translation>
+    </message>
+    <message>
+        <source>mm – millimetres</source>
+        <translation>mm – millimeter</translation>
+    </message>
+    <message>
+        <source>cm – centimetres</source>
+        <translation>cm – centimeter</translation>
+    </message>
+    <message>
+        <source>m – metres</source>
+        <translation>m – meter</translation>
+    </message>
+    <message>
+        <source>in – inches</source>
+        <translation>in – inch</translation>
+    </message>
+    <message>
+        <source>µm – micrometres</source>
+        <translation>µm – micrometer</translation>
+    </message>
+    <message>
+        <source>Å – ångström</source>
+        <translation>Å – ångström</translation>
+    </message>
+    <message>
+        <source>Where it shows steps</source>
+        <translation>Waar treden te zien zijn</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Uit</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n steps</source>
+        <translation>
+            <numerusform>%n stap</numerusform>
+            <numerusform>%n stappen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Keep all</source>
+        <translation>Alles houden</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>uit</translation>
+    </message>
+    <message>
+        <source>within %1 mm</source>
+        <translation>binnen %1 mm</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nee</translation>
+    </message>
+    <message>
+        <source>as the scene file has it</source>
+        <translation>zoals het scènebestand het heeft</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>; and %n more</source>
+        <translation>
+            <numerusform>; en nog %n</numerusform>
+            <numerusform>; en nog %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>onbekend</translation>
+    </message>
+    <message>
+        <source>as in the file</source>
+        <translation>zoals in het bestand</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>‘%1’</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures</source>
+        <translation>
+            <numerusform>%n structuur</numerusform>
+            <numerusform>%n structuren</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n groups</source>
+        <translation>
+            <numerusform>%n groep</numerusform>
+            <numerusform>%n groepen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 driehoeken</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n skipped</source>
+        <translation>
+            <numerusform>%n overgeslagen</numerusform>
+            <numerusform>%n overgeslagen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Everything together is %1 mm large</source>
+        <translation>Alles samen is %1 mm groot</translation>
+    </message>
+    <message>
+        <source>%1. If the files are in %2, it is %3 mm.</source>
+        <translation>%1. Als de bestanden in %2 zijn, is het %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1, which is small for anatomy.</source>
+        <translation>%1, wat klein is voor anatomie.</translation>
+    </message>
+    <message>
+        <source>%1, which is large for anatomy.</source>
+        <translation>%1, wat groot is voor anatomie.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Left and right look swapped: all %n structures with a side in their names lie on the other side (%1). Choose the other frame.</source>
+        <translation>
+            <numerusform>Links en rechts lijken verwisseld: de %n structuur met een kant in de naam ligt aan de andere kant (%1). Kies het andere assenstelsel.</numerusform>
+            <numerusform>Links en rechts lijken verwisseld: alle %n structuren met een kant in de naam liggen aan de andere kant (%1). Kies het andere assenstelsel.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures lie on the other side than their names say: %1.</source>
+        <translation>
+            <numerusform>%n structuur ligt aan de andere kant dan de naam zegt: %1.</numerusform>
+            <numerusform>%n structuren liggen aan de andere kant dan hun namen zeggen: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 triangles, %4</source>
+        <translation>%1: %2, %3 driehoeken, %4</translation>
+    </message>
+    <message>
+        <source>%1, from %2</source>
+        <translation>%1, uit %2</translation>
+    </message>
+    <message>
+        <source>From a scene file: it keeps its place, size and triangles.</source>
+        <translation>Uit een scènebestand: het houdt plaats, grootte en driehoeken.</translation>
+    </message>
+    <message>
+        <source>Frame: %1</source>
+        <translation>Assenstelsel: %1</translation>
+    </message>
+    <message>
+        <source>Unit: %1</source>
+        <translation>Eenheid: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n faces mended</source>
+        <translation>
+            <numerusform>%n vlak hersteld</numerusform>
+            <numerusform>%n vlakken hersteld</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Its name says the other side than it lies on.</source>
+        <translation>De naam zegt de andere kant dan waar het ligt.</translation>
     </message>
 </context>
 <context>
@@ -1884,6 +2218,21 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::ManagePresetsDialog</name>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Hernoemen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Verwijderen</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Voorinstellingen</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::MessageBar</name>
     <message>
         <source>Message</source>
@@ -1907,6 +2256,72 @@ OpenGL: %3</translation>
     <message>
         <source>What was left out or mended</source>
         <translation>Wat weggelaten of hersteld is</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::MorePanel</name>
+    <message>
+        <source>More</source>
+        <translation>Meer</translation>
+    </message>
+    <message>
+        <source>Line width, hatching, opacity and colours</source>
+        <translation>Lijndikte, arcering, dekking en kleuren</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Open</translation>
+    </message>
+    <message>
+        <source>Folded away</source>
+        <translation>Ingeklapt</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::OptionsPanel</name>
+    <message>
+        <source>&amp;Mend faces</source>
+        <translation>&amp;Vlakken herstellen</translation>
+    </message>
+    <message>
+        <source>Lay molecules &amp;over each other</source>
+        <translation>Moleculen &amp;over elkaar leggen</translation>
+    </message>
+    <message>
+        <source>As found</source>
+        <translation>Zoals gevonden</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Keep all</source>
+        <translation>Alles houden</translation>
+    </message>
+    <message>
+        <source>As few triangles as can be with no part of a surface moved by more than this</source>
+        <translation>Zo weinig driehoeken als mogelijk zonder dat een deel van een oppervlak meer dan dit verschuift</translation>
+    </message>
+    <message>
+        <source>Leaves out faces without area or given twice, and turns those that look inwards</source>
+        <translation>Laat vlakken zonder oppervlakte en dubbele weg, en keert om wat naar binnen kijkt</translation>
+    </message>
+    <message>
+        <source>Coor&amp;dinates</source>
+        <translation>Coör&amp;dinaten</translation>
+    </message>
+    <message>
+        <source>&amp;Length of a unit</source>
+        <translation>&amp;Lengte van een eenheid</translation>
+    </message>
+    <message>
+        <source>Fewer t&amp;riangles, within</source>
+        <translation>Minder d&amp;riehoeken, binnen</translation>
+    </message>
+    <message>
+        <source>S&amp;moothing</source>
+        <translation>Glad&amp;maken</translation>
     </message>
 </context>
 <context>
@@ -1943,6 +2358,52 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::PlanTree</name>
+    <message>
+        <source>What would be imported</source>
+        <translation>Wat geïmporteerd zou worden</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PlanTreeModel</name>
+    <message>
+        <source>Å</source>
+        <translation>Å</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Structuur</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Driehoeken</translation>
+    </message>
+    <message>
+        <source>Size, mm</source>
+        <translation>Grootte, mm</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Bestand</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Assenstelsel</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Eenheid</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Gladmaken</translation>
+    </message>
+    <message>
+        <source>Fewer triangles</source>
+        <translation>Minder driehoeken</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::PreferencesDialog</name>
     <message>
         <source>Preferences</source>
@@ -1951,6 +2412,64 @@ OpenGL: %3</translation>
     <message>
         <source>%1:</source>
         <translation>%1:</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PresetPanel</name>
+    <message>
+        <source>Focus</source>
+        <translation>Focus</translation>
+    </message>
+    <message>
+        <source>These in detail, everything else by what it is to them</source>
+        <translation>Deze in detail, al het andere naar wat het voor ze is</translation>
+    </message>
+    <message>
+        <source>Context</source>
+        <translation>Context</translation>
+    </message>
+    <message>
+        <source>These as contours</source>
+        <translation>Deze als contouren</translation>
+    </message>
+    <message>
+        <source>Ghost</source>
+        <translation>Schim</translation>
+    </message>
+    <message>
+        <source>These as their outer edges alone</source>
+        <translation>Deze alleen met hun buitenranden</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Verborgen</translation>
+    </message>
+    <message>
+        <source>Hides these</source>
+        <translation>Verbergt deze</translation>
+    </message>
+    <message>
+        <source>My presets</source>
+        <translation>Mijn voorinstellingen</translation>
+    </message>
+    <message>
+        <source>Looks that you have named</source>
+        <translation>Uiterlijk dat je een naam gegeven hebt</translation>
+    </message>
+    <message>
+        <source>&amp;Save This Look…</source>
+        <translation>Dit uiterlijk op&amp;slaan…</translation>
+    </message>
+    <message>
+        <source>&amp;Manage…</source>
+        <translation>&amp;Beheren…</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::RangeBox</name>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
     </message>
 </context>
 <context>
@@ -1988,7 +2507,7 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation>Delete</translation>
+        <translation>Verwijderen</translation>
     </message>
     <message>
         <source>Delete the unsaved work on “%1”?</source>
@@ -1997,6 +2516,29 @@ OpenGL: %3</translation>
     <message>
         <source>It cannot be brought back.</source>
         <translation>Het kan niet worden teruggehaald.</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SavePresetDialog</name>
+    <message>
+        <source>Save Preset</source>
+        <translation>Voorinstelling opslaan</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Naam</translation>
+    </message>
+    <message>
+        <source>What it keeps of the look:</source>
+        <translation>Wat die van het uiterlijk bewaart:</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Vervangen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Opslaan</translation>
     </message>
 </context>
 <context>
@@ -2045,10 +2587,6 @@ OpenGL: %3</translation>
         <translation>&amp;Axiaal</translation>
     </message>
     <message>
-        <source>&amp;Facing the View</source>
-        <translation>&amp;Dwars op de blik</translation>
-    </message>
-    <message>
         <source>%1 cannot be added: a structure can have %2 sections at most</source>
         <translation>%1 kan niet worden toegevoegd: een structuur kan hoogstens %2 doorsneden hebben</translation>
     </message>
@@ -2059,6 +2597,10 @@ OpenGL: %3</translation>
     <message>
         <source>Of %1 alone</source>
         <translation>Alleen van %1</translation>
+    </message>
+    <message>
+        <source>Facing the &amp;View</source>
+        <translation>&amp;Dwars op de blik</translation>
     </message>
 </context>
 <context>
@@ -2131,7 +2673,7 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation>Delete</translation>
+        <translation>Verwijderen</translation>
     </message>
     <message>
         <source>Take this section away</source>
@@ -2180,6 +2722,52 @@ OpenGL: %3</translation>
     <message>
         <source>What a Section Cuts</source>
         <translation>Wat een doorsnede snijdt</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SelectionPanel</name>
+    <message>
+        <source>&amp;Import</source>
+        <translation>&amp;Importeren</translation>
+    </message>
+    <message>
+        <source>&amp;Colour…</source>
+        <translation>&amp;Kleur…</translation>
+    </message>
+    <message>
+        <source>&amp;Frame</source>
+        <translation>&amp;Assenstelsel</translation>
+    </message>
+    <message>
+        <source>&amp;Unit</source>
+        <translation>&amp;Eenheid</translation>
+    </message>
+    <message>
+        <source>&amp;Smoothing</source>
+        <translation>&amp;Gladmaken</translation>
+    </message>
+    <message>
+        <source>Fewer &amp;triangles</source>
+        <translation>Minder &amp;driehoeken</translation>
+    </message>
+    <message>
+        <source>As for all</source>
+        <translation>Zoals voor alle</translation>
+    </message>
+    <message>
+        <source>Different</source>
+        <translation>Verschillend</translation>
+    </message>
+    <message numerus="yes">
+        <source>For the selected %n structures</source>
+        <translation>
+            <numerusform>Voor de gekozen structuur</numerusform>
+            <numerusform>Voor de gekozen %n structuren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select structures to treat them unlike the others</source>
+        <translation>Kies structuren om ze anders te behandelen dan de rest</translation>
     </message>
 </context>
 <context>
@@ -2244,6 +2832,28 @@ OpenGL: %3</translation>
     <message>
         <source>Hide</source>
         <translation>Verbergen</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 van %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n items</source>
+        <translation>
+            <numerusform>%1 van %n onderdeel</numerusform>
+            <numerusform>%1 van %n onderdelen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 toevoegen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StageButton</name>
+    <message>
+        <source>%1, Γ %2</source>
+        <translation>%1, Γ %2</translation>
     </message>
 </context>
 <context>
@@ -2432,6 +3042,32 @@ OpenGL: %3</translation>
     <message>
         <source>Locked</source>
         <translation>Vergrendeld</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StyleColourEditor</name>
+    <message>
+        <source>Several</source>
+        <translation>Meerdere</translation>
+    </message>
+    <message>
+        <source>With the background</source>
+        <translation>Met de achtergrond</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StyleEditor</name>
+    <message>
+        <source>Reset</source>
+        <translation>Herstellen</translation>
+    </message>
+    <message>
+        <source>As the group above, or the usual, says</source>
+        <translation>Zoals de groep erboven of het gewone zegt</translation>
+    </message>
+    <message>
+        <source>Reset %1</source>
+        <translation>%1 herstellen</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // F1 in each panel, the pages, their links, and that nothing leads outside without being asked.
+#include <QAction>
+#include <QDialog>
 #include <QDir>
 #include <QLineEdit>
 #include <QListWidget>
@@ -63,6 +65,18 @@ class HelpTest : public QObject {
     // Once more does not open a second window.
     QTest::keyClick(focused, Qt::Key_F1);
     QCOMPARE(f.window.findChildren<widgets::HelpWindow*>().size(), 1);
+  }
+
+  void keyWorksInDialogs() {
+    WindowFixture f;
+    f.control<QAction>("controls").trigger();
+    auto* dialog = f.window.findChild<QDialog*>(QStringLiteral("controlsDialog"));
+    QVERIFY(dialog);
+    QTest::keyClick(dialog->findChild<QLineEdit*>(), Qt::Key_F1);
+    auto* help = dialog->findChild<widgets::HelpWindow*>();
+    QVERIFY(help && help->isVisible());
+    QCOMPARE(help->findChild<widgets::HelpBrowser*>()->page(), QStringLiteral("keys"));
+    dialog->close();
   }
 
   void pagesAreWhole() {

@@ -21,9 +21,11 @@ struct Place {
   const char* page;
 };
 constexpr Place places[] = {
-    {"structuresPanel", "tree"}, {"gammaPanel", "gamma"},       {"historyPanel", "start"},
-    {"focusPanel", "focus"},     {"sectionsPanel", "sections"}, {"viewport", "picture"},
-    {"startPage", "start"},      {"importDialog", "import"},    {"controlsDialog", "keys"},
+    {"structuresPanel", "tree"},   {"propertiesDialog", "tree"},     {"gammaPanel", "gamma"},
+    {"savePresetDialog", "gamma"}, {"managePresetsDialog", "gamma"}, {"focusPanel", "focus"},
+    {"sectionsPanel", "sections"}, {"viewport", "picture"},          {"startPage", "start"},
+    {"historyPanel", "start"},     {"recoveryDialog", "files"},      {"saveDialog", "files"},
+    {"importDialog", "import"},    {"controlsDialog", "keys"},
 };
 
 QString read(const QString& path) {
@@ -54,7 +56,10 @@ QString helpText(const QString& id, const QLocale& locale) {
 
 QString helpTitle(const QString& id, const QLocale& locale) {
   const QString text = helpText(id, locale);
-  return text.section(QLatin1Char('\n'), 0, 0).remove(QStringLiteral("# ")).trimmed();
+  return text.section(QLatin1Char('\n'), 0, 0)
+      .remove(QStringLiteral("# "))
+      .remove(QLatin1Char('`'))
+      .trimmed();
 }
 
 std::vector<QString> helpPagesWith(const QString& words, const QLocale& locale) {

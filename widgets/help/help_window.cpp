@@ -65,6 +65,7 @@ QWidget* HelpWindow::makeContents() {
   m_contents->setAccessibleName(tr("Contents"));
   m_contents->setFrameShape(QFrame::NoFrame);
   m_contents->setWordWrap(true);
+  m_contents->setSpacing(2);
   connect(m_search, &QLineEdit::textChanged, this, &HelpWindow::list);
   connect(m_search, &QLineEdit::returnPressed, this, [this] {
     if (m_contents->count() > 0)

@@ -24,8 +24,7 @@
 #include "widgets/focus/focus_panel.h"
 #include "widgets/gamma/gamma_panel.h"
 #include "widgets/gamma/stage_strip.h"
-#include "widgets/help/help_pages.h"
-#include "widgets/help/help_window.h"
+#include "widgets/help/help_key.h"
 #include "widgets/language/languages.h"
 #include "widgets/preferences/preferences_dialog.h"
 #include "widgets/sections/sections_panel.h"
@@ -109,6 +108,7 @@ MainWindow::MainWindow(Session& session, QSettings& settings, QWidget* parent)
   setObjectName(QStringLiteral("mainWindow"));
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowTabbedDocks);
+  new HelpKey(this);
   makeCentre();
   makeControls();
   restore();
@@ -188,6 +188,7 @@ void MainWindow::remakeControls() {
       source->disconnect(listener);
   placeMessage(false);
   delete m_start;
+  delete m_imports;
   delete m_parts;
   clearControls(*this);
   m_actions.remake(*this);
@@ -435,14 +436,8 @@ void MainWindow::connectViews() {
 }
 
 void MainWindow::showHelp() {
-  const QString page = helpPageOf(QApplication::focusWidget());
-  auto* help = findChild<HelpWindow*>();
-  if (!help)
-    help = new HelpWindow(this);
-  help->showPage(page);
-  help->show();
-  help->raise();
-  help->activateWindow();
+  QWidget* focus = QApplication::focusWidget();
+  HelpKey::showHelp(focus && focus->window() == this ? *focus : *this);
 }
 
 void MainWindow::restore() {

@@ -35,7 +35,7 @@ QString kindText(SectionKind kind) {
     case SectionKind::axial:
       return SectionActions::tr("&Axial");
     default:
-      return SectionActions::tr("&Facing the View");
+      return SectionActions::tr("Facing the &View");
   }
 }
 

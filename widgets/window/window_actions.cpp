@@ -120,7 +120,7 @@ std::vector<ActionRow> structureRows() {
       {QStringLiteral("lock"), tr("Loc&k"), key(tr("Ctrl+L")),
        tr("What is locked keeps its look, name and place and cannot be clicked in the picture"),
        "lock"},
-      {QStringLiteral("properties"), tr("Propert&ies…"), key(tr("Alt+Return")),
+      {QStringLiteral("properties"), tr("Proper&ties…"), key(tr("Alt+Return")),
        tr("Where it came from, how large it is, how it is drawn")},
       {QStringLiteral("remove"), tr("&Remove"), key(QKeySequence::Delete),
        tr("Take the selected structures out of the scene"), "remove"}};
@@ -142,7 +142,7 @@ std::vector<ActionRow> viewRows() {
        tr("Cut in the plane between front and back; again: whole"), "section_coronal"},
       {QStringLiteral("sectionAxial"), tr("&Axial"), key(tr("Ctrl+3")),
        tr("Cut in the plane between upper and lower; again: whole"), "section_axial"},
-      {QStringLiteral("sectionFacing"), tr("&Facing the View"), key(tr("Ctrl+4")),
+      {QStringLiteral("sectionFacing"), tr("Facing the &View"), key(tr("Ctrl+4")),
        tr("Cut across the line of sight")},
       {QStringLiteral("sectionFlip"), tr("&Flip"), key(tr("X")),
        tr("Keep the other side of each section"), "section_flip"},
