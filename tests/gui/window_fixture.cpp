@@ -21,8 +21,11 @@ namespace sline::test {
 QString sealed(const QString& folder) {
   qputenv("XDG_STATE_HOME", QFile::encodeName(folder + QStringLiteral("/state")));
   const QString file = folder + QStringLiteral("/settings.ini");
+  QSettings settings(file, QSettings::IniFormat);
   // Nothing is modelled in the background, where it would be in the way.
-  QSettings(file, QSettings::IniFormat).setValue(QStringLiteral("start/demoPictures"), false);
+  settings.setValue(QStringLiteral("start/demoPictures"), false);
+  // Views change at once: what is looked at next is there when the key was pressed.
+  settings.setValue(QStringLiteral("navigation/flights"), false);
   return file;
 }
 
@@ -42,15 +45,15 @@ widgets::StructureTreeView& WindowFixture::tree() {
   return window.tree().view();
 }
 
-bool WindowFixture::drop(const QString& path) {
+bool WindowFixture::drop(const QString& path, Qt::KeyboardModifiers keys) {
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(path)});
   const QPoint at = window.rect().center();
-  QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, keys);
   QApplication::sendEvent(&window, &enter);
   if (!enter.isAccepted())
     return false;
-  QDropEvent drop(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QDropEvent drop(at, Qt::CopyAction, &data, Qt::LeftButton, keys);
   QApplication::sendEvent(&window, &drop);
   return drop.isAccepted();
 }

@@ -48,17 +48,40 @@ std::vector<PreferenceRow> languageRows() {
 
 std::vector<PreferenceRow> pictureRows() {
   const QString page = tr("Picture");
-  return {{QStringLiteral("picture/background"), page, tr("Background"),
-           tr("What the picture is drawn on; on the dark one ink is light"),
-           ChoiceOf{{{QStringLiteral("white"), tr("White")},
-                     {QStringLiteral("paper"), tr("Paper")},
-                     {QStringLiteral("dark"), tr("Dark")}},
-                    QStringLiteral("paper")}}};
+  return {
+      {QStringLiteral("picture/background"), page, tr("Background"),
+       tr("What the picture is drawn on; on the dark one ink is light"),
+       ChoiceOf{{{QStringLiteral("white"), tr("White")},
+                 {QStringLiteral("paper"), tr("Paper")},
+                 {QStringLiteral("dark"), tr("Dark")}},
+                QStringLiteral("paper")}},
+      {QStringLiteral("picture/cube"), page, tr("Orientation cube"),
+       tr("The body's sides in the corner of the picture; a click looks from there"), Switch{true}},
+      {QStringLiteral("picture/scaleBar"), page, tr("Scale bar"),
+       tr("True at the depth of what the picture turns around"), Switch{true}},
+      {QStringLiteral("picture/names"), page, tr("Names under the mouse"),
+       tr("What a structure is called where the mouse rests"), Switch{true}},
+      {QStringLiteral("picture/frameTime"), page, tr("Time that a picture takes"),
+       tr("In milliseconds, in the corner of the picture"), Switch{false}}};
+}
+
+std::vector<PreferenceRow> navigationRows() {
+  const QString page = tr("Mouse");
+  return {{QStringLiteral("navigation/mouse"), page, tr("Mouse buttons as in"),
+           tr("Which buttons and keys turn, move and zoom the picture; H shows them"),
+           ChoiceOf{{{QStringLiteral("sline"), tr("Sline")},
+                     {QStringLiteral("slicer"), tr("3D Slicer")},
+                     {QStringLiteral("blender"), tr("Blender")}},
+                    QStringLiteral("sline")}},
+          {QStringLiteral("navigation/flights"), page, tr("Short flights between views"),
+           tr("Off: the picture changes at once"), Switch{true}}};
 }
 
 std::vector<PreferenceRow> fileRows() {
   constexpr int tenMinutes = 600;
-  return {{QStringLiteral("files/autosaveSeconds"), tr("Files"), tr("Keep unsaved work after"),
+  return {{QStringLiteral("files/importOptions"), tr("Files"), tr("Always show import options"),
+           tr("Before meshes are opened: units, smoothing and what is left out"), Switch{false}},
+          {QStringLiteral("files/autosaveSeconds"), tr("Files"), tr("Keep unsaved work after"),
            tr("How long after a change a copy is kept, which is offered after a crash"),
            WholeNumber{0, tenMinutes, 60, tr("s"), tr("Never")}}};
 }
@@ -67,7 +90,8 @@ std::vector<PreferenceRow> fileRows() {
 
 std::vector<PreferenceRow> preferenceRows() {
   std::vector<PreferenceRow> rows = appearanceRows();
-  for (const std::vector<PreferenceRow>& more : {languageRows(), pictureRows(), fileRows()})
+  for (const std::vector<PreferenceRow>& more :
+       {languageRows(), pictureRows(), navigationRows(), fileRows()})
     rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }

@@ -63,6 +63,10 @@ class Session : public QObject {
   /// Ids that the scene lacks are left out.
   void select(NodeIds ids);
 
+  /// The section that is being worked on, where the scene has it.
+  std::optional<model::SectionId> activeSection() const;
+  void activateSection(std::optional<model::SectionId> id);
+
   /// Reads the files and folders in the background; the scene becomes the document when it is
   /// there (one undo step). A job that is under way is cancelled.
   void openPaths(std::vector<std::filesystem::path> paths);
@@ -72,6 +76,8 @@ class Session : public QObject {
   /// Where something is known to reload from.
   bool canReload() const { return !sources().empty(); }
   void openMade(const QString& title, SceneMaker maker);
+  /// The files and folders that the document was made of, as they were named.
+  std::vector<std::filesystem::path> sources() const;
   /// A scene without anything in it.
   void openEmpty(const QString& title);
   /// A copy that was left by a crash: it differs from its file until it is saved.
@@ -91,6 +97,8 @@ class Session : public QObject {
   void fileChanged();
   /// What was asked for is there. Nothing for what was made.
   void opened(const std::vector<std::filesystem::path>& paths);
+  /// Another one was activated; that it left the scene, or came back, is a change of the document.
+  void activeSectionChanged();
   void jobStarted(const QString& title);
   void jobProgressed(double done, const QString& what);
   void jobEnded();
@@ -105,13 +113,12 @@ class Session : public QObject {
   void push(const QString& name, Document after, const QString& series);
   void open(const Loaded& loaded);
   void renew(const Loaded& loaded);
+  void add(const Loaded& loaded);
   void goBack(const Loaded& loaded);
   void addOpening(Document document, DocumentFile file);
   /// Locks are held for what is open, not for what undo could bring back.
   void moveLock(int from, int to);
   void compareWithFile(bool another);
-  /// The files and folders that the document was opened from.
-  std::vector<std::filesystem::path> sources() const;
   void startJob(const QString& title, SceneMaker maker);
   void endJob();
 
@@ -120,6 +127,7 @@ class Session : public QObject {
   std::optional<Document> m_beforePreview;
   NodeIds m_selection;
   ShownNames m_names;
+  std::optional<model::SectionId> m_activeSection;
   SceneJob* m_job = nullptr;
   bool m_modified = false;
   int m_openings = 0;

@@ -16,6 +16,8 @@ constexpr glm::dvec3 longAxis(0.0, 0.0, 1.0);
 constexpr float degreesPerHeight = 200.0f;
 /// Below this the horizon's slant is rounding, left over from earlier turns.
 constexpr double levelSlant = 1e-3;
+/// A drag upwards over the picture's whole height makes all this many times as large.
+constexpr float zoomPerHeight = 8.0f;
 
 /// The slope of a line of sight at the picture's upper edge.
 float edgeSlope(const model::Camera& camera) {
@@ -77,6 +79,35 @@ model::Camera zoomed(const model::Camera& camera, const glm::vec3& at, float fac
   return model::cameraFault(nearer) ? camera : nearer;
 }
 
+model::Camera rolled(const model::Camera& camera, float degrees) {
+  const model::CameraFrame frame = model::cameraFrame(camera);
+  // What stands upright comes to lean to the right where the camera's up leans to the left.
+  const double angle = glm::radians(double(degrees));
+  model::Camera turned = camera;
+  turned.up =
+      glm::vec3(std::cos(angle) * glm::dvec3(frame.up) - std::sin(angle) * glm::dvec3(frame.right));
+  return turned;
+}
+
+model::Camera turnedTo(const model::Camera& camera, const glm::vec3& pivot, const glm::vec3& from,
+                       const glm::vec3& up) {
+  const model::CameraFrame frame = model::cameraFrame(camera);
+  const glm::dvec3 back = glm::normalize(glm::dvec3(from));
+  const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(up), back));
+  const glm::dvec3 upright = glm::cross(back, right);
+  const auto moved = [&](const glm::vec3& p) {
+    const glm::dvec3 way = glm::dvec3(p) - glm::dvec3(pivot);
+    return glm::vec3(glm::dvec3(pivot) + glm::dot(way, glm::dvec3(frame.right)) * right +
+                     glm::dot(way, glm::dvec3(frame.up)) * upright +
+                     glm::dot(way, glm::dvec3(frame.back)) * back);
+  };
+  model::Camera turned = camera;
+  turned.eye = moved(camera.eye);
+  turned.target = moved(camera.target);
+  turned.up = glm::vec3(upright);
+  return turned;
+}
+
 model::Ray sightThrough(const model::Camera& camera, const glm::vec2& pixel,
                         const glm::vec2& size) {
   const model::CameraFrame frame = model::cameraFrame(camera);
@@ -101,10 +132,33 @@ glm::vec3 pointAtDepthOf(const model::Camera& camera, const glm::vec3& at, const
   return ray.origin + depth / glm::dot(ray.direction, forward) * ray.direction;
 }
 
+std::optional<glm::vec2> pixelOf(const model::Camera& camera, const glm::vec3& p,
+                                 const glm::vec2& size) {
+  const model::CameraFrame frame = model::cameraFrame(camera);
+  const glm::vec3 way = p - camera.eye;
+  float half = 0.5f * camera.heightMm;
+  if (camera.projection == model::Projection::perspective) {
+    const float depth = -glm::dot(way, frame.back);
+    if (!(depth > 0.0f))
+      return std::nullopt;
+    half = depth * edgeSlope(camera);
+  }
+  const float scale = 0.5f * size.y / half;
+  return 0.5f * size + scale * glm::vec2(glm::dot(way, frame.right), -glm::dot(way, frame.up));
+}
+
 model::Camera CameraDrag::at(const glm::vec2& pixel, const glm::vec2& size) const {
   const glm::vec2 way = pixel - m_start.pixel;
   if (m_start.kind == Kind::pan)
     return panned(m_start.camera, m_start.pivot, way, size.y);
+  if (m_start.kind == Kind::zoom)
+    return zoomed(m_start.camera, m_start.pivot, std::pow(zoomPerHeight, -way.y / size.y));
+  if (m_start.kind == Kind::roll) {
+    const glm::vec2 from = m_start.pixel - 0.5f * size;
+    const glm::vec2 to = pixel - 0.5f * size;
+    const float across = from.x * to.y - from.y * to.x;
+    return rolled(m_start.camera, glm::degrees(std::atan2(across, glm::dot(from, to))));
+  }
   const float rate = degreesPerHeight / size.y;
   return orbited(m_start.camera, m_start.pivot, rate * way.x, rate * way.y);
 }

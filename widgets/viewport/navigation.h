@@ -4,6 +4,7 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <optional>
 
 #include "model/geometry/bvh.h"
 #include "model/scene/camera.h"
@@ -23,16 +24,26 @@ model::Camera panned(const model::Camera& camera, const glm::vec3& at, const glm
 /// Draws the scene `factor` times as large around the point, which keeps its place in the picture.
 model::Camera zoomed(const model::Camera& camera, const glm::vec3& at, float factor);
 
+/// Turns the picture about its middle, by degrees clockwise.
+model::Camera rolled(const model::Camera& camera, float degrees);
+/// Turns the camera around the pivot, which keeps its place in the picture, until it looks from the
+/// direction `from`, with `up` upwards; neither needs unit length.
+model::Camera turnedTo(const model::Camera& camera, const glm::vec3& pivot, const glm::vec3& from,
+                       const glm::vec3& up);
+
 /// The line of sight through a pixel; its direction is a unit vector.
 model::Ray sightThrough(const model::Camera& camera, const glm::vec2& pixel, const glm::vec2& size);
 /// Where the line of sight through the pixel reaches the depth of `at`.
 glm::vec3 pointAtDepthOf(const model::Camera& camera, const glm::vec3& at, const glm::vec2& pixel,
                          const glm::vec2& size);
+/// The pixel of a point; absent for one that is not in front of the eye.
+std::optional<glm::vec2> pixelOf(const model::Camera& camera, const glm::vec3& p,
+                                 const glm::vec2& size);
 
 /// A drag of the camera, from the press of a button to its release.
 class CameraDrag {
  public:
-  enum class Kind { orbit, pan };
+  enum class Kind { orbit, pan, zoom, roll };
   struct Start {
     Kind kind = Kind::orbit;
     glm::vec2 pixel{0.0f};

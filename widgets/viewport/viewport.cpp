@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+// Pictures and cameras; what hands do is in viewport_input.cpp.
 #include "widgets/viewport/viewport.h"
 
-#include <QApplication>
-#include <QLabel>
-#include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
-#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/viewport/orientation_letters.h"
+#include "render/picture/layer.h"
+#include "widgets/viewport/framing.h"
 
 namespace sline::widgets {
 
@@ -18,10 +16,11 @@ namespace {
 
 /// Milliseconds without a move after which the camera counts as resting.
 constexpr int restAfter = 150;
-
-glm::vec2 vec(const QPointF& p) {
-  return {float(p.x()), float(p.y())};
-}
+/// Milliseconds that a flight takes.
+constexpr int flightTime = 220;
+constexpr int flightStep = 15;
+/// Milliseconds that the mouse rests on a structure before its name is shown.
+constexpr int nameAfter = 180;
 
 int scaled(int pixels, float scale) {
   return std::max(1, int(std::lround(float(pixels) * scale)));
@@ -37,32 +36,38 @@ QSurfaceFormat pictureFormat() {
 
 }  // namespace
 
-Viewport::Viewport(Session& session, QWidget* parent) : QOpenGLWidget(parent), m_session(session) {
+Viewport::Viewport(Session& session, QWidget* parent)
+    : QOpenGLWidget(parent),
+      m_session(session),
+      m_cameraTool(*this),
+      m_sectionTool(session, *this) {
   setObjectName(QStringLiteral("viewport"));
   setAccessibleName(tr("Picture"));
   setFormat(pictureFormat());
   setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
   setMinimumSize(160, 120);
   m_rest.setSingleShot(true);
   m_rest.setInterval(restAfter);
-  m_pickers.setMaxThreadCount(1);
+  m_nameRest.setSingleShot(true);
+  m_nameRest.setInterval(nameAfter);
+  m_flightTick.setInterval(flightStep);
+  m_marks = new PictureMarks(*this);
+  m_marks->setBackground(m_background);
   connect(&m_rest, &QTimer::timeout, this, &Viewport::rest);
+  connect(&m_nameRest, &QTimer::timeout, this, &Viewport::wantName);
+  connect(&m_flightTick, &QTimer::timeout, this, &Viewport::flyOn);
   connect(&session, &Session::documentChanged, this, &Viewport::documentChange);
-  for (QLabel*& letter : m_letters) {
-    letter = new QLabel(this);
-    letter->setAttribute(Qt::WA_TransparentForMouseEvents);
-    letter->setAlignment(Qt::AlignCenter);
-    letter->hide();
-  }
-  m_letters[0]->setObjectName(QStringLiteral("letterLeft"));
-  m_letters[1]->setObjectName(QStringLiteral("letterRight"));
-  m_letters[2]->setObjectName(QStringLiteral("letterTop"));
-  m_letters[3]->setObjectName(QStringLiteral("letterBottom"));
-  styleLetters();
+  connect(&session, &Session::activeSectionChanged, this, &Viewport::showSection);
+  connect(&m_marks->cube(), &CubeMark::lookWanted, this, &Viewport::lookFrom);
+  connect(&m_marks->cube(), &CubeMark::turned, this, &Viewport::turnByCube);
+  connect(&m_marks->cube(), &CubeMark::turnEnded, this, [this](bool kept) {
+    if (!kept)
+      move(m_beforeTurn);
+  });
 }
 
 Viewport::~Viewport() {
-  m_pickers.waitForDone();
   closeGraphics();
 }
 
@@ -81,10 +86,15 @@ void Viewport::initializeGL() {
     return QString::fromUtf8(reinterpret_cast<const char*>(gl->glGetString(name)));
   };
   m_driver = text(GL_RENDERER) + QStringLiteral(", ") + text(GL_VERSION);
+  openGraphics();
+}
+
+void Viewport::openGraphics() {
   m_handoff = std::make_unique<render::gpu::Handoff>();
   m_thread = std::make_unique<RenderThread>(*context(), *m_handoff, m_factory);
   connect(m_thread.get(), &RenderThread::drawn, this, &Viewport::took);
-  connect(m_thread.get(), &RenderThread::failed, this, &Viewport::failed);
+  connect(m_thread.get(), &RenderThread::previewed, this, &Viewport::previewed);
+  connect(m_thread.get(), &RenderThread::failed, this, &Viewport::failure);
   refresh();
 }
 
@@ -99,11 +109,35 @@ void Viewport::closeGraphics() {
   m_shown = 0;
 }
 
+void Viewport::failure(const Error& error) {
+  // Once: a context that was lost is made anew, and so is all that was drawn in it. What fails
+  // again has another reason.
+  if (m_rebuilt || !context()) {
+    emit failed(error);
+    return;
+  }
+  m_rebuilt = true;
+  // Not within a signal of the thread that is to go.
+  QMetaObject::invokeMethod(this, &Viewport::rebuildGraphics, Qt::QueuedConnection);
+}
+
+void Viewport::rebuildGraphics() {
+  if (!m_handoff || !context())
+    return;
+  closeGraphics();
+  openGraphics();
+}
+
 void Viewport::paintGL() {
   if (!m_handoff)
     return;
-  if (m_shown == 0)
+  if (m_shown == 0) {
+    // Paper until there is a picture.
+    const glm::vec4 paper = render::backgroundColour(m_background);
+    context()->functions()->glClearColor(paper.r, paper.g, paper.b, 1.0f);
+    context()->functions()->glClear(GL_COLOR_BUFFER_BIT);
     m_handoff->warmUp();
+  }
   const std::uint64_t shown = m_handoff->show(pixels());
   if (shown == m_shown)
     return;
@@ -116,22 +150,10 @@ void Viewport::resizeGL(int, int) {
   refresh();
 }
 
-void Viewport::resizeEvent(QResizeEvent* event) {
-  QOpenGLWidget::resizeEvent(event);
-  placeLetters();
-}
-
-void Viewport::changeEvent(QEvent* event) {
-  QOpenGLWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange)
-    placeLetters();
-  if (event->type() == QEvent::LanguageChange)
-    setAccessibleName(tr("Picture"));
-}
-
 void Viewport::refresh() {
   if (!m_thread)
     return;
+  // A section keeps to what the camera's moves allow: another size draws everything anew.
   m_askedScale = m_moving ? m_quality.scale() : 1.0f;
   const render::gpu::TextureSize size = pixels();
   PictureRequest request{.number = ++m_asked,
@@ -146,64 +168,85 @@ void Viewport::refresh() {
   m_thread->ask(std::move(request));
 }
 
+void Viewport::askPreviews(PreviewRequest request) {
+  if (m_thread)
+    m_thread->ask(std::move(request));
+}
+
 void Viewport::took(const PictureReport& report) {
+  m_rebuilt = false;
   m_lastMilliseconds = report.milliseconds;
+  m_lastLayersDrawn = report.layersDrawn;
   // Only pictures of a moving camera are drawn anew as a whole; others keep most layers.
-  if (report.moving)
+  if (report.moving && !m_cutting)
     m_quality.took(report.milliseconds, report.scale);
+  m_marks->showTime(report.milliseconds, report.scale);
+  m_drawnCamera = report.camera;
+  showSection();
   update();
 }
 
 bool Viewport::upToDate() const {
-  return m_shown != 0 && m_shown == m_asked && m_askedScale == 1.0f && !m_moving;
+  return m_shown != 0 && m_shown == m_asked && m_askedScale == 1.0f && !m_moving && !m_flight;
+}
+
+void Viewport::keepMoving() {
+  m_moving = true;
+  m_rest.start();
+  forgetName();
 }
 
 void Viewport::move(const model::Camera& camera) {
   if (camera == m_camera || model::cameraFault(camera))
     return;
   m_camera = camera;
-  m_moving = true;
-  m_rest.start();
-  placeLetters();
+  m_cutting = false;
+  keepMoving();
+  placeMarks();
   refresh();
   emit cameraChanged();
 }
 
 void Viewport::rest() {
   m_moving = false;
+  m_cutting = false;
   if (m_askedScale != 1.0f)
     refresh();
 }
 
+void Viewport::stopFlight() {
+  m_flight.reset();
+  m_flightTick.stop();
+}
+
 void Viewport::setCamera(const model::Camera& camera) {
+  stopFlight();
   if (camera == m_camera || model::cameraFault(camera))
     return;
   m_camera = camera;
-  placeLetters();
+  placeMarks();
   refresh();
   emit cameraChanged();
 }
 
-std::vector<glm::vec3> Viewport::visibleCorners() const {
-  // Of each structure's box: a whole body has too many vertices to look at within a frame.
-  std::vector<glm::vec3> corners;
-  for (const model::Node& node : m_session.scene().nodes()) {
-    if (node.isGroup() || node.mesh->bounds().empty() ||
-        !m_session.scene().resolve(node.id).visible)
-      continue;
-    const model::Box& box = node.mesh->bounds();
-    for (int i = 0; i < 8; ++i)
-      corners.emplace_back((i & 1) != 0 ? box.high.x : box.low.x,
-                           (i & 2) != 0 ? box.high.y : box.low.y,
-                           (i & 4) != 0 ? box.high.z : box.low.z);
+void Viewport::flyTo(const model::Camera& camera) {
+  if (!m_flights || !isVisible() || camera == m_camera || model::cameraFault(camera)) {
+    setCamera(camera);
+    return;
   }
-  return corners;
+  m_flight.emplace(m_camera, camera);
+  m_flown.start();
+  m_flightTick.start();
 }
 
-model::Camera Viewport::cameraFrom(model::AnatomicalView view) const {
-  const model::Box bounds = m_session.scene().visibleBounds();
-  const float aspect = size2().x / size2().y;
-  return model::fitted(model::anatomicalCamera(view, bounds, aspect), visibleCorners(), aspect);
+void Viewport::flyOn() {
+  if (!m_flight)
+    return;
+  const double part = double(m_flown.elapsed()) / flightTime;
+  const model::Camera camera = m_flight->at(part);
+  if (part >= 1.0)
+    stopFlight();
+  move(camera);
 }
 
 void Viewport::pivotToMiddle() {
@@ -212,53 +255,37 @@ void Viewport::pivotToMiddle() {
     m_pivot = bounds.centre();
 }
 
-void Viewport::showFrom(model::AnatomicalView view) {
-  pivotToMiddle();
-  setCamera(cameraFrom(view));
+void Viewport::setPivot(const glm::vec3& pivot) {
+  m_pivot = pivot;
+  placeMarks();
 }
 
-model::Camera Viewport::overview() const {
-  // Views are saved for pictures of 4:3; a narrower window steps back so that the sides stay in.
-  const float narrow = std::min(1.0f, size2().x / size2().y * 3.0f / 4.0f);
-  for (const model::View& view : m_session.scene().views())
-    if (view.name == "Overview" && !model::cameraFault(view.camera))
-      return zoomed(view.camera, view.camera.target, narrow);
-  return cameraFrom(model::AnatomicalView::anterior);
+void Viewport::showFrom(model::AnatomicalView view) {
+  pivotToMiddle();
+  flyTo(cameraFrom(m_session.scene(), view, aspect()));
+}
+
+void Viewport::lookFrom(const CubePart& from) {
+  flyTo(turnedTo(m_camera, m_pivot, glm::vec3(from), upwardsFrom(from)));
 }
 
 void Viewport::fitAll() {
-  const model::Box bounds = m_session.scene().visibleBounds();
-  if (bounds.empty())
-    return;
-  m_pivot = bounds.centre();
-  setCamera(model::fitted(m_camera, visibleCorners(), size2().x / size2().y));
+  fitTo({model::rootId});
 }
 
 void Viewport::fitTo(const NodeIds& ids) {
-  std::vector<glm::vec3> corners;
-  model::Box bounds;
-  for (const model::NodeId id : ids)
-    for (const model::NodeId structure : m_session.scene().structuresBelow(id)) {
-      const model::Box& box = m_session.scene().find(structure)->mesh->bounds();
-      if (box.empty())
-        continue;
-      bounds.add(box);
-      for (int i = 0; i < 8; ++i)
-        corners.emplace_back((i & 1) != 0 ? box.high.x : box.low.x,
-                             (i & 2) != 0 ? box.high.y : box.low.y,
-                             (i & 4) != 0 ? box.high.z : box.low.z);
-    }
+  const model::Box bounds = visibleBounds(m_session.scene(), ids);
   if (bounds.empty())
     return;
   m_pivot = bounds.centre();
-  setCamera(model::fitted(m_camera, corners, size2().x / size2().y));
+  flyTo(fitted(m_camera, m_session.scene(), ids, aspect()));
 }
 
 void Viewport::setBackground(render::Background background) {
   if (background == m_background)
     return;
   m_background = background;
-  styleLetters();
+  m_marks->setBackground(background);
   refresh();
   emit backgroundChanged();
 }
@@ -275,135 +302,53 @@ void Viewport::setKeyLight(bool on) {
   refresh();
 }
 
+void Viewport::chooseMarks(const MarkChoice& choice) {
+  m_marks->choose(choice);
+}
+
 void Viewport::documentChange(const Document& before, const Document& now) {
   const bool another = before.opening != now.opening;
   if (!another && before.scene == now.scene)
     return;
+  forgetName();
   if (another) {
-    m_drag.reset();
+    cancelDrag();
+    m_drawnCamera.reset();
     m_quality = {};
     pivotToMiddle();
-    m_camera = overview();
+    stopFlight();
+    m_camera = overview(now.scene, aspect());
+  }
+  if (!another && m_session.previewing() && before.scene.sections() != now.scene.sections()) {
+    m_cutting = true;
+    keepMoving();
   }
   if (another || before.scene.nodes().empty() != now.scene.nodes().empty())
-    placeLetters();
+    placeMarks();
+  else
+    showSection();
   refresh();
   if (another)
     emit cameraChanged();
 }
 
-void Viewport::mousePressEvent(QMouseEvent* event) {
-  const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
-  const bool pan =
-      event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && shift);
-  if (m_drag || (!pan && event->button() != Qt::LeftButton))
-    return;
-  m_pressed = event->position();
-  m_dragged = false;
-  m_drag.emplace(CameraDrag::Start{.kind = pan ? CameraDrag::Kind::pan : CameraDrag::Kind::orbit,
-                                   .pixel = vec(m_pressed),
-                                   .camera = m_camera,
-                                   .pivot = m_pivot});
+void Viewport::placeMarks() {
+  m_marks->place(m_camera, m_pivot, !m_session.scene().nodes().empty());
+  showSection();
 }
 
-void Viewport::mouseMoveEvent(QMouseEvent* event) {
-  if (!m_drag)
-    return;
-  const QPointF way = event->position() - m_pressed;
-  m_dragged = m_dragged || way.manhattanLength() >= QApplication::startDragDistance();
-  if (m_dragged)
-    move(m_drag->at(vec(event->position()), size2()));
-}
-
-void Viewport::mouseReleaseEvent(QMouseEvent* event) {
-  if (!m_drag || (event->buttons() & (Qt::LeftButton | Qt::MiddleButton)) != 0)
-    return;
-  m_drag.reset();
-  if (!m_dragged && event->button() == Qt::LeftButton)
-    pick(event->position(),
-         event->modifiers().testFlag(Qt::ControlModifier) ? PickFor::addition : PickFor::selection);
-}
-
-void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton)
-    pick(event->position(), PickFor::pivot);
-}
-
-void Viewport::wheelEvent(QWheelEvent* event) {
-  constexpr float perNotch = 1.15f;  // a notch is 120 units
-  const float notches = float(event->angleDelta().y()) / 120.0f;
-  const glm::vec3 at = pointAtDepthOf(m_camera, m_pivot, vec(event->position()), size2());
-  const model::Camera camera = zoomed(m_camera, at, std::pow(perNotch, notches));
-  // Far enough out that all is a speck, or so near that floats cannot tell one place from another.
-  const model::Box bounds = m_session.scene().visibleBounds();
-  const float size = bounds.empty() ? 1000.0f : glm::length(bounds.size());
-  const float distance = glm::length(camera.eye - m_pivot);
-  if (distance > 1e-3f * size && distance < 50.0f * size)
-    move(camera);
-  event->accept();
-}
-
-void Viewport::pick(const QPointF& at, PickFor purpose) {
-  const model::Ray ray = sightThrough(m_camera, vec(at), size2());
-  // The first pick of a mesh sorts its triangles, which takes longer than a frame.
-  m_pickers.start([this, picks = m_picks, scene = m_session.scene(), ray, purpose] {
-    const std::optional<Pick> found = picks->pick(scene, ray);
-    QMetaObject::invokeMethod(this, [this, found, purpose] { picked(found, purpose); });
-  });
-}
-
-void Viewport::picked(const std::optional<Pick>& pick, PickFor purpose) {
-  const model::Node* node = pick ? m_session.scene().find(pick->id) : nullptr;
-  if (purpose == PickFor::pivot) {
-    if (!node)
-      return;
-    m_pivot = pick->position;
-    emit pivotChosen(m_session.names().shown(node->name));
-    return;
-  }
-  NodeIds ids;
-  if (purpose == PickFor::addition)
-    ids = m_session.selection();
-  if (node) {
-    const auto already = std::find(ids.begin(), ids.end(), pick->id);
-    if (already != ids.end())
-      ids.erase(already);
-    else
-      ids.push_back(pick->id);
-  }
-  m_session.select(std::move(ids));
-}
-
-void Viewport::styleLetters() {
-  const bool dark = m_background == render::Background::dark;
-  for (QLabel* label : m_letters)
-    label->setStyleSheet(dark ? QStringLiteral("color: #9a9a9a; font-weight: 600;")
-                              : QStringLiteral("color: #8a857c; font-weight: 600;"));
-}
-
-void Viewport::placeLetters() {
-  const EdgeLetters letters = edgeLetters(m_camera);
-  const std::array<const std::string*, 4> texts{&letters.left, &letters.right, &letters.top,
-                                                &letters.bottom};
-  constexpr int margin = 10;
-  const QPoint middle = rect().center();
-  for (std::size_t i = 0; i < m_letters.size(); ++i) {
-    QLabel& label = *m_letters[i];
-    label.setText(QString::fromStdString(*texts[i]));
-    label.adjustSize();
-    QRect box = label.rect();
-    box.moveCenter(middle);
-    if (i == 0)
-      box.moveLeft(margin);
-    else if (i == 1)
-      box.moveRight(width() - margin);
-    else if (i == 2)
-      box.moveTop(margin);
-    else
-      box.moveBottom(height() - margin);
-    label.setGeometry(box);
-    label.setVisible(!m_session.scene().nodes().empty());
-  }
+void Viewport::showSection() {
+  const bool dragging = m_sectionTool.dragging();
+  // Where it is in the picture that is shown, which may lag behind the camera.
+  const auto handles = m_sectionTool.handles(size2(), m_drawnCamera.value_or(m_camera));
+  const Pointer mouse = pointer(m_mouse, Qt::NoButton, {});
+  const bool over = handles && !m_held && underMouse();
+  m_marks->section().show({.handles = handles,
+                           .grip = dragging
+                                       ? m_sectionTool.grip()
+                                       : (over ? gripAt(*handles, mouse.pixel) : SectionGrip::none),
+                           .dragging = dragging,
+                           .readout = m_sectionTool.readout()});
 }
 
 }  // namespace sline::widgets

@@ -1,25 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 // The picture of the document. It shows the newest picture that the render thread has finished and
-// never waits for one; while the camera moves pictures may be coarser.
+// never waits for one; while the camera or a section moves pictures may be coarser.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QOpenGLWidget>
-#include <QThreadPool>
 #include <QTimer>
 #include <memory>
 #include <optional>
 
 #include "widgets/session/session.h"
+#include "widgets/viewport/camera_flight.h"
+#include "widgets/viewport/camera_tool.h"
 #include "widgets/viewport/motion_quality.h"
-#include "widgets/viewport/navigation.h"
-#include "widgets/viewport/pick_index.h"
+#include "widgets/viewport/picker.h"
+#include "widgets/viewport/picture_marks.h"
 #include "widgets/viewport/render_thread.h"
+#include "widgets/viewport/section_tool.h"
 
-class QLabel;
+class QNativeGestureEvent;
 
 namespace sline::widgets {
 
-class Viewport : public QOpenGLWidget {
+class Viewport : public QOpenGLWidget, private ViewControl {
   Q_OBJECT
  public:
   explicit Viewport(Session& session, QWidget* parent = nullptr);
@@ -28,19 +31,34 @@ class Viewport : public QOpenGLWidget {
   /// For tests: who draws, from the next OpenGL context on.
   void setPainter(PainterFactory factory) { m_factory = std::move(factory); }
 
-  const model::Camera& camera() const { return m_camera; }
+  const model::Camera& camera() const override { return m_camera; }
+  /// What the camera turns around.
+  glm::vec3 pivot() const override { return m_pivot; }
+  void setPivot(const glm::vec3& pivot);
+  /// At once.
   void setCamera(const model::Camera& camera);
+  /// In a short flight, where these are wanted; any move by hand takes over.
+  void flyTo(const model::Camera& camera);
+  void setFlights(bool wanted) { m_flights = wanted; }
   void showFrom(model::AnatomicalView view);
+  /// Turns around the pivot until that side of the orientation cube faces the eye.
+  void lookFrom(const CubePart& from);
   /// Fits all that is visible without turning the camera; it becomes what the camera turns around.
   void fitAll();
-  /// The same for the structures at or below the nodes, shown or not.
+  /// The same of what is visible at or below the nodes.
   void fitTo(const NodeIds& ids);
+
   render::Background background() const { return m_background; }
   void setBackground(render::Background background);
   /// Whether what is shaded has the key light besides the headlight: as the scene says, else as it
   /// was set here.
   bool keyLight() const;
   void setKeyLight(bool on);
+  MousePreset mousePreset() const { return m_cameraTool.preset(); }
+  void setMousePreset(MousePreset preset) { m_cameraTool.setPreset(preset); }
+  const MarkChoice& marks() const { return m_marks->choice(); }
+  void chooseMarks(const MarkChoice& choice);
+  void setNamesWanted(bool wanted);
 
   /// True where the picture on screen is of the document and the camera as they are, in full size.
   bool upToDate() const;
@@ -48,6 +66,11 @@ class Viewport : public QOpenGLWidget {
   const QString& driver() const { return m_driver; }
   /// The time the last picture took to draw.
   double lastMilliseconds() const { return m_lastMilliseconds; }
+  /// How many of its layers had to be drawn; the others were kept.
+  int lastLayersDrawn() const { return m_lastLayersDrawn; }
+  /// Small pictures by the same renderer, whenever the picture itself is done; `previewed` follows
+  /// for each. They replace those asked for before.
+  void askPreviews(PreviewRequest request);
 
  signals:
   void cameraChanged();
@@ -56,66 +79,99 @@ class Viewport : public QOpenGLWidget {
   void pictureShown();
   /// The camera turns around this point of a structure from now on.
   void pivotChosen(const QString& structure);
+  /// What can be done with the structure there, or where there is none with the picture.
+  void menuWanted(const QPoint& onScreen, const std::optional<sline::widgets::Pick>& pick);
+  void previewed(int id, const QImage& image);
   void failed(const sline::Error& error);
 
  protected:
   void initializeGL() override;
   void paintGL() override;
   void resizeGL(int width, int height) override;
+  bool event(QEvent* event) override;
   void changeEvent(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void leaveEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  enum class PickFor { selection, addition, pivot };
-  void refresh();
-  void move(const model::Camera& camera);
-  void rest();
-  void took(const PictureReport& report);
+  enum class ClickFor { selection, addition, deeper, pivot, menu };
+  void openGraphics();
   void closeGraphics();
+  void rebuildGraphics();
+  void refresh();
+  void move(const model::Camera& camera) override;
+  void keepMoving();
+  void rest();
+  void flyOn();
+  void stopFlight();
+  void took(const PictureReport& report);
+  void failure(const Error& error);
   void documentChange(const Document& before, const Document& now);
-  void pick(const QPointF& at, PickFor purpose);
-  void picked(const std::optional<Pick>& pick, PickFor purpose);
-  void styleLetters();
-  void placeLetters();
-  model::Camera cameraFrom(model::AnatomicalView view) const;
-  /// As a scene is first seen: its view of that name, else the body from the front.
-  model::Camera overview() const;
+  Pointer pointer(const QPointF& at, Qt::MouseButton button, Qt::KeyboardModifiers keys) const;
+  void click(const QPointF& at, ClickFor purpose);
+  void clicked(const Picks& picks, const QPoint& at, ClickFor purpose);
+  Picker::Question question(const QPointF& at) const;
+  void zoomAt(const QPointF& at, float factor);
+  bool nativeGesture(const QNativeGestureEvent& event);
+  void cancelDrag();
+  void wantName();
+  void forgetName();
+  void turnByCube(const glm::vec2& way);
+  void placeMarks();
+  void showSection();
   /// The camera turns around the middle of what is shown.
   void pivotToMiddle();
   render::gpu::TextureSize pixels() const;
   glm::vec2 size2() const { return {float(width()), float(height())}; }
-  std::vector<glm::vec3> visibleCorners() const;
+  float aspect() const { return size2().x / size2().y; }
 
   Session& m_session;
   QString m_driver;
   PainterFactory m_factory = makePicturePainter;
   std::unique_ptr<render::gpu::Handoff> m_handoff;
   std::unique_ptr<RenderThread> m_thread;
+  bool m_rebuilt = false;  ///< since the last picture that was drawn
 
   model::Camera m_camera;
   glm::vec3 m_pivot{0.0f};
   render::Background m_background = render::Background::paper;
   bool m_keyLight = false;
-  std::optional<CameraDrag> m_drag;
+
+  CameraTool m_cameraTool;
+  SectionTool m_sectionTool;
+  Tool* m_held = nullptr;  ///< has the mouse
+  Qt::MouseButton m_button = Qt::NoButton;
   QPointF m_pressed;
   bool m_dragged = false;  ///< the mouse went far enough that the release is no click
+  model::Camera m_beforeTurn;
+  std::optional<CameraFlight> m_flight;
+  QElapsedTimer m_flown;
+  QTimer m_flightTick;
+  bool m_flights = false;
 
   MotionQuality m_quality;
+  bool m_cutting = false;  ///< it is a section that moves
   QTimer m_rest;
   bool m_moving = false;
   std::uint64_t m_asked = 0;  ///< the newest request
   float m_askedScale = 1.0f;
   std::uint64_t m_shown = 0;  ///< on screen
   double m_lastMilliseconds = 0.0;
+  std::optional<model::Camera> m_drawnCamera;  ///< of the newest picture
+  int m_lastLayersDrawn = 0;
 
-  std::shared_ptr<PickIndex> m_picks = std::make_shared<PickIndex>();
-  QThreadPool m_pickers;
-  std::array<QLabel*, 4> m_letters{};
+  Picker m_picker;
+  QTimer m_nameRest;
+  bool m_namesWanted = true;
+  QPointF m_mouse;
+  PictureMarks* m_marks;
 };
 
 }  // namespace sline::widgets

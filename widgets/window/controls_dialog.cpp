@@ -28,7 +28,8 @@ QTreeWidgetItem* heading(QTreeWidget& rows, const QString& text) {
 
 }  // namespace
 
-ControlsDialog::ControlsDialog(QWidget* parent) : QDialog(parent), m_rows(new QTreeWidget) {
+ControlsDialog::ControlsDialog(const std::vector<ControlRow>& mouse, QWidget* parent)
+    : QDialog(parent), m_rows(new QTreeWidget) {
   setObjectName(QStringLiteral("controlsDialog"));
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Mouse and Keys"));
@@ -46,7 +47,7 @@ ControlsDialog::ControlsDialog(QWidget* parent) : QDialog(parent), m_rows(new QT
   m_rows->setRootIsDecorated(false);
   m_rows->setSelectionMode(QAbstractItemView::NoSelection);
   m_rows->setUniformRowHeights(true);
-  fill();
+  fill(mouse);
   m_rows->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
   layout->addWidget(m_rows);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
@@ -56,10 +57,14 @@ ControlsDialog::ControlsDialog(QWidget* parent) : QDialog(parent), m_rows(new QT
   resize(720, 620);
 }
 
-void ControlsDialog::fill() {
-  QTreeWidgetItem* mouse = heading(*m_rows, tr("Mouse"));
-  for (const ControlRow& row : mouseRows())
-    new QTreeWidgetItem(mouse, {row.control, row.meaning});
+void ControlsDialog::fill(const std::vector<ControlRow>& mouse) {
+  const auto add = [this](const QString& title, const std::vector<ControlRow>& rows) {
+    QTreeWidgetItem* group = heading(*m_rows, title);
+    for (const ControlRow& row : rows)
+      new QTreeWidgetItem(group, {row.control, row.meaning});
+  };
+  add(tr("Mouse"), mouse);
+  add(tr("List of structures"), listRows());
   const std::vector<ActionRow> actions = actionRows();
   for (const MenuRow& menu : menuRows()) {
     QTreeWidgetItem* group = nullptr;

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <QDialog>
+#include <vector>
+
+#include "widgets/viewport/mouse_preset.h"
 
 class QTreeWidget;
 
@@ -11,10 +14,11 @@ namespace sline::widgets {
 class ControlsDialog : public QDialog {
   Q_OBJECT
  public:
-  explicit ControlsDialog(QWidget* parent = nullptr);
+  /// The rows are what mouse and keys do in the picture.
+  explicit ControlsDialog(const std::vector<ControlRow>& mouse, QWidget* parent = nullptr);
 
  private:
-  void fill();
+  void fill(const std::vector<ControlRow>& mouse);
   /// Hides the rows that do not contain the text, and headings without rows.
   void filter(const QString& text);
 

@@ -46,8 +46,8 @@ class FileActions : public QObject {
   /// The window's actions and menus are others now.
   void controlsRemade();
 
-  /// Who decides what becomes of dropped files where there may be a choice; a scene file alone is
-  /// opened, and so is everything until it is said.
+  /// Who decides what becomes of files that are dropped or chosen where there may be a choice; a
+  /// scene file alone is opened, and so is everything until it is said.
   void setDropHandler(PathsHandler handler) { m_dropHandler = std::move(handler); }
   void dropped(const QStringList& paths);
 

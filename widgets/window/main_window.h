@@ -23,10 +23,12 @@ namespace sline::widgets {
 class FileActions;
 class FocusContext;
 class GammaPanel;
+class ImportActions;
 class MessageBar;
 class SectionActions;
 class StartPage;
 class StructureActions;
+class SectionsPanel;
 class StructureTree;
 class ViewActions;
 class Viewport;
@@ -70,6 +72,7 @@ class MainWindow : public QMainWindow {
   void showHelp();
   void makeFiles();
   void makeStart();
+  void makeImports();
   /// The start page while nothing is open and nothing is on its way.
   void showStart();
   void placeMessage(bool onStartPage);
@@ -90,8 +93,10 @@ class MainWindow : public QMainWindow {
   StructureTree* m_tree = nullptr;
   GammaPanel* m_gamma = nullptr;
   FocusContext* m_focus = nullptr;
+  ImportActions* m_imports = nullptr;
   SectionActions* m_sections = nullptr;
   StructureActions* m_structures = nullptr;
+  SectionsPanel* m_sectionsPanel = nullptr;
   ViewActions* m_views = nullptr;
   QLabel* m_summary = nullptr;
   QLabel* m_job = nullptr;

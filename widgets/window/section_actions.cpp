@@ -2,10 +2,12 @@
 #include "widgets/window/section_actions.h"
 
 #include <QAction>
+#include <QMenu>
+#include <QToolButton>
 #include <array>
 #include <cmath>
 
-#include "model/edit/sections.h"
+#include "widgets/sections/section_position.h"
 #include "widgets/viewport/viewport.h"
 
 namespace sline::widgets {
@@ -24,15 +26,17 @@ SectionIds sectionsAlong(const model::Scene& scene, int axis) {
   return ids;
 }
 
-/// The side of the body to keep so that its cut face looks at the camera.
-model::AnatomicalView farSide(const model::Camera& camera, int axis) {
-  using View = model::AnatomicalView;
-  // LPS: towards the larger coordinate lie the left, the back and the head.
-  static constexpr std::array<View, 3> larger{View::left, View::posterior, View::superior};
-  static constexpr std::array<View, 3> smaller{View::right, View::anterior, View::inferior};
-  constexpr float edgeOn = 1e-3f;
-  const bool eyeAtLarger = model::cameraFrame(camera).back[axis] > edgeOn;
-  return (eyeAtLarger ? smaller : larger)[std::size_t(axis)];
+QString kindText(SectionKind kind) {
+  switch (kind) {
+    case SectionKind::sagittal:
+      return SectionActions::tr("&Sagittal");
+    case SectionKind::coronal:
+      return SectionActions::tr("&Coronal");
+    case SectionKind::axial:
+      return SectionActions::tr("&Axial");
+    default:
+      return SectionActions::tr("&Facing the View");
+  }
 }
 
 }  // namespace
@@ -44,6 +48,8 @@ SectionActions::SectionActions(Session& session, const Viewport& viewport,
     actionOf(axis).setCheckable(true);
     connect(&actionOf(axis), &QAction::triggered, this, [this, axis] { toggle(axis); });
   }
+  connect(&m_actions[QStringLiteral("sectionFacing")], &QAction::triggered, this,
+          [this] { add({.kind = SectionKind::facing}); });
   connect(&m_actions[QStringLiteral("sectionFlip")], &QAction::triggered, this,
           &SectionActions::flip);
   connect(&m_actions[QStringLiteral("sectionOff")], &QAction::triggered, this,
@@ -63,24 +69,59 @@ void SectionActions::toggle(int axis) {
   const QString name = QString(actionOf(axis).text()).remove(QLatin1Char('&'));
   const SectionIds there = sectionsAlong(scene, axis);
   if (there.empty()) {
-    const model::Section section =
-        model::anatomicalSection(scene, model::rootId, farSide(m_viewport.camera(), axis));
-    m_session.apply(tr("%1 Section").arg(name), model::withSection(scene, section));
+    add({.kind = SectionKind(axis)});
   } else {
     m_session.apply(tr("Without %1 Section").arg(name), model::withoutSections(scene, there));
   }
   showState();  // the action has checked itself, whatever came of it
 }
 
+void SectionActions::add(const SectionWish& wish) {
+  const model::Scene& scene = m_session.scene();
+  const model::Section section = newSection(scene, m_viewport.camera(), wish);
+  const QString name = QString::fromStdString(section.name);
+  if (!m_session.apply(name, model::withSection(scene, section)))
+    emit refused({.reason = tr("%1 cannot be added: a structure can have %2 sections at most")
+                                .arg(name)
+                                .arg(model::maximumSections)
+                                .toStdString(),
+                  .remedy = tr("Take another section away first").toStdString()});
+  else
+    m_session.activateSection(m_session.scene().sections().back().id);
+}
+
+void SectionActions::fill(QMenu& menu, const SectionWish& wish) {
+  for (const SectionKind kind :
+       {SectionKind::sagittal, SectionKind::coronal, SectionKind::axial, SectionKind::facing})
+    menu.addAction(kindText(kind), this, [this, kind, wish] {
+      add({.kind = kind, .scope = wish.scope, .through = wish.through});
+    });
+}
+
+void SectionActions::fillAddMenu(QToolButton& button) {
+  auto* menu = new QMenu(&button);
+  menu->setObjectName(QStringLiteral("sectionAddMenu"));
+  button.setMenu(menu);
+  connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+    menu->clear();
+    fill(*menu, {});
+    const model::NodeId scope = commonNode(m_session.scene(), m_session.selection());
+    if (scope == model::rootId)
+      return;
+    menu->addSection(tr("Of %1 alone").arg(scopeText(m_session, scope)));
+    fill(*menu, {.scope = scope});
+  });
+}
+
 void SectionActions::flip() {
   const model::Scene& scene = m_session.scene();
-  model::Edited flipped{scene, false};
+  model::Edited turned{scene, false};
   for (model::Section section : scene.sections()) {
-    section.plane = {.normal = -section.plane.normal, .offset = -section.plane.offset};
-    model::Edited next = model::withSectionChanged(flipped.scene, section.id, section);
-    flipped = {std::move(next.scene), flipped.changed || next.changed};
+    section.plane = flipped(section.plane);
+    model::Edited next = model::withSectionChanged(turned.scene, section.id, section);
+    turned = {std::move(next.scene), turned.changed || next.changed};
   }
-  m_session.apply(tr("Flip Sections"), std::move(flipped));
+  m_session.apply(tr("Flip Sections"), std::move(turned));
 }
 
 void SectionActions::remove() {
@@ -96,6 +137,7 @@ void SectionActions::showState() {
     actionOf(axis).setEnabled(!scene.nodes().empty());
     actionOf(axis).setChecked(!sectionsAlong(scene, axis).empty());
   }
+  m_actions[QStringLiteral("sectionFacing")].setEnabled(!scene.nodes().empty());
   for (const char* id : {"sectionFlip", "sectionOff"})
     m_actions[QLatin1String(id)].setEnabled(!scene.sections().empty());
 }

@@ -3,25 +3,38 @@
 
 #include <QObject>
 
-#include "widgets/session/session.h"
+#include "widgets/sections/new_section.h"
 #include "widgets/window/window_actions.h"
+
+class QMenu;
+class QToolButton;
 
 namespace sline::widgets {
 
 class Viewport;
 
 /// What the actions of section planes do: one section along each axis of the body, through the
-/// middle of what is shown, each an undo step.
+/// middle of what is shown, and as many as wanted by menus; each is an undo step.
 class SectionActions : public QObject {
   Q_OBJECT
  public:
   SectionActions(Session& session, const Viewport& viewport, const WindowActions& actions,
                  QObject* parent);
 
+  /// Entries that add a section of each kind as the wish says else.
+  void fill(QMenu& menu, const SectionWish& wish);
+  /// The menu that adds sections, of the whole scene or of what is selected.
+  void fillAddMenu(QToolButton& button);
+
+ signals:
+  /// A section could not be added.
+  void refused(const sline::Error& error);
+
  private:
   QAction& actionOf(int axis) const;
   /// Adds the section along the axis, or takes it away where there is one.
   void toggle(int axis);
+  void add(const SectionWish& wish);
   void flip();
   void remove();
   void showState();

@@ -26,6 +26,14 @@ std::vector<ActionRow> fileRows() {
            tr("Open scenes, meshes, label volumes and other files"), "open_files"},
           {QStringLiteral("openFolder"), tr("Open &Folder…"), key(tr("Ctrl+Shift+O")),
            tr("Open all meshes in a folder"), "open_folder"},
+          {QStringLiteral("importFiles"), tr("&Import…"), key(tr("Ctrl+I")),
+           tr("See and change what an import would do, before it is done")},
+          {QStringLiteral("importFolder"), tr("Import Fol&der…"), key(tr("Ctrl+Shift+I")),
+           tr("The same for all meshes in a folder")},
+          {QStringLiteral("importAgain"),
+           tr("Import Op&tions…"),
+           {},
+           tr("Import what is open once more, with other units, smoothing or choice")},
           {QStringLiteral("save"), tr("&Save"), key(QKeySequence::Save), tr("Write the scene file"),
            "save"},
           {QStringLiteral("saveAs"), tr("Save &As…"), key(tr("Ctrl+Shift+S")),
@@ -44,7 +52,7 @@ std::vector<ActionRow> fileRows() {
            tr("What was kept when the program did not end as it should")},
           {QStringLiteral("close"), tr("&Close"), key(QKeySequence::Close),
            tr("Close the scene and go to the start page")},
-          {QStringLiteral("reload"), tr("&Reload from Source"), key(QKeySequence::Refresh),
+          {QStringLiteral("reload"), tr("Re&load from Source"), key(QKeySequence::Refresh),
            tr("Read meshes again whose files have changed")},
           {QStringLiteral("quit"), tr("&Quit"), key(QKeySequence::Quit), tr("Close the program")},
           {QStringLiteral("undo"), tr("&Undo"), key(QKeySequence::Undo),
@@ -96,8 +104,13 @@ std::vector<ActionRow> lookRows() {
 
 std::vector<ActionRow> structureRows() {
   return {
-      {QStringLiteral("zoomTo"), tr("&Zoom To"), key(tr("Z")),
-       tr("Bring the selected structures into the picture (Enter in the list)"), "zoom_to"},
+      {QStringLiteral("zoomTo"),
+       tr("&Zoom To"),
+       {QKeySequence(tr("Z")), QKeySequence(tr(".")),
+        QKeySequence(int(Qt::KeypadModifier) | Qt::Key_Period),
+        QKeySequence(int(Qt::KeypadModifier) | Qt::Key_Comma)},
+       tr("Bring the selected structures into the picture, and turn around them"),
+       "zoom_to"},
       {QStringLiteral("rename"), tr("Re&name"), key(tr("F2")), tr("Another name")},
       {QStringLiteral("newGroup"), tr("Ne&w Group"), key(tr("Ctrl+Shift+N")), tr("An empty group")},
       {QStringLiteral("group"), tr("Grou&p"), key(tr("Ctrl+G")),
@@ -129,6 +142,8 @@ std::vector<ActionRow> viewRows() {
        tr("Cut in the plane between front and back; again: whole"), "section_coronal"},
       {QStringLiteral("sectionAxial"), tr("&Axial"), key(tr("Ctrl+3")),
        tr("Cut in the plane between upper and lower; again: whole"), "section_axial"},
+      {QStringLiteral("sectionFacing"), tr("&Facing the View"), key(tr("Ctrl+4")),
+       tr("Cut across the line of sight")},
       {QStringLiteral("sectionFlip"), tr("&Flip"), key(tr("X")),
        tr("Keep the other side of each section"), "section_flip"},
       {QStringLiteral("sectionOff"), tr("&Whole Again"), key(tr("Ctrl+0")),
@@ -137,6 +152,19 @@ std::vector<ActionRow> viewRows() {
        tr("Light from the upper left on what is shaded"), "key_light"},
       {QStringLiteral("help"), tr("&Help on This"), key(QKeySequence(Qt::Key_F1)),
        tr("The page about the panel that has the keyboard")},
+      {QStringLiteral("showCube"),
+       tr("&Orientation Cube"),
+       {},
+       tr("The body's sides in the corner of the picture; a click looks from there")},
+      {QStringLiteral("showScaleBar"), tr("Scale &Bar"), {}, tr("How long a centimetre is")},
+      {QStringLiteral("showNames"),
+       tr("&Names under the Mouse"),
+       {},
+       tr("What a structure is called where the mouse rests")},
+      {QStringLiteral("showFrameTime"),
+       tr("Picture &Time"),
+       {},
+       tr("How long the last picture took to draw")},
       {QStringLiteral("controls"), tr("&Mouse and Keys"), key(tr("H")),
        tr("What the mouse and the keys do")},
       {QStringLiteral("about"), tr("&About Sline"), {}, tr("What this program is")}};
@@ -178,20 +206,14 @@ QAction& WindowActions::operator[](const QString& id) const {
   return *found->second;
 }
 
-std::vector<ControlRow> mouseRows() {
-  return {{tr("Left drag"), tr("Turn around the pivot")},
-          {tr("Middle drag, Shift + left drag"), tr("Move the picture")},
-          {tr("Wheel"), tr("Zoom to the mouse")},
-          {tr("Click"), tr("Select what is seen there; Ctrl adds to the selection")},
-          {tr("Double click"), tr("Turn around this place from now on")},
-          {tr("Space in the list"), tr("Show or hide the selected structures")},
-          {tr("Enter in the list"), tr("Bring the selected structures into the picture")},
+std::vector<ControlRow> listRows() {
+  return {{tr("Space"), tr("Show or hide the selected structures")},
+          {tr("Enter"), tr("Bring the selected structures into the picture")},
           {tr("Drag over eyes or locks"), tr("Set them all alike")},
           {tr("Alt + click on an eye"), tr("Show this and nothing else; again: everything")},
           {tr("Middle click on Γ or colour"), tr("Take it from the group above again")},
           {tr("Drag rows"), tr("Put them elsewhere, or into another group")},
-          {tr("Double click on a name"), tr("Another name")},
-          {tr("Escape during a drag"), tr("As it was before")}};
+          {tr("Double click on a name"), tr("Another name")}};
 }
 
 }  // namespace sline::widgets

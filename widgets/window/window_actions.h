@@ -8,6 +8,8 @@
 #include <map>
 #include <vector>
 
+#include "widgets/viewport/mouse_preset.h"
+
 class QAction;
 class QWidget;
 
@@ -23,6 +25,8 @@ struct ActionRow {
 
 /// In the order in which help lists them.
 std::vector<ActionRow> actionRows();
+/// What mouse and keys do in the list of structures beside these.
+std::vector<ControlRow> listRows();
 
 class WindowActions {
  public:
@@ -36,12 +40,5 @@ class WindowActions {
  private:
   std::map<QString, QAction*> m_actions;
 };
-
-/// What a button or key does outside the table of actions.
-struct ControlRow {
-  QString control;
-  QString meaning;
-};
-std::vector<ControlRow> mouseRows();
 
 }  // namespace sline::widgets

@@ -3,6 +3,7 @@
 #include <QTest>
 #include <glm/geometric.hpp>
 
+#include "widgets/viewport/camera_flight.h"
 #include "widgets/viewport/navigation.h"
 
 using namespace sline;
@@ -12,7 +13,7 @@ namespace {
 
 constexpr glm::vec2 size(800.0f, 600.0f);
 
-/// Where a point stands in the picture, in pixels from the upper left.
+/// Where a point stands in the picture that the renderer draws, in pixels from the upper left.
 glm::vec2 pixelOf(const model::Camera& camera, const glm::vec3& p) {
   const model::Box box{p - 50.0f, p + 50.0f};
   const glm::vec4 clip = model::projectionMatrix(camera, box, size.x / size.y) *
@@ -131,6 +132,68 @@ class NavigationTest : public QObject {
       QVERIFY(std::abs(glm::length(ray.direction) - 1.0f) < 1e-5f);
       for (const float t : {700.0f, 1300.0f})
         QVERIFY(near(pixelOf(c, ray.origin + t * ray.direction), pixel, 0.1f));
+    }
+  }
+
+  void pixelsAreThePictures_data() { projections(); }
+  void pixelsAreThePictures() {
+    QFETCH(int, projection);
+    const model::Camera c = orbited(camera(model::Projection(projection)), {}, 25.0f, -35.0f);
+    for (const glm::vec3 p : {glm::vec3(0, 0, 0), glm::vec3(60, -20, 30), glm::vec3(-90, 40, 5)})
+      QVERIFY(near(*widgets::pixelOf(c, p, size), pixelOf(c, p)));
+    if (c.projection == model::Projection::perspective)
+      QVERIFY(!widgets::pixelOf(c, c.eye + model::cameraFrame(c).back, size));
+  }
+
+  void rollTurnsThePictureClockwise() {
+    const model::Camera before = camera();
+    const glm::vec3 right(50.0f, 0.0f, 0.0f);  // in the anterior view
+    const glm::vec2 at = pixelOf(rolled(before, 90.0f), right) - 0.5f * size;
+    QVERIFY(std::abs(at.x) < 0.5f && at.y > 10.0f);
+    // By hand: a quarter of a turn clockwise, from the right of the middle to below it.
+    const CameraDrag drag(
+        {.kind = CameraDrag::Kind::roll, .pixel = {600.0f, 300.0f}, .camera = before});
+    const glm::vec2 dragged = pixelOf(drag.at({400.0f, 500.0f}, size), right) - 0.5f * size;
+    QVERIFY(near(dragged, at, 0.5f));
+  }
+
+  void zoomDragKeepsThePivot() {
+    const glm::vec3 pivot(20.0f, 0.0f, 10.0f);
+    const CameraDrag drag({.kind = CameraDrag::Kind::zoom,
+                           .pixel = {400.0f, 300.0f},
+                           .camera = camera(),
+                           .pivot = pivot});
+    const model::Camera nearer = drag.at({400.0f, 200.0f}, size);
+    QVERIFY(near(pixelOf(nearer, pivot), pixelOf(camera(), pivot)));
+    QVERIFY(glm::length(nearer.eye - pivot) < 0.9f * glm::length(camera().eye - pivot));
+    QVERIFY(glm::length(drag.at({400.0f, 400.0f}, size).eye - pivot) >
+            1.1f * glm::length(camera().eye - pivot));
+  }
+
+  void turnedToKeepsThePivot() {
+    const model::Camera before = orbited(camera(), {}, 33.0f, 12.0f);
+    const glm::vec3 pivot(30.0f, -10.0f, 20.0f);
+    const model::Camera after = turnedTo(before, pivot, {1.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 1.0f});
+    QVERIFY(near(pixelOf(before, pivot), pixelOf(after, pivot)));
+    const glm::vec3 back = model::cameraFrame(after).back;
+    QVERIFY(glm::length(back - glm::normalize(glm::vec3(1, 0, 1))) < 1e-5f);
+  }
+
+  void flightsEndWhereTheyShould() {
+    const model::Camera from = camera();
+    const model::Camera to = turnedTo(zoomed(from, {10, 0, 0}, 2.0f), {}, {1, 0, 0}, {0, 0, 1});
+    const CameraFlight flight(from, to);
+    QVERIFY(flight.at(0.0) == from);
+    QVERIFY(flight.at(1.0) == to);
+    QVERIFY(flight.at(7.0) == to);
+    float turned = 0.0f;
+    for (int i = 1; i <= 10; ++i) {
+      const model::Camera c = flight.at(0.1 * i);
+      QVERIFY(!model::cameraFault(c));
+      const float now = glm::dot(model::cameraFrame(c).back, model::cameraFrame(to).back);
+      QVERIFY(now > turned);  // always nearer
+      turned = now;
+      QVERIFY(model::cameraFrame(c).up.z > 0.99f);  // and level
     }
   }
 

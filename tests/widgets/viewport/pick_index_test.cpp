@@ -3,6 +3,7 @@
 
 #include "tests/support/shapes.h"
 #include "widgets/viewport/pick_index.h"
+#include "widgets/viewport/picker.h"
 
 using namespace sline;
 using namespace sline::widgets;
@@ -30,7 +31,8 @@ class PickIndexTest : public QObject {
     section.plane = {.normal = {0.0f, -1.0f, 0.0f}, .offset = -at};
     scene.appendSection(section);
     PickIndex index;
-    const auto pick = index.pick(scene, {.origin = {1, -500, 2}, .direction = {0, 1, 0}});
+    const model::Ray ray{.origin = {1, -500, 2}, .direction = {0, 1, 0}};
+    const auto pick = index.look(scene, {&ray, 1}).seen;
     QVERIFY(pick);
     QVERIFY(std::abs(pick->position.y - picked) < 1.0f);
   }
@@ -76,15 +78,133 @@ class PickIndexTest : public QObject {
     }
     PickIndex index;
     const model::Ray ray{.origin = {1.0f, -500.0f, 2.0f}, .direction = {0.0f, 1.0f, 0.0f}};
-    const std::optional<Pick> pick = index.pick(scene, ray);
+    const std::optional<Pick> pick = index.look(scene, {&ray, 1}).seen;
     QCOMPARE(pick.has_value(), picked >= 0);
     if (!pick)
       return;
     QVERIFY(pick->id == ids[std::size_t(picked)]);
     QVERIFY(std::abs(pick->position.y - (-130.0f + 100.0f * float(picked))) < 1.0f);
-    QVERIFY(!index.pick(scene, {.origin = {200.0f, -500.0f, 0.0f}, .direction = {0, 1, 0}}));
+    const model::Ray beside{.origin = {200.0f, -500.0f, 0.0f}, .direction = {0, 1, 0}};
+    QVERIFY(!index.look(scene, {&beside, 1}).seen);
     // Another scene, another answer: nothing is remembered of the first.
-    QVERIFY(!index.pick({}, ray));
+    QVERIFY(!index.look({}, {&ray, 1}).seen);
+  }
+
+  /// A ball in front of another, seen from the front, 1 mm a pixel: what the first lets through.
+  void seen_data() {
+    QTest::addColumn<QPointF>("pixel");  // from the balls' middle
+    QTest::addColumn<float>("gamma");
+    QTest::addColumn<int>("fill");
+    QTest::addColumn<float>("opacity");
+    QTest::addColumn<bool>("locked");
+    QTest::addColumn<int>("picked");  // 0 the one in front, 1 behind, -1 nothing
+    const int none = int(model::Fill::none);
+    const int veil = int(model::Fill::veil);
+    const int paper = int(model::Fill::paper);
+    const QPointF within(10, 5);
+    const QPointF edge(29, 0);
+    const QPointF outside(31.5, 0);
+    QTest::newRow("through an outline") << within << 1.0f << none << 1.0f << false << 1;
+    QTest::newRow("on its line") << edge << 1.0f << none << 1.0f << false << 0;
+    QTest::newRow("just beside its line") << outside << 1.0f << none << 1.0f << false << 0;
+    QTest::newRow("far beside its line") << QPointF(38, 0) << 1.0f << none << 1.0f << false << 1;
+    QTest::newRow("on the line of a locked one") << edge << 1.0f << none << 1.0f << true << 1;
+    QTest::newRow("a body") << within << 2.0f << none << 1.0f << false << 0;
+    QTest::newRow("a locked body") << within << 5.0f << none << 1.0f << true << 1;
+    QTest::newRow("through a veil") << within << 1.0f << veil << 1.0f << false << 1;
+    QTest::newRow("on a veil's line") << edge << 1.0f << veil << 1.0f << false << 0;
+    QTest::newRow("paper hides") << within << 1.0f << paper << 1.0f << false << 0;
+    QTest::newRow("thin") << within << 5.0f << paper << 0.2f << false << 1;
+    QTest::newRow("not there") << edge << 5.0f << paper << 0.0f << false << 1;
+    QTest::newRow("beside both") << QPointF(70, 0) << 2.0f << none << 1.0f << false << -1;
+  }
+  void seen() {
+    QFETCH(QPointF, pixel);
+    QFETCH(float, gamma);
+    QFETCH(int, fill);
+    QFETCH(float, opacity);
+    QFETCH(bool, locked);
+    QFETCH(int, picked);
+    model::Scene scene;
+    const auto ball = [&](float radius, float y, model::Style style, bool isLocked) {
+      return scene.append({.name = "ball",
+                           .style = style,
+                           .locked = isLocked,
+                           .mesh = test::moved(*test::sphere(radius, 5), 1.0f, {0, y, 0})});
+    };
+    model::Style front;
+    front.gamma = Gamma::clamped(gamma);
+    front.fill = model::Fill(fill);
+    front.opacity = Opacity::clamped(opacity);
+    const std::array ids{ball(30.0f, 0.0f, front, locked), ball(60.0f, 200.0f, {}, false)};
+    model::Camera camera;
+    camera.projection = model::Projection::orthographic;
+    camera.heightMm = 200.0f;
+    const glm::vec2 at(100.0f + float(pixel.x()), 100.0f + float(pixel.y()));
+    PickIndex index;
+    const auto pick = index.look(scene, sightsAround(camera, at, {200.0f, 200.0f})).seen;
+    QCOMPARE(pick.has_value(), picked >= 0);
+    if (pick)
+      QVERIFY(pick->id == ids[std::size_t(picked)]);
+  }
+
+  /// A fold of the surface is drawn as a line, too: the near side of a ring before its far side.
+  void linesWithinTheOutlineCount() {
+    model::Scene scene;
+    model::Style outline;
+    outline.gamma = Gamma::clamped(1.0f);
+    outline.fill = model::Fill::none;
+    const model::NodeId ring =
+        scene.append({.name = "ring", .style = outline, .mesh = test::torus(40, 12, 256, 96)});
+    const model::NodeId behind = scene.append(
+        {.name = "ball", .mesh = test::moved(*test::sphere(80.0f, 4), 1.0f, {0, 300, 0})});
+    model::Camera camera;  // a little from above, so that the near side hides the far one
+    camera.projection = model::Projection::orthographic;
+    camera.heightMm = 200.0f;
+    camera.eye = {0.0f, -1000.0f, 200.0f};
+    PickIndex index;
+    // Where the near side's upper rim lies before the far side.
+    int onRing = 0;
+    for (float y = 60.0f; y < 140.0f; y += 1.0f) {
+      const auto pick = index.look(scene, sightsAround(camera, {100.0f, y}, {200, 200})).seen;
+      if (pick && pick->id == ring)
+        ++onRing;
+      else
+        QVERIFY(!pick || pick->id == behind);
+    }
+    // Three lines cross the column (upper and lower outline, and the near side's rim), each as
+    // wide as a hand is unsteady, and no more.
+    QVERIFY2(onRing > 14 && onRing < 45, qPrintable(QString::number(onRing)));
+  }
+
+  void deeperGoesRound() {
+    const model::NodeId a{1};
+    const model::NodeId b{2};
+    const model::NodeId c{3};
+    const std::vector<Pick> all{{.id = a}, {.id = b}, {.id = c}};
+    const auto after = [&](std::vector<model::NodeId> selection) {
+      return deeper(all, selection)->id;
+    };
+    QVERIFY(after({}) == a);
+    QVERIFY(after({a}) == b);
+    QVERIFY(after({b}) == c);
+    QVERIFY(after({c}) == a);
+    QVERIFY(after({model::NodeId{9}}) == a);
+    QVERIFY(after({a, b}) == a);
+    QVERIFY(!deeper({}, {}));
+  }
+
+  void allAreFoundInOrder() {
+    model::Scene scene;
+    std::vector<model::NodeId> ids;
+    for (const float y : {200.0f, 0.0f, 100.0f})
+      ids.push_back(scene.append(
+          {.name = "ball", .mesh = test::moved(*test::sphere(30.0f, 3), 1.0f, {0.0f, y, 0.0f})}));
+    PickIndex index;
+    const model::Ray ray{.origin = {1, -500, 2}, .direction = {0, 1, 0}};
+    const std::vector<Pick> all = index.look(scene, {&ray, 1}).all;
+    QCOMPARE(all.size(), std::size_t(3));
+    QVERIFY(all[0].id == ids[1] && all[1].id == ids[2] && all[2].id == ids[0]);
   }
 };
 

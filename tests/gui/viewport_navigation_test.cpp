@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: Apache-2.0
+// Finding one's way in the picture: keys, presets, orientation cube, scale bar, flights; and a
+// picture that comes back when OpenGL goes.
+#include <QLabel>
+#include <QLayout>
+#include <QtTest>
+#include <glm/geometric.hpp>
+
+#include "tests/gui/window_fixture.h"
+#include "widgets/viewport/orientation_letters.h"
+
+namespace sline::test {
+
+namespace {
+
+/// Fails to draw as often as it is told to, as a driver does that lost its context.
+class FailingPainter : public widgets::PicturePainter {
+ public:
+  FailingPainter(std::unique_ptr<widgets::PicturePainter> painter,
+                 std::shared_ptr<std::atomic<int>> failures)
+      : m_painter(std::move(painter)), m_failures(std::move(failures)) {}
+  Result<bool> paint(const widgets::PictureRequest& request,
+                     const render::Picture::TargetJob& job) override {
+    if (*m_failures > 0) {
+      --*m_failures;
+      return Error{.reason = "the context was lost", .remedy = "Update the graphics driver"};
+    }
+    return m_painter->paint(request, job);
+  }
+
+ private:
+  std::unique_ptr<widgets::PicturePainter> m_painter;
+  std::shared_ptr<std::atomic<int>> m_failures;
+};
+
+widgets::PainterFactory failing(const std::shared_ptr<std::atomic<int>>& failures,
+                                const std::shared_ptr<std::atomic<int>>& made) {
+  return [failures, made]() -> Result<std::unique_ptr<widgets::PicturePainter>> {
+    ++*made;
+    auto painter = widgets::makePicturePainter();
+    if (!painter)
+      return painter.error();
+    return std::unique_ptr<widgets::PicturePainter>(
+        std::make_unique<FailingPainter>(std::move(*painter), failures));
+  };
+}
+
+}  // namespace
+
+class ViewportNavigationTest : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir m_body;
+
+  static glm::vec3 back(WindowFixture& f) { return model::cameraFrame(f.viewport().camera()).back; }
+  /// The kidney's place on screen, and how large it is.
+  static QRect kidney(WindowFixture& f) {
+    return f.areaOf(f.session.scene().named("left kidney").front());
+  }
+
+ private slots:
+  void initTestCase() { writeBody(m_body.path()); }
+
+  void keysMoveTheCamera() {
+    WindowFixture f;
+    QVERIFY(f.drop(m_body.path()));
+    QVERIFY(f.settled());
+    f.viewport().setFocus();
+    const model::Camera before = f.viewport().camera();
+    const auto press = [&](Qt::Key key, Qt::KeyboardModifiers with = {}) {
+      QTest::keyClick(&f.viewport(), key, with);
+    };
+    press(Qt::Key_Right);
+    const float turned =
+        glm::degrees(std::acos(glm::dot(back(f), model::cameraFrame(before).back)));
+    QVERIFY2(std::abs(turned - 5.0f) < 0.1f, qPrintable(QString::number(turned)));
+    press(Qt::Key_Left);
+    press(Qt::Key_Up);
+    press(Qt::Key_Down);
+    QVERIFY(glm::length(f.viewport().camera().eye - before.eye) < 0.5f);
+    const QRect place = kidney(f);
+    press(Qt::Key_Right, Qt::ControlModifier);
+    QVERIFY(std::abs(kidney(f).center().x() - place.center().x() - 40) <= 2);
+    press(Qt::Key_Left, Qt::ControlModifier);
+    press(Qt::Key_Plus);
+    QVERIFY(kidney(f).width() > place.width() * 1.1);
+    press(Qt::Key_Minus);
+    QVERIFY(std::abs(kidney(f).width() - place.width()) <= 2);
+    QVERIFY(f.settled());
+  }
+
+  void zoomToTheSelection() {
+    WindowFixture f;
+    QVERIFY(f.drop(m_body.path()));
+    QVERIFY(f.settled());
+    QVERIFY(!f.control<QAction>("zoomTo").isEnabled());
+    const model::NodeId id = f.session.scene().named("left kidney").front();
+    f.session.select({id});
+    QTest::keyClick(&f.window, Qt::Key_Period);
+    QVERIFY(f.settled());
+    const QRect area = kidney(f);
+    const QRect picture = f.viewport().rect();
+    QVERIFY(picture.contains(area));
+    QVERIFY(area.width() > 0.8 * std::min(picture.width(), picture.height()));
+    QVERIFY((area.center() - picture.center()).manhattanLength() < 20);
+    QVERIFY(glm::length(f.viewport().pivot() - glm::vec3(60, 0, 0)) < 1.0f);
+    QTest::keyClick(&f.window, Qt::Key_Home);
+    QVERIFY(f.settled());
+    QVERIFY(kidney(f).height() < 0.5 * picture.height());
+  }
+
+  void presetsChangeTheHand() {
+    WindowFixture f;
+    QVERIFY(f.drop(m_body.path()));
+    QVERIFY(f.settled());
+    const QPoint middle = f.viewport().rect().center();
+    const model::Camera before = f.viewport().camera();
+    QVERIFY(f.window.preferences().set("navigation/mouse", "blender"));
+    dragMouse(f.viewport(), middle, middle + QPoint(60, 30));
+    QVERIFY(f.viewport().camera() == before);
+    dragMouse(f.viewport(), middle, middle + QPoint(60, 30), Qt::MiddleButton);
+    QVERIFY(back(f) != model::cameraFrame(before).back);
+    QVERIFY(f.window.preferences().set("navigation/mouse", "slicer"));
+    const glm::vec3 direction = back(f);
+    const glm::vec3 eye = f.viewport().camera().eye;
+    dragMouse(f.viewport(), middle, middle - QPoint(0, 80), Qt::RightButton);
+    QVERIFY(glm::length(back(f) - direction) < 1e-3f);
+    QVERIFY(glm::length(f.viewport().camera().eye - f.viewport().pivot()) <
+            glm::length(eye - f.viewport().pivot()));
+    QVERIFY(f.settled());
+  }
+
+  void escapeGivesTheCameraBack() {
+    WindowFixture f;
+    QVERIFY(f.drop(m_body.path()));
+    QVERIFY(f.settled());
+    f.viewport().setFocus();
+    const model::Camera before = f.viewport().camera();
+    const QPoint middle = f.viewport().rect().center();
+    sendMouse(f.viewport(), QEvent::MouseButtonPress, middle);
+    sendMouse(f.viewport(), QEvent::MouseMove, middle + QPoint(80, 30));
+    QVERIFY(!(f.viewport().camera() == before));
+    QTest::keyClick(&f.viewport(), Qt::Key_Escape);
+    QVERIFY(f.viewport().camera() == before);
+    sendMouse(f.viewport(), QEvent::MouseMove, middle + QPoint(90, 30));
+    sendMouse(f.viewport(), QEvent::MouseButtonRelease, middle);
+    QVERIFY(f.viewport().camera() == before);
+    QVERIFY(f.settled());
+  }
+
+  void cubeLooksFromItsSides() {
+    WindowFixture f;
+    QVERIFY(f.drop(m_body.path()));
+    QVERIFY(f.settled());
+    auto& cube = f.control<widgets::CubeMark>("orientationCube");
+    QVERIFY(cube.isVisible());
+    QVERIFY(f.viewport().rect().contains(cube.geometry()));
+    const auto click = [&](const widgets::CubePart& part) {
+      QTest::mouseClick(&cube, Qt::LeftButton, {}, cube.placeOf(part)->toPoint());
+    };
+    // From the front the right edge leads to the patient's left.
+    click({1, -1, 0});
+    QVERIFY(glm::length(back(f) - glm::normalize(glm::vec3(1, -1, 0))) < 1e-4f);
+    click({1, 0, 0});
+    QVERIFY(glm::length(back(f) - glm::vec3(1, 0, 0)) < 1e-4f);
+    QCOMPARE(f.control<QLabel>("letterRight").text(), QStringLiteral("P"));
+    click({1, 0, 1});
+    click({0, 0, 1});
+    QVERIFY(glm::length(back(f) - glm::vec3(0, 0, 1)) < 1e-4f);
+    QCOMPARE(f.control<QLabel>("letterRight").text(), QStringLiteral("R"));
+    QVERIFY(f.settled());
+
+    // Dragged, it turns the scene; Escape turns it back.
+    const model::Camera before = f.viewport().camera();
+    const QPoint middle = cube.rect().center();
+    sendMouse(cube, QEvent::MouseButtonPress, middle);
+    sendMouse(cube, QEvent::MouseMove, middle + QPoint(30, -12));
+    QVERIFY(!(f.viewport().camera() == before));
+    QTest::keyClick(&f.viewport(), Qt::Key_Escape);
+    QVERIFY(f.viewport().camera() == before);
+    sendMouse(cube, QEvent::MouseButtonRelease, middle + QPoint(30, -12));
+    QVERIFY(f.viewport().camera() == before);
+    f.control<QAction>("showCube").trigger();
+    QVERIFY(!cube.isVisible());
+    QVERIFY(f.settled());
+  }
+
+  void scaleBarAndTime() {
+    WindowFixture f;
+    QVERIFY(f.drop(m_body.path()));
+    QVERIFY(f.settled());
+    auto& mark = f.control<widgets::ScaleBarMark>("scaleBar");
+    QVERIFY(mark.isVisible() && mark.bar());
+    // The kidneys are 120 mm from each other, at the pivot's depth or nearly.
+    const QRect left = f.areaOf(f.session.scene().named("left kidney").front());
+    const QRect right = f.areaOf(f.session.scene().named("right kidney").front());
+    const double pixels = std::abs(left.center().x() - right.center().x());
+    const double scale = mark.bar()->millimetres / mark.bar()->pixels;
+    QVERIFY2(std::abs(pixels * scale - 120.0) < 4.0, qPrintable(QString::number(pixels * scale)));
+    f.control<QAction>("showScaleBar").trigger();
+    QVERIFY(!mark.isVisible());
+    QLabel& time = f.control<QLabel>("frameTime");
+    QVERIFY(!time.isVisible());
+    f.control<QAction>("showFrameTime").trigger();
+    QVERIFY(time.isVisible());
+    QVERIFY2(time.text().contains("ms"), qPrintable(time.text()));
+    QVERIFY(f.viewport().rect().contains(time.geometry()));
+  }
+
+  /// A flight ends where the view is, and a hand that takes hold ends it before.
+  void flightsCanBeInterrupted() {
+    WindowFixture f;
+    QVERIFY(f.drop(m_body.path()));
+    QVERIFY(f.settled());
+    QVERIFY(f.window.preferences().set("navigation/flights", true));
+    const model::Camera before = f.viewport().camera();
+    QTest::keyClick(&f.window, Qt::Key_L);
+    QVERIFY(f.viewport().camera() == before);  // on its way
+    QVERIFY(f.settled());
+    QVERIFY(glm::length(back(f) - glm::vec3(1, 0, 0)) < 1e-4f);
+    QTest::keyClick(&f.window, Qt::Key_A);
+    const QPoint middle = f.viewport().rect().center();
+    sendMouse(f.viewport(), QEvent::MouseButtonPress, middle);
+    const model::Camera held = f.viewport().camera();
+    QTest::qWait(300);
+    QVERIFY(f.viewport().camera() == held);
+    sendMouse(f.viewport(), QEvent::MouseButtonRelease, middle);
+    QVERIFY(f.settled());
+  }
+
+  /// The same picture in another window, whose context is another.
+  void pictureSurvivesAnotherWindow() {
+    WindowFixture f;
+    QVERIFY(f.drop(m_body.path()));
+    QVERIFY(f.settled());
+    const QImage before = f.picture();
+    const QSize size = f.viewport().size();
+    QWidget* home = f.viewport().parentWidget();
+    QWidget other;
+    f.viewport().setParent(&other);
+    f.viewport().setGeometry(QRect(QPoint(), size));
+    other.resize(size);
+    f.viewport().show();
+    other.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&other));
+    QVERIFY(f.settled());
+    QCOMPARE(difference(before, f.picture()), QRect());
+    f.viewport().setParent(home);
+    home->layout()->addWidget(&f.viewport());
+    f.viewport().show();
+    other.hide();
+    QTRY_COMPARE(f.viewport().size(), size);
+    QVERIFY(f.settled());
+    QCOMPARE(difference(before, f.picture()), QRect());
+  }
+
+  void lostContextIsMadeAnew() {
+    const auto failures = std::make_shared<std::atomic<int>>(0);
+    const auto made = std::make_shared<std::atomic<int>>(0);
+    WindowFixture f(failing(failures, made));
+    QVERIFY(f.drop(m_body.path()));
+    QVERIFY(f.settled());
+    const QImage before = f.picture();
+    const int first = *made;
+    *failures = 1;
+    f.viewport().setBackground(render::Background::dark);
+    f.viewport().setBackground(render::Background::paper);
+    QTRY_COMPARE(made->load(), first + 1);
+    QVERIFY(f.settled());
+    QCOMPARE(difference(before, f.picture()), QRect());
+    QVERIFY(!f.control<QWidget>("messageText").isVisible());
+
+    // One that fails again and again says so, and the last picture stays.
+    *failures = 1000;
+    QSignalSpy failed(&f.viewport(), &widgets::Viewport::failed);
+    QTest::keyClick(&f.window, Qt::Key_L);
+    QTRY_VERIFY(!failed.isEmpty());
+    QTRY_VERIFY(f.control<QWidget>("messageText").isVisible());
+    QVERIFY(made->load() <= first + 3);
+    *failures = 0;
+    QTest::keyClick(&f.window, Qt::Key_A);
+    QVERIFY(f.settled());
+  }
+};
+
+}  // namespace sline::test
+
+QTEST_MAIN(sline::test::ViewportNavigationTest)
+#include "viewport_navigation_test.moc"

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/sections/section_position.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <array>
+#include <cmath>
+
+namespace sline::widgets {
+
+std::optional<int> axisAcross(const model::Plane& plane) {
+  constexpr float parallel = 0.99999f;
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(plane.normal[axis]) > parallel)
+      return axis;
+  return std::nullopt;
+}
+
+double positionOf(const model::Plane& plane) {
+  const std::optional<int> axis = axisAcross(plane);
+  const bool against = axis && plane.normal[*axis] < 0.0f;
+  return against ? -double(plane.offset) : double(plane.offset);
+}
+
+model::Plane movedTo(model::Plane plane, double position) {
+  const std::optional<int> axis = axisAcross(plane);
+  const bool against = axis && plane.normal[*axis] < 0.0f;
+  plane.offset = float(against ? -position : position);
+  return plane;
+}
+
+QString positionText(const model::Plane& plane) {
+  static constexpr std::array<const char*, 3> positive{"L", "P", "S"};
+  static constexpr std::array<const char*, 3> negative{"R", "A", "I"};
+  const std::optional<int> axis = axisAcross(plane);
+  const double position = positionOf(plane);
+  const double shown = axis ? std::abs(position) : position;
+  const QString length = QCoreApplication::translate("sline::widgets", "%1 mm")
+                             .arg(QLocale().toString(shown == 0.0 ? 0.0 : shown, 'f', 1));
+  if (!axis)
+    return length;
+  const auto& letters = position < 0.0 ? negative : positive;
+  return QLatin1String(letters[std::size_t(*axis)]) + QChar(QChar::Nbsp) + length;
+}
+
+model::Plane flipped(const model::Plane& plane) {
+  return {.normal = -plane.normal, .offset = -plane.offset};
+}
+
+}  // namespace sline::widgets

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/viewport/orientation_cube.h"
+
+namespace sline::widgets {
+
+/// The orientation cube in the picture's corner: a click looks from there, a drag turns the scene.
+/// What lies beside the cube is left to the picture.
+class CubeMark : public QWidget {
+  Q_OBJECT
+ public:
+  explicit CubeMark(QWidget* parent);
+  void setCamera(const model::Camera& camera);
+  void setDark(bool dark);
+  QSize sizeHint() const override;
+  /// The pixel in the middle of a part that is seen; for tests.
+  std::optional<QPointF> placeOf(const CubePart& part) const;
+  /// Ends a drag under way as if it had not been; false where there is none.
+  bool cancel();
+
+ signals:
+  void lookWanted(const sline::widgets::CubePart& from);
+  /// Pixels since the drag's beginning; the first is (0, 0).
+  void turned(const glm::vec2& way);
+  /// The drag ends; or, `kept` false, is to be as if it had not been.
+  void turnEnded(bool kept);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  float half() const;
+  std::optional<CubePart> partAt(const QPointF& at) const;
+  void mark(std::optional<CubePart> part);
+  void paintFace(QPainter& painter, const CubeFace& face) const;
+
+  model::Camera m_camera;
+  std::vector<CubeFace> m_faces;
+  bool m_dark = false;
+  std::optional<CubePart> m_marked;
+  std::optional<CubePart> m_pressed;
+  QPointF m_from;
+  bool m_turning = false;
+};
+
+}  // namespace sline::widgets

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The body's six sides as a cube that turns with the scene. Geometry without a window; pixels count
+// from the cube's middle, y downwards.
+#pragma once
+
+#include <array>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "model/scene/camera.h"
+
+namespace sline::widgets {
+
+/// A face, an edge or a corner, by the direction (LPS) in which it lies: each coordinate −1, 0 or 1
+/// and not all 0.
+using CubePart = glm::ivec3;
+
+/// A face as it is seen. Its letter is read upright where `right` leads to the right and `up`
+/// upwards.
+struct CubeFace {
+  char letter = 'A';
+  CubePart part{0};
+  glm::vec2 centre{0.0f};
+  glm::vec2 right{0.0f};  ///< from the middle to the right edge
+  glm::vec2 up{0.0f};     ///< from the middle to the upper edge
+  float facing = 0.0f;    ///< 1 where it looks straight at the eye, 0 edge-on
+  std::array<glm::vec2, 4> corners() const;
+};
+
+/// The faces that look at the eye; `half` is half the cube's edge in pixels.
+std::vector<CubeFace> cubeFaces(const model::Camera& camera, float half);
+/// The outline of a part on the faces that show it.
+std::vector<std::array<glm::vec2, 4>> cubePatches(const std::vector<CubeFace>& faces,
+                                                  const CubePart& part);
+/// What of the cube is at a pixel; absent beside it.
+std::optional<CubePart> cubePartAt(const std::vector<CubeFace>& faces, const glm::vec2& pixel);
+/// What is upwards in the picture for who looks at that part: the head, and from straight above or
+/// below the front of the body.
+glm::vec3 upwardsFrom(const CubePart& part);
+
+}  // namespace sline::widgets

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/viewport/picker.h"
+
+#include <array>
+
+#include "widgets/viewport/navigation.h"
+
+namespace sline::widgets {
+
+std::vector<model::Ray> sightsAround(const model::Camera& camera, const glm::vec2& pixel,
+                                     const glm::vec2& size) {
+  constexpr float reach = 4.0f;  // pixels: as near as a hand comes to a line
+  constexpr float diagonal = 0.70710678f * reach;
+  constexpr std::array<std::array<float, 2>, 9> steps{{{0, 0},
+                                                       {reach, 0},
+                                                       {diagonal, diagonal},
+                                                       {0, reach},
+                                                       {-diagonal, diagonal},
+                                                       {-reach, 0},
+                                                       {-diagonal, -diagonal},
+                                                       {0, -reach},
+                                                       {diagonal, -diagonal}}};
+  std::vector<model::Ray> rays;
+  for (const auto& [x, y] : steps)
+    rays.push_back(sightThrough(camera, pixel + glm::vec2(x, y), size));
+  return rays;
+}
+
+Picker::Picker(QObject* parent) : QObject(parent) {
+  m_threads.setMaxThreadCount(1);
+}
+
+Picker::~Picker() {
+  forget();
+  m_threads.clear();
+  m_threads.waitForDone();
+}
+
+void Picker::ask(Question question, Answer answer) {
+  // The first pick of a mesh sorts its triangles, which takes longer than a frame.
+  m_threads.start(
+      [this, index = m_index, question = std::move(question), answer = std::move(answer)] {
+        Picks picks = index->look(question.scene, question.rays);
+        QMetaObject::invokeMethod(this, [picks = std::move(picks), answer] { answer(picks); });
+      });
+}
+
+void Picker::askLatest(Question question, Answer answer) {
+  const int number = ++*m_latest;
+  m_threads.start([this, index = m_index, latest = m_latest, number, question = std::move(question),
+                   answer = std::move(answer)] {
+    if (*latest != number)
+      return;
+    Picks picks = index->look(question.scene, question.rays);
+    QMetaObject::invokeMethod(this, [picks = std::move(picks), latest, number, answer] {
+      if (*latest == number)
+        answer(picks);
+    });
+  });
+}
+
+}  // namespace sline::widgets

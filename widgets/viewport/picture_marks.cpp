@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/viewport/picture_marks.h"
+
+#include <QLabel>
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/viewport/orientation_letters.h"
+
+namespace sline::widgets {
+
+namespace {
+
+constexpr int margin = 10;
+
+QLabel* label(QWidget& picture, const char* name) {
+  auto* made = new QLabel(&picture);
+  made->setObjectName(QLatin1String(name));
+  made->setAttribute(Qt::WA_TransparentForMouseEvents);
+  made->setAlignment(Qt::AlignCenter);
+  made->setTextFormat(Qt::PlainText);
+  made->hide();
+  return made;
+}
+
+}  // namespace
+
+PictureMarks::PictureMarks(QWidget& picture)
+    : QObject(&picture), m_picture(picture), m_section(new SectionMark(&picture)) {
+  static constexpr std::array<const char*, 4> names{"letterLeft", "letterRight", "letterTop",
+                                                    "letterBottom"};
+  for (std::size_t i = 0; i < names.size(); ++i)
+    m_letters[i] = label(picture, names[i]);
+  m_cube = new CubeMark(&picture);
+  m_scaleBar = new ScaleBarMark(&picture);
+  m_time = label(picture, "frameTime");
+  m_name = label(picture, "nameUnderMouse");
+  m_cube->hide();
+  m_scaleBar->hide();
+}
+
+void PictureMarks::choose(const MarkChoice& choice) {
+  m_choice = choice;
+  m_cube->setVisible(m_scene && choice.cube);
+  m_scaleBar->setVisible(m_scene && choice.scaleBar);
+  m_time->setVisible(m_scene && choice.frameTime);
+}
+
+void PictureMarks::setBackground(render::Background background) {
+  const bool dark = background == render::Background::dark;
+  const QString ink = dark ? QStringLiteral("#a2a2a2") : QStringLiteral("#736e66");
+  for (QLabel* letter : m_letters)
+    letter->setStyleSheet(QStringLiteral("color: %1; font-weight: 600;").arg(ink));
+  m_time->setStyleSheet(QStringLiteral("color: %1;").arg(ink));
+  m_name->setStyleSheet(dark
+                            ? QStringLiteral("color: #141416; background: rgba(236, 236, 236, 235);"
+                                             "border-radius: 4px; padding: 2px 7px;")
+                            : QStringLiteral("color: #ffffff; background: rgba(38, 38, 40, 225);"
+                                             "border-radius: 4px; padding: 2px 7px;"));
+  m_scaleBar->setInk(QColor(ink));
+  m_cube->setDark(dark);
+  m_section->setDark(dark);
+}
+
+void PictureMarks::placeCorner(QWidget& mark, Qt::Corner corner) {
+  QRect box(QPoint(), mark.sizeHint());
+  const QRect room = m_picture.rect().adjusted(margin, margin, -margin, -margin);
+  if (corner == Qt::TopRightCorner)
+    box.moveTopRight(room.topRight());
+  else if (corner == Qt::BottomRightCorner)
+    box.moveBottomRight(room.bottomRight());
+  else
+    box.moveBottomLeft(room.bottomLeft());
+  mark.setGeometry(box);
+}
+
+void PictureMarks::place(const model::Camera& camera, const glm::vec3& pivot, bool scene) {
+  m_scene = scene;
+  placeLetters(camera);
+  m_cube->setCamera(camera);
+  placeCorner(*m_cube, Qt::TopRightCorner);
+  m_scaleBar->show(scaleBar(camera, pivot, m_picture.height(), ScaleBarMark::most));
+  placeCorner(*m_scaleBar, Qt::BottomLeftCorner);
+  placeCorner(*m_time, Qt::BottomRightCorner);
+  m_section->setGeometry(m_picture.rect());
+  choose(m_choice);
+}
+
+void PictureMarks::placeLetters(const model::Camera& camera) {
+  const EdgeLetters letters = edgeLetters(camera);
+  const std::array<const std::string*, 4> texts{&letters.left, &letters.right, &letters.top,
+                                                &letters.bottom};
+  const QPoint middle = m_picture.rect().center();
+  for (std::size_t i = 0; i < m_letters.size(); ++i) {
+    QLabel& label = *m_letters[i];
+    label.setText(QString::fromStdString(*texts[i]));
+    label.adjustSize();
+    QRect box = label.rect();
+    box.moveCenter(middle);
+    if (i == 0)
+      box.moveLeft(margin);
+    else if (i == 1)
+      box.moveRight(m_picture.width() - margin);
+    else if (i == 2)
+      box.moveTop(margin);
+    else
+      box.moveBottom(m_picture.height() - margin);
+    label.setGeometry(box);
+    label.setVisible(m_scene);
+  }
+}
+
+void PictureMarks::showTime(double milliseconds, float scale) {
+  const QString time = tr("%1 ms").arg(QLocale().toString(milliseconds, 'f', 0));
+  const QString size = QLocale().toString(int(std::lround(100.0f * scale)));
+  m_time->setText(scale < 1.0f ? tr("%1 at %2 % size").arg(time, size) : time);
+  m_time->adjustSize();
+  placeCorner(*m_time, Qt::BottomRightCorner);
+}
+
+void PictureMarks::showName(const QString& name, const QPoint& mouse) {
+  constexpr QPoint beside(14, 20);  // below the arrow of the mouse
+  m_name->setText(
+      m_name->fontMetrics().elidedText(name, Qt::ElideMiddle, std::max(60, m_picture.width() / 2)));
+  m_name->adjustSize();
+  QRect box = m_name->rect();
+  box.moveTopLeft(mouse + beside);
+  if (box.right() > m_picture.width() - 4)
+    box.moveRight(m_picture.width() - 4);
+  if (box.bottom() > m_picture.height() - 4)
+    box.moveBottom(mouse.y() - 6);
+  m_name->setGeometry(box);
+  m_name->raise();
+  m_name->show();
+}
+
+void PictureMarks::hideName() {
+  m_name->hide();
+}
+
+}  // namespace sline::widgets

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <array>
+#include <glm/vec3.hpp>
+
+#include "render/picture/picture.h"
+#include "widgets/viewport/cube_mark.h"
+#include "widgets/viewport/scale_bar.h"
+#include "widgets/viewport/section_mark.h"
+
+class QLabel;
+
+namespace sline::widgets {
+
+/// Which marks a person wants to see.
+struct MarkChoice {
+  bool cube = true;
+  bool scaleBar = true;
+  bool frameTime = false;
+  bool operator==(const MarkChoice&) const = default;
+};
+
+/// What lies over the picture: letters at its edges, orientation cube, scale bar, the time a
+/// picture takes, the name under the mouse and the handles of a section.
+class PictureMarks : public QObject {
+  Q_OBJECT
+ public:
+  explicit PictureMarks(QWidget& picture);
+
+  CubeMark& cube() { return *m_cube; }
+  SectionMark& section() { return *m_section; }
+  void choose(const MarkChoice& choice);
+  const MarkChoice& choice() const { return m_choice; }
+  void setBackground(render::Background background);
+  /// For the camera and what it turns around; without a scene there is nothing to mark.
+  void place(const model::Camera& camera, const glm::vec3& pivot, bool scene);
+  void showTime(double milliseconds, float scale);
+  /// Near the mouse; plain text.
+  void showName(const QString& name, const QPoint& mouse);
+  void hideName();
+
+ private:
+  void placeLetters(const model::Camera& camera);
+  void placeCorner(QWidget& mark, Qt::Corner corner);
+
+  QWidget& m_picture;
+  MarkChoice m_choice;
+  bool m_scene = false;
+  std::array<QLabel*, 4> m_letters{};
+  SectionMark* m_section;
+  CubeMark* m_cube;
+  ScaleBarMark* m_scaleBar;
+  QLabel* m_time;
+  QLabel* m_name;
+};
+
+}  // namespace sline::widgets

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/viewport/section_tool.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <glm/geometric.hpp>
+
+#include "model/edit/sections.h"
+#include "widgets/sections/section_position.h"
+
+namespace sline::widgets {
+
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("sline::widgets", text);
+}
+
+bool turns(SectionGrip grip) {
+  return grip == SectionGrip::turnAboutU || grip == SectionGrip::turnAboutV;
+}
+
+}  // namespace
+
+const model::Section* SectionTool::active() const {
+  const auto id = m_session.activeSection();
+  for (const model::Section& section : m_session.scene().sections())
+    if (section.id == id && section.enabled)
+      return &section;
+  return nullptr;
+}
+
+std::optional<SectionHandles> SectionTool::handles(const glm::vec2& size,
+                                                   const model::Camera& camera) const {
+  const model::Section* section = active();
+  if (!section)
+    return std::nullopt;
+  const model::Box bounds = m_session.scene().visibleBounds(section->scope);
+  return sectionHandles(sectionFrame(section->plane, bounds), camera, size);
+}
+
+SectionGrip SectionTool::gripAt(const Pointer& pointer) const {
+  const auto there = handles(pointer.size);
+  return there ? widgets::gripAt(*there, pointer.pixel) : SectionGrip::none;
+}
+
+bool SectionTool::press(const Pointer& pointer) {
+  const bool plain = (pointer.keys & (Qt::ShiftModifier | Qt::AltModifier)) == 0;
+  const model::Section* section = active();
+  if (!section || pointer.button != Qt::LeftButton || !plain)
+    return false;
+  m_grip = gripAt(pointer);
+  if (m_grip == SectionGrip::none)
+    return false;
+  m_before = *section;
+  m_pressed = pointer.pixel;
+  const model::Box bounds = m_session.scene().visibleBounds(section->scope);
+  m_drag.emplace(SectionDrag::Start{
+      // A head that is dragged takes the arrow along.
+      .grip = m_grip == SectionGrip::flip ? SectionGrip::slide : m_grip,
+      .pixel = pointer.pixel,
+      .frame = sectionFrame(section->plane, bounds),
+      .camera = m_view.camera(),
+      .size = pointer.size});
+  return true;
+}
+
+void SectionTool::move(const Pointer& pointer) {
+  if (!m_drag)
+    return;
+  constexpr float still = 4.0f;  // pixels that a hand shakes in a click
+  if (m_grip == SectionGrip::flip) {
+    if (glm::length(pointer.pixel - m_pressed) < still)
+      return;
+    m_grip = SectionGrip::slide;
+  }
+  const bool snap = (pointer.keys & Qt::ControlModifier) != 0;
+  model::Section section = *m_before;
+  section.plane = m_drag->at(pointer.pixel, snap);
+  m_readout = turns(m_grip)
+                  ? tr("%1°").arg(QLocale().toString(m_drag->turnAt(pointer.pixel, snap), 'f', 0))
+                  : positionText(section.plane);
+  const model::Scene& before = m_session.sceneBeforePreview();
+  m_session.preview(model::withSectionChanged(before, section.id, section).scene);
+}
+
+void SectionTool::release(const Pointer&) {
+  if (!m_drag)
+    return;
+  if (m_grip == SectionGrip::flip) {
+    model::Section section = *m_before;
+    section.plane = flipped(section.plane);
+    m_session.apply(tr("Flip Section"),
+                    model::withSectionChanged(m_session.scene(), section.id, section));
+  } else {
+    m_session.commitPreview(turns(m_grip) ? tr("Tilt Section") : tr("Move Section"));
+  }
+  finish();
+}
+
+void SectionTool::cancel() {
+  if (!m_drag)
+    return;
+  m_session.cancelPreview();
+  finish();
+}
+
+void SectionTool::finish() {
+  m_drag.reset();
+  m_before.reset();
+  m_grip = SectionGrip::none;
+  m_readout.clear();
+}
+
+}  // namespace sline::widgets

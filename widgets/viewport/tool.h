@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tools: what a pressed mouse does in the picture, as small objects that need no window.
+#pragma once
+
+#include <Qt>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "model/scene/camera.h"
+
+namespace sline::widgets {
+
+/// The mouse in the picture; pixels count from the upper left corner, y downwards.
+struct Pointer {
+  glm::vec2 pixel{0.0f};
+  glm::vec2 size{1.0f};  ///< of the picture
+  Qt::MouseButton button = Qt::NoButton;
+  Qt::KeyboardModifiers keys;
+};
+
+/// The view that tools look through and move.
+class ViewControl {
+ public:
+  virtual ~ViewControl() = default;
+  virtual const model::Camera& camera() const = 0;
+  virtual glm::vec3 pivot() const = 0;
+  virtual void move(const model::Camera& camera) = 0;
+};
+
+class Tool {
+ public:
+  virtual ~Tool() = default;
+  /// True where the tool takes the mouse: it then hears of every move until release or cancel.
+  virtual bool press(const Pointer& pointer) = 0;
+  virtual void move(const Pointer& pointer) = 0;
+  virtual void release(const Pointer& pointer) = 0;
+  /// All is as it was before the press.
+  virtual void cancel() = 0;
+};
+
+}  // namespace sline::widgets

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: Apache-2.0
+// What hands do in the picture: mouse, touchpad and keys.
+#include <QApplication>
+#include <QMouseEvent>
+#include <QNativeGestureEvent>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/viewport/framing.h"
+#include "widgets/viewport/viewport.h"
+
+namespace sline::widgets {
+
+namespace {
+
+glm::vec2 vec(const QPointF& p) {
+  return {float(p.x()), float(p.y())};
+}
+
+constexpr float perNotch = 1.15f;    ///< of a wheel, or a key
+constexpr float keyDegrees = 5.0f;   ///< by an arrow key
+constexpr float keyPixels = 40.0f;   ///< by an arrow key with Ctrl
+constexpr float cubeDegrees = 1.1f;  ///< for each pixel that the cube is dragged
+
+/// One step of each arrow key; the scene's near side goes that way.
+glm::vec2 arrowStep(int key) {
+  switch (key) {
+    case Qt::Key_Left:
+      return {-1.0f, 0.0f};
+    case Qt::Key_Right:
+      return {1.0f, 0.0f};
+    case Qt::Key_Up:
+      return {0.0f, -1.0f};
+    case Qt::Key_Down:
+      return {0.0f, 1.0f};
+    default:
+      return {0.0f, 0.0f};
+  }
+}
+
+}  // namespace
+
+Pointer Viewport::pointer(const QPointF& at, Qt::MouseButton button,
+                          Qt::KeyboardModifiers keys) const {
+  return {.pixel = vec(at), .size = size2(), .button = button, .keys = keys};
+}
+
+Picker::Question Viewport::question(const QPointF& at) const {
+  return {.scene = m_session.scene(), .rays = sightsAround(m_camera, vec(at), size2())};
+}
+
+void Viewport::mousePressEvent(QMouseEvent* event) {
+  forgetName();
+  m_mouse = event->position();
+  if (m_button != Qt::NoButton)
+    return;
+  stopFlight();
+  m_button = event->button();
+  m_pressed = event->position();
+  m_dragged = false;
+  const Pointer mouse = pointer(event->position(), event->button(), event->modifiers());
+  for (Tool* tool : {static_cast<Tool*>(&m_sectionTool), static_cast<Tool*>(&m_cameraTool)})
+    if (!m_held && tool->press(mouse))
+      m_held = tool;
+  showSection();
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* event) {
+  m_mouse = event->position();
+  if (m_button == Qt::NoButton) {
+    forgetName();
+    m_nameRest.start();
+    showSection();
+    setCursor(m_sectionTool.gripAt(pointer(m_mouse, Qt::NoButton, {})) == SectionGrip::none
+                  ? Qt::ArrowCursor
+                  : Qt::PointingHandCursor);
+    return;
+  }
+  const QPointF way = event->position() - m_pressed;
+  m_dragged = m_dragged || way.manhattanLength() >= QApplication::startDragDistance();
+  // A handle follows at once; elsewhere a hand that shakes in a click must not turn the scene.
+  if (m_held && (m_dragged || m_held == &m_sectionTool))
+    m_held->move(pointer(event->position(), m_button, event->modifiers()));
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != m_button)
+    return;
+  const bool onSection = m_held == &m_sectionTool;
+  if (m_held)
+    m_held->release(pointer(event->position(), m_button, event->modifiers()));
+  m_held = nullptr;
+  m_button = Qt::NoButton;
+  showSection();
+  if (m_dragged || onSection)
+    return;
+  const Qt::KeyboardModifiers keys = event->modifiers();
+  if (event->button() == Qt::RightButton)
+    click(event->position(), ClickFor::menu);
+  else if (event->button() == Qt::LeftButton)
+    click(event->position(), keys.testFlag(Qt::AltModifier)       ? ClickFor::deeper
+                             : keys.testFlag(Qt::ControlModifier) ? ClickFor::addition
+                                                                  : ClickFor::selection);
+}
+
+void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton &&
+      m_sectionTool.gripAt(pointer(event->position(), Qt::LeftButton, {})) == SectionGrip::none)
+    click(event->position(), ClickFor::pivot);
+  else
+    mousePressEvent(event);
+}
+
+void Viewport::cancelDrag() {
+  if (m_held)
+    m_held->cancel();
+  m_held = nullptr;
+  m_marks->cube().cancel();
+  showSection();
+}
+
+void Viewport::zoomAt(const QPointF& at, float factor) {
+  const glm::vec3 place = pointAtDepthOf(m_camera, m_pivot, vec(at), size2());
+  const model::Camera camera = zoomed(m_camera, place, factor);
+  if (withinReach(camera, m_pivot, m_session.scene()))
+    move(camera);
+}
+
+void Viewport::wheelEvent(QWheelEvent* event) {
+  stopFlight();
+  // Two fingers on a touchpad say how many pixels they went, and when they were lifted; a wheel
+  // knows neither.
+  const bool fingers = event->phase() != Qt::NoScrollPhase && !event->pixelDelta().isNull();
+  if (fingers && !event->modifiers().testFlag(Qt::ControlModifier))
+    move(panned(m_camera, m_pivot, vec(event->pixelDelta()), size2().y));
+  else
+    zoomAt(event->position(), std::pow(perNotch, float(event->angleDelta().y()) / 120.0f));
+  event->accept();
+}
+
+bool Viewport::nativeGesture(const QNativeGestureEvent& event) {
+  stopFlight();
+  switch (event.gestureType()) {
+    case Qt::ZoomNativeGesture:
+      zoomAt(event.position(), std::clamp(1.0f + float(event.value()), 0.2f, 5.0f));
+      return true;
+    case Qt::RotateNativeGesture:
+      move(rolled(m_camera, float(event.value())));
+      return true;
+    case Qt::PanNativeGesture:
+      move(panned(m_camera, m_pivot, vec(event.delta()), size2().y));
+      return true;
+    default:
+      return false;
+  }
+}
+
+void Viewport::keyPressEvent(QKeyEvent* event) {
+  const glm::vec2 arrow = arrowStep(event->key());
+  const bool control = event->modifiers().testFlag(Qt::ControlModifier);
+  if (event->key() == Qt::Key_Escape && (m_held || m_button != Qt::NoButton)) {
+    cancelDrag();
+    m_dragged = true;  // the release is no click
+  } else if (event->key() == Qt::Key_Escape && m_marks->cube().cancel()) {
+    return;
+  } else if (arrow != glm::vec2(0.0f)) {
+    stopFlight();
+    move(control ? panned(m_camera, m_pivot, keyPixels * arrow, size2().y)
+                 : orbited(m_camera, m_pivot, keyDegrees * arrow.x, keyDegrees * arrow.y));
+  } else if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal) {
+    zoomAt(QRectF(rect()).center(), perNotch);
+  } else if (event->key() == Qt::Key_Minus) {
+    zoomAt(QRectF(rect()).center(), 1.0f / perNotch);
+  } else {
+    QOpenGLWidget::keyPressEvent(event);
+  }
+}
+
+void Viewport::contextMenuEvent(QContextMenuEvent* event) {
+  // With the mouse it is the release that asks for it: pressing may begin a drag.
+  if (event->reason() == QContextMenuEvent::Keyboard)
+    emit menuWanted(mapToGlobal(rect().center()), std::nullopt);
+  event->accept();
+}
+
+void Viewport::turnByCube(const glm::vec2& way) {
+  if (way == glm::vec2(0.0f)) {
+    stopFlight();
+    m_beforeTurn = m_camera;
+    setFocus(Qt::MouseFocusReason);
+  }
+  move(orbited(m_beforeTurn, m_pivot, cubeDegrees * way.x, cubeDegrees * way.y));
+}
+
+void Viewport::click(const QPointF& at, ClickFor purpose) {
+  m_picker.ask(question(at), [this, at = at.toPoint(), purpose](const Picks& picks) {
+    clicked(picks, at, purpose);
+  });
+}
+
+void Viewport::clicked(const Picks& picks, const QPoint& at, ClickFor purpose) {
+  const std::optional<Pick> pick =
+      purpose == ClickFor::deeper ? deeper(picks.all, m_session.selection()) : picks.seen;
+  const model::Node* node = pick ? m_session.scene().find(pick->id) : nullptr;
+  if (purpose == ClickFor::menu) {
+    emit menuWanted(mapToGlobal(at), node ? pick : std::nullopt);
+    return;
+  }
+  if (purpose == ClickFor::pivot) {
+    if (!node)
+      return;
+    setPivot(pick->position);
+    emit pivotChosen(m_session.names().shown(node->name));
+    return;
+  }
+  NodeIds ids;
+  if (purpose == ClickFor::addition)
+    ids = m_session.selection();
+  if (node) {
+    const auto already = std::find(ids.begin(), ids.end(), pick->id);
+    if (already != ids.end())
+      ids.erase(already);
+    else
+      ids.push_back(pick->id);
+  }
+  m_session.select(std::move(ids));
+}
+
+void Viewport::setNamesWanted(bool wanted) {
+  m_namesWanted = wanted;
+  forgetName();
+}
+
+void Viewport::wantName() {
+  if (!m_namesWanted || m_button != Qt::NoButton || m_moving || !underMouse())
+    return;
+  m_picker.askLatest(question(m_mouse), [this](const Picks& picks) {
+    const model::Node* node = picks.seen ? m_session.scene().find(picks.seen->id) : nullptr;
+    if (node)
+      m_marks->showName(m_session.names().shown(node->name), m_mouse.toPoint());
+  });
+}
+
+void Viewport::forgetName() {
+  m_nameRest.stop();
+  m_picker.forget();
+  m_marks->hideName();
+}
+
+void Viewport::leaveEvent(QEvent* event) {
+  forgetName();
+  showSection();
+  QOpenGLWidget::leaveEvent(event);
+}
+
+void Viewport::resizeEvent(QResizeEvent* event) {
+  QOpenGLWidget::resizeEvent(event);
+  placeMarks();
+}
+
+void Viewport::changeEvent(QEvent* event) {
+  QOpenGLWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::LanguageChange)
+    placeMarks();
+  if (event->type() == QEvent::LanguageChange)
+    setAccessibleName(tr("Picture"));
+}
+
+bool Viewport::event(QEvent* event) {
+  if (event->type() == QEvent::NativeGesture &&
+      nativeGesture(*static_cast<QNativeGestureEvent*>(event)))
+    return true;
+  const bool handled = QOpenGLWidget::event(event);
+  // Another screen may have finer pixels.
+  if (event->type() == QEvent::ScreenChangeInternal)
+    refresh();
+  return handled;
+}
+
+}  // namespace sline::widgets

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+
+#include "widgets/preferences/preferences.h"
+#include "widgets/window/window_actions.h"
+
+namespace sline::widgets {
+
+class Viewport;
+
+/// The picture as the preferences want it: marks over it, mouse buttons, flights between views. The
+/// marks' actions are switches of the same preferences.
+class PictureHabits : public QObject {
+  Q_OBJECT
+ public:
+  PictureHabits(Viewport& viewport, Preferences& preferences, const WindowActions& actions,
+                QObject* parent);
+
+ private:
+  void follow();
+
+  Viewport& m_viewport;
+  Preferences& m_preferences;
+  const WindowActions& m_actions;
+};
+
+}  // namespace sline::widgets

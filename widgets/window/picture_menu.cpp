@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/window/picture_menu.h"
+
+#include <QAction>
+#include <QMenu>
+#include <algorithm>
+
+#include "widgets/viewport/viewport.h"
+#include "widgets/window/section_actions.h"
+
+namespace sline::widgets {
+
+namespace {
+
+/// As a menu's entry: an ampersand in a name is no mark of a key.
+QString plain(QString name) {
+  return name.replace(QLatin1Char('&'), QLatin1String("&&"));
+}
+
+}  // namespace
+
+PictureMenu::PictureMenu(Session& session, Viewport& viewport, SectionActions& sections,
+                         const WindowMenus& menus, QObject* parent)
+    : QObject(parent),
+      m_session(session),
+      m_viewport(viewport),
+      m_sections(sections),
+      m_menus(menus) {
+  connect(&viewport, &Viewport::menuWanted, this, &PictureMenu::popUp);
+}
+
+void PictureMenu::addStructure(QMenu& menu, const std::optional<Pick>& pick) {
+  const model::Node* first = m_session.scene().find(m_session.selection().front());
+  const int others = int(m_session.selection().size()) - 1;
+  QAction* heading = menu.addAction(
+      others > 0
+          ? tr("%1 and %n more", nullptr, others).arg(plain(m_session.names().shown(first->name)))
+          : plain(m_session.names().shown(first->name)));
+  heading->setEnabled(false);
+  menu.addSeparator();
+  menu.addActions(m_menus[QStringLiteral("structureMenu")].actions());
+  if (!pick)
+    return;
+  menu.addSeparator();
+  QMenu* cut = menu.addMenu(tr("Section &Here"));
+  cut->setObjectName(QStringLiteral("sectionHere"));
+  m_sections.fill(*cut, {.scope = model::rootId, .through = pick->position});
+  QMenu* cutThis = menu.addMenu(tr("Section Here, of &This Alone"));
+  cutThis->setObjectName(QStringLiteral("sectionHereAlone"));
+  m_sections.fill(*cutThis, {.scope = pick->id, .through = pick->position});
+  menu.addAction(tr("Turn &Around This Place"), this,
+                 [this, place = pick->position] { m_viewport.setPivot(place); });
+}
+
+void PictureMenu::popUp(const QPoint& onScreen, const std::optional<Pick>& pick) {
+  const NodeIds& selected = m_session.selection();
+  if (pick && std::find(selected.begin(), selected.end(), pick->id) == selected.end())
+    m_session.select({pick->id});
+  auto* menu = new QMenu(&m_viewport);
+  menu->setObjectName(QStringLiteral("pictureMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  if (pick)
+    addStructure(*menu, pick);
+  else
+    menu->addActions(m_menus[QStringLiteral("viewMenu")].actions());
+  menu->popup(onScreen);
+}
+
+}  // namespace sline::widgets

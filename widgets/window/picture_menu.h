@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QPoint>
+#include <optional>
+
+#include "widgets/session/session.h"
+#include "widgets/viewport/pick_index.h"
+#include "widgets/window/menu_table.h"
+
+class QMenu;
+class QWidget;
+
+namespace sline::widgets {
+
+class SectionActions;
+class Viewport;
+
+/// The menu of a right click in the picture: what the tree's menu has for the structure there, and
+/// sections through the place; where there is none, what can be done with the picture.
+class PictureMenu : public QObject {
+  Q_OBJECT
+ public:
+  PictureMenu(Session& session, Viewport& viewport, SectionActions& sections,
+              const WindowMenus& menus, QObject* parent);
+
+ private:
+  void popUp(const QPoint& onScreen, const std::optional<Pick>& pick);
+  void addStructure(QMenu& menu, const std::optional<Pick>& pick);
+
+  Session& m_session;
+  Viewport& m_viewport;
+  SectionActions& m_sections;
+  const WindowMenus& m_menus;
+};
+
+}  // namespace sline::widgets
