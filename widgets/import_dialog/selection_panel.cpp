@@ -146,13 +146,16 @@ void SelectionPanel::refresh() {
     control->setEnabled(any);
   for (QComboBox* box : {m_frame, m_unit, m_smoothing, m_decimation})
     box->setEnabled(read);
-  m_title->setText(any ? tr("For the selected %n structures", nullptr, int(m_structures.size()))
-                       : tr("Select structures to treat them unlike the others"));
+  m_title->setText(titleText());
   m_details->setText(m_selected.size() == 1
                          ? detailsText(plan, m_draft.figures(), m_selected.front())
                          : QString());
-  if (!any)
+  if (!any) {
+    for (QComboBox* box : {m_frame, m_unit, m_smoothing, m_decimation})
+      box->setCurrentIndex(0);
+    m_include->setCheckState(Qt::Unchecked);
     return;
+  }
   const auto wanted = std::count_if(m_structures.begin(), m_structures.end(),
                                     [&](auto id) { return plan.choiceOf(id).include; });
   const QSignalBlocker quiet(*m_include);
@@ -164,6 +167,17 @@ void SelectionPanel::refresh() {
   showCommon(*m_unit, common(plan, m_structures, &Choice::unit), unitRows());
   showCommon(*m_smoothing, common(plan, m_structures, &Choice::smoothing), smoothingRows());
   showCommon(*m_decimation, common(plan, m_structures, &Choice::decimateMm), decimationRows());
+}
+
+QString SelectionPanel::titleText() const {
+  if (m_structures.empty())
+    return tr("Select structures to treat them unlike the others");
+  if (m_structures.size() > 1)
+    return tr("For the selected %n structures", nullptr, int(m_structures.size()));
+  const model::ImportPlan& plan = m_draft.plan();
+  const model::NodeId only = m_structures.front();
+  return tr("For “%1”")
+      .arg(QString::fromStdString(plan.choiceOf(only).name.value_or(plan.scene.find(only)->name)));
 }
 
 void SelectionPanel::chooseColour() {

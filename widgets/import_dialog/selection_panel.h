@@ -25,6 +25,7 @@ class SelectionPanel : public QWidget {
   QComboBox* combo(const char* name, const QString& label);
   void connectControls();
   void refresh();
+  QString titleText() const;
   void chooseColour();
   void choose(const Change& change) { m_draft.choose(m_structures, change); }
 
