@@ -69,10 +69,10 @@ SelectionPanel::SelectionPanel(ImportDraft& draft, QWidget* parent)
   m_details->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   m_details->setMinimumHeight(4 * m_details->fontMetrics().lineSpacing());
   grid->addWidget(m_title, 0, 0, 1, 8);
-  m_frame = combo("selectionFrame", tr("&Frame"));
-  m_unit = combo("selectionUnit", tr("&Unit"));
-  m_smoothing = combo("selectionSmoothing", tr("&Smoothing"));
-  m_decimation = combo("selectionDecimation", tr("Fewer &triangles"));
+  m_frame = combo("selectionFrame", tr("&Frame"), 24);
+  m_unit = combo("selectionUnit", tr("&Unit"), 14);
+  m_smoothing = combo("selectionSmoothing", tr("&Smoothing"), 12);
+  m_decimation = combo("selectionDecimation", tr("Fewer &triangles"), 12);
   grid->addWidget(m_include, 2, 4);
   grid->addWidget(m_colour, 2, 5);
   grid->setColumnStretch(6, 1);
@@ -88,12 +88,12 @@ SelectionPanel::SelectionPanel(ImportDraft& draft, QWidget* parent)
   refresh();
 }
 
-QComboBox* SelectionPanel::combo(const char* name, const QString& label) {
+QComboBox* SelectionPanel::combo(const char* name, const QString& label, int letters) {
   auto* box = new QComboBox;
   box->setObjectName(QLatin1String(name));
   box->setPlaceholderText(tr("Different"));
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  box->setMinimumContentsLength(14);
+  box->setMinimumContentsLength(letters);
   auto* caption = new QLabel(label);
   caption->setBuddy(box);
   auto* grid = static_cast<QGridLayout*>(layout());

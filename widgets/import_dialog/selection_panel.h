@@ -22,7 +22,8 @@ class SelectionPanel : public QWidget {
 
  private:
   using Change = std::function<void(model::StructureChoice&)>;
-  QComboBox* combo(const char* name, const QString& label);
+  /// At least as wide as so many letters.
+  QComboBox* combo(const char* name, const QString& label, int letters);
   void connectControls();
   void refresh();
   QString titleText() const;
