@@ -2,6 +2,7 @@
 // Section planes by hand: the list and the handles in the picture.
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QMenu>
 #include <QToolButton>
@@ -117,6 +118,7 @@ class ViewportSectionsTest : public QObject {
   void theListSaysAllOfASection() {
     WindowFixture f;
     f.window.resize(1300, 950);
+    f.control<QDockWidget>("sectionsPanel").raise();
     QVERIFY(!f.control<QToolButton>("sectionAdd").isEnabled());
     QVERIFY(f.drop(m_body.path()));
     QVERIFY(f.settled());
@@ -186,6 +188,7 @@ class ViewportSectionsTest : public QObject {
     add(f, 0);
     QVERIFY(only(f).scope == model::rootId);
     f.session.select({organs});
+    f.control<QDockWidget>("sectionsPanel").raise();
     auto& scope = f.control<QComboBox>("sectionScope");
     QCOMPARE(scope.count(), 2);
     QTest::keyClick(&scope, Qt::Key_Down);

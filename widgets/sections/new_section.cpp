@@ -11,7 +11,7 @@ namespace sline::widgets {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("Sections", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 
 QString kindName(SectionKind kind) {
@@ -28,6 +28,11 @@ QString kindName(SectionKind kind) {
   return tr("Oblique section");
 }
 
+// lupdate does not know where tr() belongs in functions that return a qualified type.
+QString numbered(const QString& name, int number) {
+  return tr("%1 %2").arg(name).arg(number);
+}
+
 /// "Sagittal section", "Sagittal section 2", …
 std::string freshName(const model::Scene& scene, SectionKind kind) {
   const QString name = kindName(kind);
@@ -39,7 +44,7 @@ std::string freshName(const model::Scene& scene, SectionKind kind) {
   };
   QString fresh = name;
   for (int i = 2; taken(fresh); ++i)
-    fresh = tr("%1 %2").arg(name).arg(i);
+    fresh = numbered(name, i);
   return fresh.toStdString();
 }
 
@@ -88,9 +93,9 @@ model::NodeId commonNode(const model::Scene& scene, const NodeIds& ids) {
   return node ? node->id : model::rootId;
 }
 
-QString scopeText(const model::Scene& scene, model::NodeId scope) {
-  const model::Node* node = scene.find(scope);
-  return node ? QString::fromStdString(node->name) : tr("Whole scene");
+QString scopeText(Session& session, model::NodeId scope) {
+  const model::Node* node = session.scene().find(scope);
+  return node ? session.names().shown(node->name) : tr("Whole scene");
 }
 
 }  // namespace sline::widgets

@@ -79,7 +79,7 @@ QVariant SectionList::data(const QModelIndex& index, int role) const {
     case position:
       return positionText(section->plane);
     default:
-      return scopeText(m_session.scene(), section->scope);
+      return scopeText(m_session, section->scope);
   }
 }
 

@@ -121,7 +121,8 @@ void RenderThread::run() {
       emit drawn({.number = request->number,
                   .milliseconds = double(clock.nsecsElapsed()) * 1e-6,
                   .scale = request->scale,
-                  .moving = request->moving});
+                  .moving = request->moving,
+                  .camera = request->camera});
   }
   if (painter)
     painter->reset();

@@ -48,6 +48,7 @@ struct PictureReport {
   double milliseconds = 0.0;
   float scale = 1.0f;   ///< as requested
   bool moving = false;  ///< as requested
+  model::Camera camera;
 };
 
 class RenderThread : public QThread {

@@ -13,7 +13,7 @@ namespace sline::widgets {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("SectionTool", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 
 bool turns(SectionGrip grip) {
@@ -30,12 +30,13 @@ const model::Section* SectionTool::active() const {
   return nullptr;
 }
 
-std::optional<SectionHandles> SectionTool::handles(const glm::vec2& size) const {
+std::optional<SectionHandles> SectionTool::handles(const glm::vec2& size,
+                                                   const model::Camera& camera) const {
   const model::Section* section = active();
   if (!section)
     return std::nullopt;
   const model::Box bounds = m_session.scene().visibleBounds(section->scope);
-  return sectionHandles(sectionFrame(section->plane, bounds), m_view.camera(), size);
+  return sectionHandles(sectionFrame(section->plane, bounds), camera, size);
 }
 
 SectionGrip SectionTool::gripAt(const Pointer& pointer) const {

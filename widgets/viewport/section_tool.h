@@ -15,7 +15,11 @@ class SectionTool : public Tool {
   SectionTool(Session& session, const ViewControl& view) : m_session(session), m_view(view) {}
 
   /// The active section's handles in a picture of that size; absent where there is none.
-  std::optional<SectionHandles> handles(const glm::vec2& size) const;
+  std::optional<SectionHandles> handles(const glm::vec2& size) const {
+    return handles(size, m_view.camera());
+  }
+  /// The same in a picture that another camera took.
+  std::optional<SectionHandles> handles(const glm::vec2& size, const model::Camera& camera) const;
   SectionGrip gripAt(const Pointer& pointer) const;
   bool dragging() const { return m_drag.has_value(); }
   SectionGrip grip() const { return m_grip; }

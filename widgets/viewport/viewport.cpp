@@ -174,6 +174,8 @@ void Viewport::took(const PictureReport& report) {
   if (report.moving && !m_cutting)
     m_quality.took(report.milliseconds, report.scale);
   m_marks->showTime(report.milliseconds, report.scale);
+  m_drawnCamera = report.camera;
+  showSection();
   update();
 }
 
@@ -304,6 +306,7 @@ void Viewport::documentChange(const Document& before, const Document& now) {
   forgetName();
   if (another) {
     cancelDrag();
+    m_drawnCamera.reset();
     m_quality = {};
     pivotToMiddle();
     stopFlight();
@@ -329,7 +332,8 @@ void Viewport::placeMarks() {
 
 void Viewport::showSection() {
   const bool dragging = m_sectionTool.dragging();
-  const auto handles = m_sectionTool.handles(size2());
+  // Where it is in the picture that is shown, which may lag behind the camera.
+  const auto handles = m_sectionTool.handles(size2(), m_drawnCamera.value_or(m_camera));
   const Pointer mouse = pointer(m_mouse, Qt::NoButton, {});
   const bool over = handles && !m_held && underMouse();
   m_marks->section().show({.handles = handles,

@@ -158,6 +158,7 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   float m_askedScale = 1.0f;
   std::uint64_t m_shown = 0;  ///< on screen
   double m_lastMilliseconds = 0.0;
+  std::optional<model::Camera> m_drawnCamera;  ///< of the newest picture
 
   Picker m_picker;
   QTimer m_nameRest;

@@ -127,17 +127,21 @@ void MainWindow::makePanels() {
   addDockWidget(Qt::LeftDockWidgetArea, dock(tr("Structures"), "structuresPanel", m_tree));
   addDockWidget(Qt::RightDockWidgetArea, dock(tr("Line Style"), "gammaPanel", m_gamma));
   auto* focus = new FocusPanel(m_session, *m_focus);
-  addDockWidget(Qt::RightDockWidgetArea, dock(tr("Focus and Context"), "focusPanel", focus));
-  connect(focus, &FocusPanel::focusWanted, &m_actions[QStringLiteral("focus")], &QAction::trigger);
+  QDockWidget* focusPanel = dock(tr("Focus and Context"), "focusPanel", focus);
+  addDockWidget(Qt::RightDockWidgetArea, focusPanel);
   m_sectionsPanel = new SectionsPanel(m_session);
-  QDockWidget* sections = dock(tr("Sections"), "sectionsPanel", m_sectionsPanel);
-  addDockWidget(Qt::RightDockWidgetArea, sections);
+  // Behind the other: the right side has no height for three.
+  tabifyDockWidget(focusPanel, dock(tr("Sections"), "sectionsPanel", m_sectionsPanel));
+  focusPanel->raise();
+  connect(focus, &FocusPanel::focusWanted, &m_actions[QStringLiteral("focus")], &QAction::trigger);
   auto* history = new QUndoView(&m_session.history());
   history->setObjectName(QStringLiteral("history"));
   history->setAccessibleName(tr("History"));
   history->setEmptyLabel(tr("As opened"));
   QDockWidget* steps = dock(tr("History"), "historyPanel", history);
   addDockWidget(Qt::RightDockWidgetArea, steps);
+  // Three above each other would be too tall for a small screen.
+  tabifyDockWidget(findChild<QDockWidget*>(QStringLiteral("focusPanel")), steps);
   steps->hide();
   resizeDocks({findChild<QDockWidget*>(QStringLiteral("structuresPanel")),
                findChild<QDockWidget*>(QStringLiteral("gammaPanel"))},
@@ -184,6 +188,13 @@ void MainWindow::nameStructures() {
   };
   connect(&m_preferences, &Preferences::changed, m_parts, follow);
   follow();
+  const auto tellTree = [this] {
+    m_tree->view().setNames(
+        {.shown = [this](const QString& name) { return m_session.names().shown(name); },
+         .alsoCalled = [this](const QString& name) { return m_session.names().alsoCalled(name); }});
+  };
+  connect(&m_session.names(), &ShownNames::changed, m_parts, tellTree);
+  tellTree();
 }
 
 void MainWindow::changeEvent(QEvent* event) {

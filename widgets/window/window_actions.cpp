@@ -44,7 +44,7 @@ std::vector<ActionRow> fileRows() {
            tr("What was kept when the program did not end as it should")},
           {QStringLiteral("close"), tr("&Close"), key(QKeySequence::Close),
            tr("Close the scene and go to the start page")},
-          {QStringLiteral("reload"), tr("&Reload from Source"), key(QKeySequence::Refresh),
+          {QStringLiteral("reload"), tr("Re&load from Source"), key(QKeySequence::Refresh),
            tr("Read meshes again whose files have changed")},
           {QStringLiteral("quit"), tr("&Quit"), key(QKeySequence::Quit), tr("Close the program")},
           {QStringLiteral("undo"), tr("&Undo"), key(QKeySequence::Undo),

@@ -85,7 +85,9 @@ class NewSectionTest : public QObject {
         newSection(scene, {}, {.kind = SectionKind::sagittal, .scope = group});
     QVERIFY(section.scope == group);
     QCOMPARE(std::abs(section.plane.offset), 10.0f);  // the middle of the kidneys
-    QCOMPARE(scopeText(scene, section.scope), QStringLiteral("kidneys"));
+    Session session;
+    QVERIFY(session.apply("kidneys", {scene, true}));
+    QCOMPARE(scopeText(session, section.scope), QStringLiteral("kidneys"));
   }
 
   void positions_data() {
