@@ -63,13 +63,6 @@ StructureTreeModel::StructureTreeModel(Session& session, QObject* parent)
       m_shape(session.scene()),
       m_states(rowStatesOf(session.scene())) {
   connect(&session, &Session::documentChanged, this, &StructureTreeModel::change);
-  const ShownNames& called = session.names();
-  const auto follow = [this, &called] {
-    setNames({.shown = [&called](const QString& text) { return called.shown(text); },
-              .alsoCalled = [&called](const QString& text) { return called.alsoCalled(text); }});
-  };
-  connect(&called, &ShownNames::changed, this, follow);
-  follow();
 }
 
 void StructureTreeModel::setNames(StructureNames names) {

@@ -30,8 +30,7 @@ class StructureTreeModel : public QAbstractItemModel {
 
   explicit StructureTreeModel(Session& session, QObject* parent = nullptr);
 
-  /// How structures are called from now on; at first, and whenever they change, as the session's
-  /// names say.
+  /// How structures are called from now on.
   void setNames(StructureNames names);
   /// Leaves the rows that match (see RowFilter); nothing typed leaves all.
   void setFilter(const QString& text);

@@ -97,6 +97,10 @@ void StructureTreeView::connectModel() {
   });
 }
 
+void StructureTreeView::setNames(StructureNames names) {
+  m_model->setNames(std::move(names));
+}
+
 void StructureTreeView::setFilter(const QString& text) {
   m_model->setFilter(text);
   emit filtered();

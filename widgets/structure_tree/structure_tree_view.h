@@ -9,6 +9,7 @@
 #include "model/edit/node_sets.h"
 #include "widgets/gamma/gamma_drag.h"
 #include "widgets/structure_tree/drop_place.h"
+#include "widgets/structure_tree/structure_names.h"
 #include "widgets/structure_tree/switch_sweep.h"
 
 namespace sline::widgets {
@@ -20,6 +21,8 @@ class StructureTreeView : public QTreeView {
  public:
   explicit StructureTreeView(Session& session, QWidget* parent = nullptr);
 
+  /// How structures are called from now on.
+  void setNames(StructureNames names);
   /// Shows the structures whose names, or whose groups' names, contain all words of the text.
   void setFilter(const QString& text);
   /// The structures that match the filter; none where there is none.
