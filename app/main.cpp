@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "widgets/language/language_switch.h"
 #include "widgets/session/demo_scenes.h"
 #include "widgets/theme/theme.h"
 #include "widgets/window/main_window.h"
@@ -44,10 +45,13 @@ int main(int argc, char** argv) {
   QApplication::setOrganizationName(QStringLiteral("Sline"));
   QApplication::setApplicationVersion(QStringLiteral(SLINE_VERSION));
   QCommandLineParser parser;
+  using namespace sline::widgets;
+  QSettings settings;
+  LanguageSwitch language;
+  language.use(Preferences(settings).choice(QStringLiteral("language/interface")));
   declare(parser);
   parser.process(application);
 
-  using namespace sline::widgets;
   const std::vector<DemoScene> demos = demoScenes();
   const QString wanted = parser.value(QLatin1String(demoOption));
   // "pelvis" is the first of those.
@@ -63,8 +67,8 @@ int main(int argc, char** argv) {
     paths.emplace_back(path.toStdString());
 
   Session session;
-  QSettings settings;
   MainWindow window(session, settings);
+  language.follow(window.preferences());
   const ThemeFollower theme(application, window.preferences());
   if (!paths.empty())
     session.openPaths(std::move(paths));

@@ -35,7 +35,7 @@ Result<FocusOrder> understood(const FocusFlags& flags) {
     return Error{.reason = "--context-from " + flags.from + " is unknown",
                  .remedy = "Give --context-from around or --context-from camera"};
   order.fromCamera = flags.from == "camera";
-  if (flags.names.empty() && (flags.contextGiven || order.fromCamera))
+  if (flags.names.empty() && (flags.contextGiven || !order.fromCamera))
     return Error{.reason = "context is given without a focus", .remedy = "Add --focus NAME"};
   return order;
 }

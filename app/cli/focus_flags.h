@@ -16,7 +16,7 @@ struct FocusFlags {
   std::vector<std::string> names;
   double context = 0.5;
   bool contextGiven = false;
-  std::string from = "around";
+  std::string from = "camera";
 };
 
 struct FocusOrder {

@@ -29,10 +29,11 @@ inline void addFocusOptions(CLI::App& command, FocusFlags& flags) {
       ->type_name("0..1")
       ->default_str("0.5");
   command
-      .add_option("--context-from", flags.from,
-                  "What hides the focus is judged from all round, so that the scene may be turned, "
-                  "or from the picture's camera alone")
-      ->type_name("around|camera")
+      .add_option(
+          "--context-from", flags.from,
+          "What hides the focus is judged from the picture's camera alone, or from all round "
+          "for pictures that turn it")
+      ->type_name("camera|around")
       ->capture_default_str();
 }
 

@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/demo/polygonise.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
-#include <vtkFloatArray.h>
-#include <vtkFlyingEdges3D.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
-
 #include <algorithm>
-#include <array>
 #include <glm/geometric.hpp>
 #include <span>
 #include <utility>
@@ -20,6 +10,7 @@
 #include "model/demo/field_grid.h"
 #include "model/demo/remesh.h"
 #include "model/geometry/topology.h"
+#include "model/isosurface/zero_surface.h"
 
 namespace sline::model {
 
@@ -32,35 +23,9 @@ constexpr float longest = 1.45f;
 
 Facets flyingEdges(const Field& field, const Box& box, float cell) {
   const FieldGrid grid(field, box, cell);
-  vtkNew<vtkFloatArray> values;
-  // Flying edges only reads; the grid outlives it.
-  values->SetArray(const_cast<float*>(grid.values().data()), vtkIdType(grid.values().size()), 1);
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(grid.size().x, grid.size().y, grid.size().z);
-  image->SetOrigin(double(box.low.x), double(box.low.y), double(box.low.z));
-  image->SetSpacing(double(cell), double(cell), double(cell));
-  image->GetPointData()->SetScalars(values);
-  vtkNew<vtkFlyingEdges3D> contour;
-  contour->SetInputData(image);
-  contour->SetValue(0, 0.0);
-  contour->ComputeNormalsOff();
-  contour->ComputeScalarsOff();
-  contour->Update();
-  Facets raw;
-  vtkPolyData* out = contour->GetOutput();
-  for (vtkIdType i = 0; i < out->GetNumberOfPoints(); ++i) {
-    std::array<double, 3> p{};
-    out->GetPoint(i, p.data());
-    raw.positions.emplace_back(p[0], p[1], p[2]);
-  }
-  const auto cells = vtk::TakeSmartPointer(out->GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell()) {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    cells->GetCurrentCell(count, ids);
-    raw.triangles.push_back({std::uint32_t(ids[0]), std::uint32_t(ids[1]), std::uint32_t(ids[2])});
-  }
-  return raw;
+  ZeroSurface raw = zeroSurface(
+      {.size = grid.size(), .origin = box.low, .step = glm::dvec3(cell), .values = grid.values()});
+  return {std::move(raw.positions), std::move(raw.triangles)};
 }
 
 /// By differences over the corners of a tetrahedron.

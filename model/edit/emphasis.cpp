@@ -2,42 +2,30 @@
 #include "model/edit/emphasis.h"
 
 #include <algorithm>
-#include <unordered_set>
+#include "model/edit/locks.h"
 
 namespace sline::model {
 
 namespace {
 
-using IdSet = std::unordered_set<std::uint64_t>;
-
-IdSet setOf(std::span<const NodeId> ids) {
-  IdSet set;
-  for (const NodeId id : ids)
-    set.insert(id.value);
-  return set;
-}
-
-/// The nodes and all below them; one pass, because a parent stands before its children.
-IdSet withAllBelow(const Scene& scene, IdSet ids) {
-  for (const Node& node : scene.nodes())
-    if (ids.contains(node.parent.value))
-      ids.insert(node.id.value);
-  return ids;
+Edited withNodes(const Scene& scene, std::vector<Node> nodes) {
+  if (nodes == scene.nodes())
+    return {scene, false};
+  Scene after = scene;
+  after.setNodes(std::move(nodes));
+  return withLocksKept(scene, std::move(after));
 }
 
 /// Calls change(style, named) for the named nodes and for all below them.
 template <class Change>
 Edited withStyles(const Scene& scene, std::span<const NodeId> ids, const Change& change) {
-  const IdSet named = setOf(ids);
-  const IdSet meant = withAllBelow(scene, named);
+  const NodeSet named = setOf(ids);
+  const NodeSet meant = withAllBelow(scene, named);
   std::vector<Node> nodes = scene.nodes();
   for (Node& node : nodes)
     if (meant.contains(node.id.value))
       change(node.style, named.contains(node.id.value));
-  Edited edited{scene, nodes != scene.nodes()};
-  if (edited.changed)
-    edited.scene.setNodes(std::move(nodes));
-  return edited;
+  return withNodes(scene, std::move(nodes));
 }
 
 template <class T>
@@ -53,6 +41,33 @@ Edited withField(const Scene& scene, std::span<const NodeId> ids, std::optional<
 
 constexpr float focusGamma = 4.5f;
 constexpr float contextGamma = 1.0f;
+constexpr float ghostGamma = 0.0f;
+
+Edited withLinesUnderVeil(const Scene& scene, std::span<const NodeId> ids, float gamma) {
+  return withStyles(scene, ids, [gamma](Style& style, bool named) {
+    style.gamma.reset();
+    style.fill.reset();
+    if (named) {
+      style.gamma = Gamma::clamped(gamma);
+      style.fill = Fill::veil;
+    }
+  });
+}
+
+void forget(Style& style, Inherited what) {
+  const bool all = what == Inherited::all;
+  if (all) {
+    const std::optional<bool> visible = style.visible;
+    style = Style{};
+    style.visible = visible;
+  }
+  if (what == Inherited::gamma)
+    style.gamma.reset();
+  if (what == Inherited::colour)
+    style.colour.reset();
+  if (what == Inherited::opacity)
+    style.opacity.reset();
+}
 
 }  // namespace
 
@@ -68,8 +83,12 @@ Edited withFill(const Scene& scene, std::span<const NodeId> ids, Fill fill) {
   return withField(scene, ids, &Style::fill, fill);
 }
 
+Edited withInherited(const Scene& scene, std::span<const NodeId> ids, Inherited what) {
+  return withStyles(scene, ids, [what](Style& style, bool) { forget(style, what); });
+}
+
 Edited withGammaInherited(const Scene& scene, std::span<const NodeId> ids) {
-  return withStyles(scene, ids, [](Style& style, bool) { style.gamma.reset(); });
+  return withInherited(scene, ids, Inherited::gamma);
 }
 
 GammaRange gammaRangeOf(const Scene& scene, NodeId id) {
@@ -92,8 +111,8 @@ GammaRange gammaRangeOf(const Scene& scene, NodeId id) {
 Edited withFocus(const Scene& scene, std::span<const NodeId> ids) {
   if (ids.empty())
     return {scene, false};
-  const IdSet named = setOf(ids);
-  const IdSet meant = withAllBelow(scene, named);
+  const NodeSet named = setOf(ids);
+  const NodeSet meant = withAllBelow(scene, named);
   std::vector<Node> nodes = scene.nodes();
   for (Node& node : nodes) {
     const bool focus = meant.contains(node.id.value);
@@ -105,21 +124,15 @@ Edited withFocus(const Scene& scene, std::span<const NodeId> ids) {
       node.style.fill = focus ? Fill::paper : Fill::veil;
     }
   }
-  Edited edited{scene, nodes != scene.nodes()};
-  if (edited.changed)
-    edited.scene.setNodes(std::move(nodes));
-  return edited;
+  return withNodes(scene, std::move(nodes));
 }
 
 Edited withContext(const Scene& scene, std::span<const NodeId> ids) {
-  return withStyles(scene, ids, [](Style& style, bool named) {
-    style.gamma.reset();
-    style.fill.reset();
-    if (named) {
-      style.gamma = Gamma::clamped(contextGamma);
-      style.fill = Fill::veil;
-    }
-  });
+  return withLinesUnderVeil(scene, ids, contextGamma);
+}
+
+Edited withGhost(const Scene& scene, std::span<const NodeId> ids) {
+  return withLinesUnderVeil(scene, ids, ghostGamma);
 }
 
 }  // namespace sline::model

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "model/edit/locks.h"
+
 namespace sline::model {
 
 namespace {
@@ -17,17 +19,16 @@ void patchField(std::optional<T>& field, const std::optional<T>& patch) {
 /// A copy of the scene with change(node) called for the named nodes.
 template <class Change>
 Edited withNodes(const Scene& scene, std::span<const NodeId> ids, const Change& change) {
-  std::unordered_set<std::uint64_t> meant;
-  for (const NodeId id : ids)
-    meant.insert(id.value);
+  const NodeSet meant = setOf(ids);
   std::vector<Node> nodes = scene.nodes();
   for (Node& node : nodes)
     if (meant.contains(node.id.value))
       change(node);
-  Edited edited{scene, nodes != scene.nodes()};
-  if (edited.changed)
-    edited.scene.setNodes(std::move(nodes));
-  return edited;
+  if (nodes == scene.nodes())
+    return {scene, false};
+  Scene after = scene;
+  after.setNodes(std::move(nodes));
+  return withLocksKept(scene, std::move(after));
 }
 
 }  // namespace
@@ -49,7 +50,7 @@ Edited withStyle(const Scene& scene, std::span<const NodeId> ids, const Style& g
 }
 
 Edited withStyleReset(const Scene& scene, std::span<const NodeId> ids) {
-  return withNodes(scene, ids, [](Node& node) { node.style = Style{}; });
+  return withNodes(scene, editable(scene, ids), [](Node& node) { node.style = Style{}; });
 }
 
 Edited withOnlyVisible(const Scene& scene, std::span<const NodeId> ids) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Edits of style: Scene → Scene. `changed` is false where the edit made no difference, so that a
-// no-op leaves no undo step and no repaint.
+// no-op leaves no undo step and no repaint. What is locked keeps its look (model/edit/locks.h).
 #pragma once
 
 #include <span>

@@ -2,25 +2,13 @@
 #include "model/edit/tree.h"
 
 #include <algorithm>
-#include <unordered_set>
+#include <unordered_map>
+
+#include "model/edit/locks.h"
 
 namespace sline::model {
 
 namespace {
-
-using IdSet = std::unordered_set<std::uint64_t>;
-
-/// The ids of the nodes and of everything below them.
-IdSet subtrees(const Scene& scene, std::span<const NodeId> ids) {
-  IdSet wanted;
-  for (const NodeId id : ids)
-    wanted.insert(id.value);
-  IdSet inside;
-  for (const Node& node : scene.nodes())
-    if (wanted.contains(node.id.value) || inside.contains(node.parent.value))
-      inside.insert(node.id.value);
-  return inside;
-}
 
 Edited withNodesReplaced(const Scene& scene, std::vector<Node> nodes) {
   Edited edited{scene, nodes != scene.nodes()};
@@ -29,7 +17,16 @@ Edited withNodesReplaced(const Scene& scene, std::vector<Node> nodes) {
   return edited;
 }
 
-bool pointsAt(const Annotation& annotation, const IdSet& nodes) {
+/// The same, where what is locked might inherit otherwise.
+Edited ofSameLook(const Scene& scene, std::vector<Node> nodes) {
+  if (nodes == scene.nodes())
+    return {scene, false};
+  Scene after = scene;
+  after.setNodes(std::move(nodes));
+  return withLocksKept(scene, std::move(after));
+}
+
+bool pointsAt(const Annotation& annotation, const NodeSet& nodes) {
   const auto onOne = [&nodes](const Anchor& anchor) {
     const auto* point = std::get_if<SurfacePoint>(&anchor);
     return point && nodes.contains(point->structure.value);
@@ -38,7 +35,7 @@ bool pointsAt(const Annotation& annotation, const IdSet& nodes) {
 }
 
 /// Takes what is said of the nodes out of sections, annotations and saved views.
-void forget(Scene& scene, const IdSet& gone) {
+void forget(Scene& scene, const NodeSet& gone) {
   const auto cutsNothing = [&gone](const Section& section) {
     return section.scope != rootId && gone.contains(section.scope.value);
   };
@@ -47,7 +44,7 @@ void forget(Scene& scene, const IdSet& gone) {
   scene.setSections(std::move(sections));
 
   std::vector<Annotation> annotations;
-  IdSet unsaid;
+  NodeSet unsaid;
   for (const Annotation& annotation : scene.annotations())
     if (pointsAt(annotation, gone))
       unsaid.insert(annotation.id.value);
@@ -69,10 +66,47 @@ void forget(Scene& scene, const IdSet& gone) {
   scene.setViews(std::move(views));
 }
 
+/// Nodes of which some are on their way: each comes to stand in tree order below its new parent.
+std::vector<Node> inTreeOrder(const std::vector<Node>& nodes,
+                              const std::unordered_map<std::uint64_t, std::vector<NodeId>>& below) {
+  std::unordered_map<std::uint64_t, const Node*> byId;
+  for (const Node& node : nodes)
+    byId[node.id.value] = &node;
+  std::vector<Node> ordered;
+  ordered.reserve(nodes.size());
+  std::vector<NodeId> waiting{rootId};  // the next one is the last
+  while (!waiting.empty()) {
+    const NodeId id = waiting.back();
+    waiting.pop_back();
+    if (id != rootId)
+      ordered.push_back(*byId.at(id.value));
+    if (const auto children = below.find(id.value); children != below.end())
+      waiting.insert(waiting.end(), children->second.rbegin(), children->second.rend());
+  }
+  return ordered;
+}
+
+/// What stands in each group, in its order.
+std::unordered_map<std::uint64_t, std::vector<NodeId>> childrenOf(const std::vector<Node>& nodes) {
+  std::unordered_map<std::uint64_t, std::vector<NodeId>> children;
+  for (const Node& node : nodes)
+    children[node.parent.value].push_back(node.id);
+  return children;
+}
+
+/// The style that a node must say itself to look the same without the group above it.
+Style handedDown(Style own, const Style& group) {
+  const std::optional<bool> hidden = group.visible == false ? group.visible : own.visible;
+  Style style = group;
+  patch(style, own);
+  style.visible = hidden;
+  return style;
+}
+
 }  // namespace
 
 Edited renamed(const Scene& scene, NodeId id, const std::string& name) {
-  if (name.empty())
+  if (name.empty() || scene.isLocked(id))
     return {scene, false};
   std::vector<Node> nodes = scene.nodes();
   for (Node& node : nodes)
@@ -82,7 +116,9 @@ Edited renamed(const Scene& scene, NodeId id, const std::string& name) {
 }
 
 Edited removed(const Scene& scene, std::span<const NodeId> ids) {
-  const IdSet gone = subtrees(scene, ids);
+  NodeSet gone = withAllBelow(scene, setOf(ids));
+  for (const std::uint64_t spared : withAllAbove(scene, lockedNodes(scene)))
+    gone.erase(spared);
   std::vector<Node> nodes = scene.nodes();
   std::erase_if(nodes, [&gone](const Node& node) { return gone.contains(node.id.value); });
   Edited edited = withNodesReplaced(scene, std::move(nodes));
@@ -91,32 +127,91 @@ Edited removed(const Scene& scene, std::span<const NodeId> ids) {
   return edited;
 }
 
-Edited moved(const Scene& scene, std::span<const NodeId> ids, NodeId group) {
-  const IdSet moving = subtrees(scene, ids);
+Edited moved(const Scene& scene, std::span<const NodeId> ids, NodeId group, NodeId before) {
   const Node* target = scene.find(group);
-  if (moving.contains(group.value) || (group != rootId && (!target || !target->isGroup())))
+  if (group != rootId && (!target || !target->isGroup() || scene.isLocked(group)))
+    return {scene, false};
+  const std::vector<NodeId> moving = topmost(scene, editable(scene, ids));
+  const NodeSet set = setOf(moving);
+  if (moving.empty() || withAllBelow(scene, set).contains(group.value))
     return {scene, false};
 
-  std::vector<Node> staying;
-  std::vector<Node> arriving;
-  IdSet inGroup{group.value};
-  std::size_t end = 0;  // behind the group's last descendant among those that stay
-  for (const Node& node : scene.nodes()) {
-    if (moving.contains(node.id.value)) {
-      arriving.push_back(node);
-      // What moves together with its parent stays below it.
-      if (!moving.contains(node.parent.value))
-        arriving.back().parent = group;
+  auto children = childrenOf(scene.nodes());
+  std::vector<NodeId> staying;
+  std::size_t place = 0;
+  bool placed = false;
+  for (const NodeId child : children[group.value]) {
+    // Where `before` itself moves, what follows it is meant.
+    placed = placed || child == before;
+    if (set.contains(child.value))
       continue;
-    }
-    staying.push_back(node);
-    if (node.id == group || inGroup.contains(node.parent.value)) {
-      inGroup.insert(node.id.value);
-      end = staying.size();
-    }
+    if (!placed)
+      ++place;
+    staying.push_back(child);
   }
-  staying.insert(staying.begin() + std::ptrdiff_t(end), arriving.begin(), arriving.end());
-  return withNodesReplaced(scene, std::move(staying));
+  staying.insert(staying.begin() + std::ptrdiff_t(place), moving.begin(), moving.end());
+  for (auto& [parent, there] : children)
+    std::erase_if(there, [&set](NodeId id) { return set.contains(id.value); });
+  children[group.value] = std::move(staying);
+  std::vector<Node> nodes = scene.nodes();
+  for (Node& node : nodes)
+    if (set.contains(node.id.value))
+      node.parent = group;
+  return ofSameLook(scene, inTreeOrder(nodes, children));
+}
+
+Grouped withGroup(const Scene& scene, const std::string& name, NodeId parent) {
+  const Node* above = scene.find(parent);
+  if (name.empty() || (parent != rootId && (!above || !above->isGroup() || scene.isLocked(parent))))
+    return {{scene, false}, rootId};
+  Scene after = scene;
+  const NodeId group = after.append({.parent = parent, .name = name});
+  return {{std::move(after), true}, group};
+}
+
+Grouped grouped(const Scene& scene, std::span<const NodeId> ids, const std::string& name) {
+  const std::vector<NodeId> members = topmost(scene, editable(scene, ids));
+  if (members.empty())
+    return {{scene, false}, rootId};
+  Grouped made = withGroup(scene, name, scene.find(members.front())->parent);
+  if (!made.edited.changed)
+    return made;
+  const NodeId group[] = {made.group};
+  const NodeId parent = scene.find(members.front())->parent;
+  const Scene placed = moved(made.edited.scene, group, parent, members.front()).scene;
+  made.edited = {moved(placed, members, made.group).scene, true};
+  return made;
+}
+
+Edited ungrouped(const Scene& scene, std::span<const NodeId> ids) {
+  const NodeSet stuck = lockedNodes(scene);
+  auto children = childrenOf(scene.nodes());
+  NodeSet gone;
+  for (const NodeId id : editable(scene, ids)) {
+    const auto& inside = children[id.value];
+    if (scene.find(id)->isGroup() && std::none_of(inside.begin(), inside.end(), [&](NodeId child) {
+          return stuck.contains(child.value);
+        }))
+      gone.insert(id.value);
+  }
+  if (gone.empty())
+    return {scene, false};
+  // Tree order stays as it is: what was in a group follows right after it.
+  std::unordered_map<std::uint64_t, Node> dissolved;
+  std::vector<Node> nodes;
+  for (Node node : scene.nodes()) {
+    if (const auto group = dissolved.find(node.parent.value); group != dissolved.end()) {
+      node.parent = group->second.parent;
+      node.style = handedDown(node.style, group->second.style);
+    }
+    if (gone.contains(node.id.value))
+      dissolved[node.id.value] = std::move(node);
+    else
+      nodes.push_back(std::move(node));
+  }
+  Edited edited = withNodesReplaced(scene, std::move(nodes));
+  forget(edited.scene, gone);
+  return edited;
 }
 
 }  // namespace sline::model

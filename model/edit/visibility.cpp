@@ -5,6 +5,8 @@
 #include <iterator>
 #include <unordered_set>
 
+#include "model/edit/node_sets.h"
+
 namespace sline::model {
 
 namespace {
@@ -113,6 +115,23 @@ Edited withShown(const Scene& scene, std::span<const NodeId> ids) {
   for (const NodeId id : ids)
     after = shown(std::move(after), id);
   return edited(scene, std::move(after));
+}
+
+Edited withOthersHidden(const Scene& scene, std::span<const NodeId> ids) {
+  const std::vector<NodeId> top = topmost(scene, ids);
+  const NodeSet named = setOf(top);
+  const NodeSet spared = withAllAbove(scene, named);
+  std::vector<NodeId> others;
+  for (const Node& node : scene.nodes()) {
+    // Below a hidden group nothing needs hiding, and all comes back with the group.
+    const bool besideThem = node.parent == rootId || (spared.contains(node.parent.value) &&
+                                                      !named.contains(node.parent.value));
+    if (besideThem && !spared.contains(node.id.value))
+      others.push_back(node.id);
+  }
+  if (top.empty())
+    return {scene, false};
+  return edited(scene, withVisible(scene, others, false));
 }
 
 }  // namespace sline::model

@@ -16,5 +16,8 @@ Edited withHidden(const Scene& scene, std::span<const NodeId> ids);
 /// part, or would show nothing, shows all. Where a group above is hidden, it is shown with nothing
 /// else in it.
 Edited withShown(const Scene& scene, std::span<const NodeId> ids);
+/// Hides what is not at or below the nodes and not above them. The nodes stay as they are, unlike
+/// with `withOnlyVisible`, which shows them.
+Edited withOthersHidden(const Scene& scene, std::span<const NodeId> ids);
 
 }  // namespace sline::model

@@ -45,7 +45,6 @@ struct Relation {
   NodeId through;      ///< for `feedsStem`
   float gapMm = 0.0f;  ///< from surface to surface
   float gap = 0.0f;
-  float distance = 0.0f;  ///< of its surface to the targets, in the mean
   float contact = 0.0f;   ///< share of the targets' surface that it lies against
   float feeding = 0.0f;   ///< 0 … 1
   float nearness = 0.0f;  ///< 1 where it touches … 0 far off

@@ -44,7 +44,7 @@ Growth feederGrowth(const Relation& r) {
           .highGamma = 3.9f - less,
           .lowPen = 0.8f,
           .highPen = 1.0f,
-          .covering = 0.2f + 0.8f * clear(r)};
+          .covering = 0.6f + 0.4f * clear(r)};
 }
 
 Growth neighbourGrowth(const Relation& r) {
@@ -52,9 +52,9 @@ Growth neighbourGrowth(const Relation& r) {
           .full = 1.0f,
           .lowGamma = 0.6f,
           .highGamma = glm::mix(2.4f, 1.2f, r.hides),
-          .lowPen = 0.4f,
-          .highPen = 0.9f,
-          .covering = 0.1f + 0.8f * clear(r)};
+          .lowPen = 0.3f,
+          .highPen = 0.85f,
+          .covering = 0.2f + 0.7f * clear(r)};
 }
 
 Growth shellGrowth(const Relation& r) {

@@ -144,7 +144,6 @@ Relation relationOf(const Surroundings& surroundings, const Party& party, const 
   Relation relation{.structure = party.id,
                     .gapMm = facts.gap,
                     .gap = facts.gap / unit,
-                    .distance = facts.distance / unit,
                     .contact = facts.contact,
                     .feeding = std::max(feeding.direct, 0.7f * feeding.stem),
                     .nearness = falling(0.15f, 0.6f, facts.gap / unit),

@@ -219,31 +219,25 @@ float Surroundings::roomBeyond(const Party& party, float within) const {
 }
 
 Facts Surroundings::factsOf(const Party& party) const {
-  Facts facts{.gap = endless, .distance = endless};
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (const SurfaceSample& sample : party.form->samples) {
-    if (!kept(sample.place, party.planes))
-      continue;
-    const float distance = distanceTo(sample.place);
-    facts.gap = std::min(facts.gap, distance);
-    sum += double(distance);
-    ++count;
-  }
-  if (count == 0)
+  Facts facts{.gap = endless};
+  bool any = false;
+  for (const SurfaceSample& sample : party.form->samples)
+    if (kept(sample.place, party.planes)) {
+      any = true;
+      facts.gap = std::min(facts.gap, distanceTo(sample.place, facts.gap));
+    }
+  if (!any)
     return facts;
-  facts.distance = float(sum / double(count));
   const float against = againstShare * m_radius;
   std::size_t touched = 0;
-  if (boxDistance(party.mesh->bounds(), m_box) < m_radius)
-    for (const SurfaceSample& sample : m_samples) {
-      const float within = std::max(facts.gap, against);
-      if (boxDistance(party.mesh->bounds(), sample.place) >= within)
-        continue;
-      const float distance = party.form->tree.closest(sample.place, 0.0f, within).distance;
-      facts.gap = std::min(facts.gap, distance);
-      touched += distance < against;
-    }
+  for (const SurfaceSample& sample : m_samples) {
+    const float within = std::max(facts.gap, against);
+    if (boxDistance(party.mesh->bounds(), sample.place) >= within)
+      continue;
+    const float distance = party.form->tree.closest(sample.place, 0.0f, within).distance;
+    facts.gap = std::min(facts.gap, distance);
+    touched += distance < against;
+  }
   facts.contact = float(touched) / float(m_samples.size());
   facts.hides = hiding(party);
   facts.outside = outsideness(party);

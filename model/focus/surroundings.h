@@ -25,11 +25,10 @@ struct Party {
 
 /// What is measured of a structure; lengths in millimetres.
 struct Facts {
-  float gap = 0.0f;       ///< nearest distance between the surfaces
-  float distance = 0.0f;  ///< mean distance of its surface to the targets
-  float contact = 0.0f;   ///< share of the targets' surface that it lies against
-  float hides = 0.0f;     ///< share of the targets it hides, from where it hides most
-  float outside = 0.0f;   ///< 0 amid the targets … 1 where the scene ends
+  float gap = 0.0f;      ///< nearest distance between the surfaces
+  float contact = 0.0f;  ///< share of the targets' surface that it lies against
+  float hides = 0.0f;    ///< share of the targets it hides, from where it hides most
+  float outside = 0.0f;  ///< 0 amid the targets … 1 where the scene ends
 };
 
 class Surroundings {

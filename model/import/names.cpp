@@ -118,27 +118,6 @@ std::string numbered(std::string name, int number) {
   return name;
 }
 
-/// English plurals and the spellings that anatomists mix.
-std::string singular(std::string word) {
-  if (word == "disk" || word == "disks" || word == "discs")
-    return "disc";
-  if (word == "vertebrae")
-    return "vertebra";
-  if (word == "calyces" || word == "calices")
-    return "calyx";
-  if (word == "bronchi")
-    return "bronchus";
-  if (word == "metastases")
-    return "metastasis";
-  if (word.size() > 4 && word.ends_with("ies"))
-    return word.substr(0, word.size() - 3) + "y";
-  const bool latin = word.ends_with("ss") || word.ends_with("us") || word.ends_with("is") ||
-                     word.ends_with("ps") || word.ends_with("as");
-  if (word.size() > 3 && word.ends_with('s') && !latin)
-    word.pop_back();
-  return word;
-}
-
 Side sideOf(const std::string& word) {
   if (word == "left" || word == "l" || word == "lt" || word == "sinister" || word == "sinistra")
     return Side::left;
@@ -162,31 +141,6 @@ std::string nameInFile(std::string_view name) {
     if (plain.find(boast) != std::string::npos)
       return {};
   return withSpaces(readableName(name));
-}
-
-std::vector<std::string> nameWords(std::string_view name) {
-  std::vector<std::string> words;
-  std::string word;
-  const auto finish = [&] {
-    if (!word.empty())
-      words.push_back(singular(lowered(word)));
-    word.clear();
-  };
-  for (const char c : name) {
-    if (!isLetter(c) && !isDigit(c)) {
-      finish();
-      continue;
-    }
-    if (!word.empty()) {
-      const char last = word.back();
-      // "kidneyCyst" and "Rib6" hold two words each, "L5" and "T12" one.
-      if ((isLower(last) && isUpper(c)) || (isDigit(c) && isLetter(last) && word.size() > 1))
-        finish();
-    }
-    word += c;
-  }
-  finish();
-  return words;
 }
 
 SidedName sidedName(std::string_view name) {

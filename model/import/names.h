@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "model/anatomy/name_words.h"
+
 namespace sline::model {
 
 /// A file's stem as a name: leading catalogue ids ("FJ3152_FMA16586_", "Model_51_", "VH_M_") go,
@@ -15,10 +17,6 @@ std::string readableName(std::string_view stem);
 /// ("Visualization Toolkit generated SLA File").
 std::string nameInFile(std::string_view name);
 
-/// Lower-case words in the singular: "Rib6_left" → rib, 6, left; "kidneyCysts" → kidney, cyst.
-std::vector<std::string> nameWords(std::string_view name);
-
-enum class Side { none, left, right };
 /// The side a name says (left, right, l, r, lt, rt as a word of its own) and the name without it.
 struct SidedName {
   Side side = Side::none;

@@ -38,12 +38,17 @@ struct Room {
 const std::vector<Room>& rooms() {
   static const std::vector<Room> table{
       {"model/base", {}},
+      {"model/anatomy", {"model/base"}},
       {"model/geometry", {"model/base"}},
       {"model/scene", {"model/base", "model/geometry"}},
       {"model/edit", {"model/base", "model/geometry", "model/scene"}},
       {"model/focus", {"model/base", "model/geometry", "model/scene", "model/edit"}},
-      {"model/demo", {"model/base", "model/files", "model/geometry", "model/scene"}},
-      {"model/import", {"model/base", "model/files", "model/geometry", "model/scene"}},
+      {"model/isosurface", {"model/base", "model/geometry"}},
+      {"model/demo",
+       {"model/base", "model/files", "model/geometry", "model/isosurface", "model/scene"}},
+      {"model/import",
+       {"model/anatomy", "model/base", "model/files", "model/geometry", "model/isosurface",
+        "model/scene"}},
       {"model/files", {"model/base", "model/geometry", "model/scene"}},
       {"render/lines", {"model/base", "model/geometry", "model/scene"}},
       {"render/gpu", {"model/base"}},
@@ -57,6 +62,8 @@ const std::vector<Room>& rooms() {
       {"render", {"model", "render"}},
       {"widgets/preferences", {}},
       {"widgets/theme", {"widgets/preferences"}},
+      {"widgets/help", {}},
+      {"widgets/language", {"model/anatomy", "widgets/preferences"}},
       {"widgets/session", {"model"}},
       {"widgets/start", {"model", "render", "widgets/session", "widgets/theme"}},
       {"widgets/focus", {"model", "widgets/session"}},
@@ -91,7 +98,7 @@ struct Library {
 const std::vector<Library>& libraries() {
   static const std::vector<Library> table{
       {"Qt", std::regex("Q[A-Z].*|Qt.*"), {"widgets", "app/main.cpp", "render/export", "tests"}},
-      {"VTK", std::regex("vtk.*"), {"model/import", "model/demo", "tests/bench"}},
+      {"VTK", std::regex("vtk.*"), {"model/import", "model/isosurface", "tests/bench"}},
       {"OpenMesh", std::regex("OpenMesh/.*"), {"model/import"}},
       {"OpenGL", std::regex("(epoxy|GL|GLES[23]?|EGL|KHR)/.*"), {"render/gpu", "tests/bench"}},
       {"oneTBB", std::regex("(oneapi/)?tbb/.*|tbb\\.h"), {"model/base"}},

@@ -71,6 +71,12 @@ void ExitCodesTest::answers_data() {
   QTest::newRow("ink of nothing") << render + "|--ink-color|kidny=#0000ff" << 2 << "kidny";
   QTest::newRow("black and white on dark") << render + "|--bw|--background|dark" << 2 << "--bw";
   QTest::newRow("black and white in blue") << render + "|--ink-color|#0000ff|--bw" << 2 << "--bw";
+  QTest::newRow("focus on nothing") << render + "|--focus|kidny" << 2 << "kidny|\"kidney\"";
+  QTest::newRow("more than everything")
+      << render + "|--focus|kidney|--context|1.5" << 2 << "0 to 1";
+  QTest::newRow("context without focus") << render + "|--context|0.5" << 2 << "--focus";
+  QTest::newRow("context from nowhere")
+      << render + "|--focus|kidney|--context-from|above" << 2 << "above|around";
   QTest::newRow("unknown view") << render + "|--view|front" << 2 << "front|anterior|superior";
   QTest::newRow("view and camera") << render + "|--view|left|--camera|DIR/front.json" << 2 << "";
   QTest::newRow("absent camera") << render + "|--camera|DIR/none.json" << 2 << "none.json";

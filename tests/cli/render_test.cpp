@@ -19,6 +19,7 @@ class RenderTest : public QObject {
   void groupsHandDown();
   void innermostNameWins();
   void onlyDrawsWhatIsNamed();
+  void focusFollowsTheAmount();
   void sidesStaySides_data();
   void sidesStaySides();
   void sectionsKeepTheirSide_data();
@@ -140,6 +141,26 @@ void RenderTest::onlyDrawsWhatIsNamed() {
   QVERIFY(kidney.right - kidney.left < all.right - all.left - 40);
   QCOMPARE(vessels.left, all.left);
   QVERIFY(vessels.bottom - vessels.top < all.bottom - all.top - 20);
+}
+
+void RenderTest::focusFollowsTheAmount() {
+  writeFile(m_folder.filePath("front.json"), frontCamera());
+  const QStringList base{"--size", "300x300", "--camera", m_folder.filePath("front.json")};
+  const auto box = [&](const QString& names, const QString& amount) {
+    return drawnBox(rendered(base + QStringList{"--focus", names, "--context", amount}));
+  };
+  const PixelBox all = drawnBox(rendered(base));
+  const PixelBox alone = box("kidney", "0");
+  QVERIFY(alone.right - alone.left < all.right - all.left - 40);
+  QCOMPARE(box("kidney", "1").left, all.left);
+  // Two names in one, and a group.
+  QCOMPARE(box("renal artery,renal vein", "0").right, all.right);
+  QCOMPARE(box("Vessels", "0").right, all.right);
+  // What is said of Γ wins.
+  const Pixels shaded = rendered(base + QStringList{"--focus", "kidney", "--context", "0"});
+  const Pixels plain =
+      rendered(base + QStringList{"--focus", "kidney", "--context", "0", "--gamma", "0"});
+  QVERIFY(shaded.rgba != plain.rgba);
 }
 
 void RenderTest::sidesStaySides_data() {

@@ -21,8 +21,8 @@ namespace sline::test {
 QString sealed(const QString& folder) {
   qputenv("XDG_STATE_HOME", QFile::encodeName(folder + QStringLiteral("/state")));
   const QString file = folder + QStringLiteral("/settings.ini");
-  // Nothing is modelled in the background, where it would be in the way.
   QSettings settings(file, QSettings::IniFormat);
+  // Nothing is modelled in the background, where it would be in the way.
   settings.setValue(QStringLiteral("start/demoPictures"), false);
   // Views change at once: what is looked at next is there when the key was pressed.
   settings.setValue(QStringLiteral("navigation/flights"), false);

@@ -33,6 +33,18 @@ void AmountSlider::showAmount(model::ContextAmount amount) {
   setValue(qRound(float(whole) * amount.value()));
 }
 
+bool AmountSlider::event(QEvent* event) {
+  // Home and Escape are the slider's while it has the focus, and not a shortcut of the window.
+  if (event->type() == QEvent::ShortcutOverride) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Home || key == Qt::Key_End || (key == Qt::Key_Escape && isSliderDown())) {
+      event->accept();
+      return true;
+    }
+  }
+  return QSlider::event(event);
+}
+
 void AmountSlider::follow(const QPointF& at) {
   QStyleOptionSlider option;
   initStyleOption(&option);

@@ -22,6 +22,7 @@ class AmountSlider : public QSlider {
   void stepped(sline::model::ContextAmount amount);
 
  protected:
+  bool event(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;

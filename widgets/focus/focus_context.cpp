@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/focus/focus_context.h"
 
+#include <QCoreApplication>
 #include <QScopedValueRollback>
 #include <QTimer>
 #include <algorithm>
@@ -10,12 +11,14 @@
 namespace sline::widgets {
 
 namespace {
-/// Scenes share their meshes, so a few hundred are small.
-constexpr std::size_t mostRecords = 500;
+/// As far back as it is still known what was in focus.
+constexpr std::size_t mostRecords = 60;
 constexpr int shortly = 50;  // milliseconds
 
 QString amountStep(model::ContextAmount amount) {
-  return FocusContext::tr("Context %1 %").arg(qRound(100.0f * amount.value()));
+  // lupdate does not know the class by its short name here.
+  return QCoreApplication::translate("sline::widgets::FocusContext", "Context %1 %")
+      .arg(qRound(100.0f * amount.value()));
 }
 }  // namespace
 
@@ -180,9 +183,9 @@ void FocusContext::stepTo(model::ContextAmount amount) {
 }
 
 void FocusContext::documentChange(const Document& before, const Document& now) {
-  if (m_applying)
+  if (m_applying || m_session.previewing())
     return;
-  if (m_dragging && !m_session.previewing()) {  // somebody else ended the drag
+  if (m_dragging) {  // somebody else ended the drag
     m_dragging = false;
     m_state.amount = m_beforeDrag;
   }

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <cmath>
 
 namespace sline::widgets {
 
@@ -12,7 +13,7 @@ using model::ContextRole;
 using model::RoleReason;
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("FocusRoles", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 
 QString nameOf(const model::Scene& scene, model::NodeId id) {
@@ -25,6 +26,8 @@ QString hidesText(const model::Relation& relation) {
 }
 
 QString awayText(const model::Relation& relation) {
+  if (!std::isfinite(relation.gapMm))
+    return tr("Cut away");
   const double mm = double(relation.gapMm);
   return tr("%1 mm away").arg(QLocale().toString(mm, 'f', mm < 10.0 ? 1 : 0));
 }

@@ -36,11 +36,11 @@ model::GammaRange rangeOf(const model::Scene& scene, const NodeIds& ids) {
   return all;
 }
 
-QString titleOf(const model::Scene& scene, const NodeIds& ids) {
+QString titleOf(Session& session, const NodeIds& ids) {
   if (ids.empty())
     return GammaPanel::tr("Nothing selected");
   if (ids.size() == 1)
-    return QString::fromStdString(scene.find(ids.front())->name);
+    return session.names().shown(session.scene().find(ids.front())->name);
   return GammaPanel::tr("%n items", nullptr, int(ids.size()));
 }
 
@@ -164,6 +164,7 @@ void GammaPanel::connectControls() {
     showFill();
   });
   connect(&m_session, &Session::selectionChanged, this, &GammaPanel::refresh);
+  connect(&m_session.names(), &ShownNames::changed, this, &GammaPanel::refresh);
   connect(&m_session, &Session::documentChanged, this, &GammaPanel::refresh);
 }
 
@@ -187,7 +188,7 @@ void GammaPanel::refresh() {
        {static_cast<QWidget*>(m_slider), static_cast<QWidget*>(m_number), m_fillRow, m_emphasisRow})
     control->setEnabled(any);
   m_inherit->setEnabled(false);
-  m_title->setText(any ? titleOf(m_session.scene(), ids) : titleOf({}, {}));
+  m_title->setText(titleOf(m_session, any ? ids : NodeIds()));
   if (!any && !ids.empty())
     return;
   showGamma();

@@ -8,7 +8,7 @@ namespace sline::widgets {
 
 namespace {
 QString tr(const char* text) {
-  return QCoreApplication::translate("GammaStages", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 }  // namespace
 

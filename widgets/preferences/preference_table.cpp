@@ -8,7 +8,7 @@ namespace sline::widgets {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("Preferences", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 
 std::vector<PreferenceRow> appearanceRows() {
@@ -21,6 +21,29 @@ std::vector<PreferenceRow> appearanceRows() {
                     QStringLiteral("system")}},
           {QStringLiteral("appearance/toolTexts"), page, tr("Text under the toolbar’s icons"),
            tr("What each button does in a word"), Switch{false}}};
+}
+
+std::vector<PreferenceRow> languageRows() {
+  const QString page = tr("Language");
+  return {{QStringLiteral("language/interface"), page, tr("Interface"),
+           tr("The language of menus and texts; takes effect at once"),
+           ChoiceOf{{{QStringLiteral("system"), tr("As the system")},
+                     // Each in its own language, so that whoever speaks it finds it.
+                     {QStringLiteral("en"), QStringLiteral("English")},
+                     {QStringLiteral("de"), QStringLiteral("Deutsch")},
+                     {QStringLiteral("nl"), QStringLiteral("Nederlands")},
+                     {QStringLiteral("nb"), QStringLiteral("Norsk bokmål")}},
+                    QStringLiteral("system")}},
+          {QStringLiteral("language/structures"), page, tr("Structures"),
+           tr("What known structures are called on screen; files keep their own names"),
+           ChoiceOf{{{QStringLiteral("file"), tr("As in the file")},
+                     {QStringLiteral("interface"), tr("In the interface’s language")},
+                     {QStringLiteral("latin"), tr("Latin")},
+                     {QStringLiteral("en"), tr("English")},
+                     {QStringLiteral("de"), tr("German")},
+                     {QStringLiteral("nl"), tr("Dutch")},
+                     {QStringLiteral("nb"), tr("Norwegian")}},
+                    QStringLiteral("interface")}}};
 }
 
 std::vector<PreferenceRow> pictureRows() {
@@ -65,7 +88,8 @@ std::vector<PreferenceRow> fileRows() {
 
 std::vector<PreferenceRow> preferenceRows() {
   std::vector<PreferenceRow> rows = appearanceRows();
-  for (const std::vector<PreferenceRow>& more : {pictureRows(), navigationRows(), fileRows()})
+  for (const std::vector<PreferenceRow>& more :
+       {languageRows(), pictureRows(), navigationRows(), fileRows()})
     rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }

@@ -88,9 +88,9 @@ model::NodeId commonNode(const model::Scene& scene, const NodeIds& ids) {
   return node ? node->id : model::rootId;
 }
 
-QString scopeText(const model::Scene& scene, model::NodeId scope) {
-  const model::Node* node = scene.find(scope);
-  return node ? QString::fromStdString(node->name) : tr("Whole scene");
+QString scopeText(Session& session, model::NodeId scope) {
+  const model::Node* node = session.scene().find(scope);
+  return node ? session.names().shown(node->name) : tr("Whole scene");
 }
 
 }  // namespace sline::widgets

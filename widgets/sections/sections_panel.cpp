@@ -46,6 +46,7 @@ SectionsPanel::SectionsPanel(Session& session, QWidget* parent)
   connect(&session, &Session::documentChanged, this, &SectionsPanel::showActive);
   connect(&session, &Session::activeSectionChanged, this, &SectionsPanel::showActive);
   connect(&session, &Session::selectionChanged, this, &SectionsPanel::showActive);
+  connect(&session.names(), &ShownNames::changed, this, &SectionsPanel::showActive);
   showActive();
 }
 
@@ -172,17 +173,16 @@ bool SectionsPanel::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void SectionsPanel::listScopes(const model::Section& section) {
-  const model::Scene& scene = m_session.scene();
   m_scope->clear();
   const auto add = [&](model::NodeId id, const QString& text) {
     if (m_scope->findData(qulonglong(id.value)) < 0)
       m_scope->addItem(text, qulonglong(id.value));
   };
-  add(model::rootId, scopeText(scene, model::rootId));
-  add(section.scope, scopeText(scene, section.scope));
-  const model::NodeId selected = commonNode(scene, m_session.selection());
+  add(model::rootId, scopeText(m_session, model::rootId));
+  add(section.scope, scopeText(m_session, section.scope));
+  const model::NodeId selected = commonNode(m_session.scene(), m_session.selection());
   if (selected != model::rootId)
-    add(selected, tr("Selected: %1").arg(scopeText(scene, selected)));
+    add(selected, tr("Selected: %1").arg(scopeText(m_session, selected)));
   m_scope->setCurrentIndex(m_scope->findData(qulonglong(section.scope.value)));
 }
 

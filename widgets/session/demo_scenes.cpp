@@ -11,7 +11,7 @@ namespace sline::widgets {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("DemoScenes", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 
 DemoScene demoScene(const QString& title, model::DemoName name, model::Sex sex) {

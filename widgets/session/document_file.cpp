@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("DocumentFile", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 
 std::shared_ptr<const std::string> textOrNone(std::string text) {

@@ -14,6 +14,7 @@
 #include "model/edit/style.h"
 #include "widgets/session/document.h"
 #include "widgets/session/scene_job.h"
+#include "widgets/session/shown_names.h"
 
 namespace sline::widgets {
 
@@ -46,6 +47,8 @@ class Session : public QObject {
   /// What edits during a drag start from: the scene before it.
   const model::Scene& sceneBeforePreview() const;
 
+  /// What structures are called on screen; not part of the document.
+  ShownNames& names() { return m_names; }
   /// The scene file of the document.
   const DocumentFile& file() const;
   /// The file's name, where there is one, else what the document goes by.
@@ -88,12 +91,12 @@ class Session : public QObject {
   /// Also at each step of a drag; compare the two to see what differs.
   void documentChanged(const sline::widgets::Document& before, const sline::widgets::Document& now);
   void selectionChanged();
-  /// Another one was activated; that it left the scene, or came back, is a change of the document.
-  void activeSectionChanged();
   /// Which file it is, whether it may be written, or whether the document differs from it.
   void fileChanged();
   /// What was asked for is there. Nothing for what was made.
   void opened(const std::vector<std::filesystem::path>& paths);
+  /// Another one was activated; that it left the scene, or came back, is a change of the document.
+  void activeSectionChanged();
   void jobStarted(const QString& title);
   void jobProgressed(double done, const QString& what);
   void jobEnded();
@@ -122,6 +125,7 @@ class Session : public QObject {
   QUndoStack m_history;
   std::optional<Document> m_beforePreview;
   NodeIds m_selection;
+  ShownNames m_names;
   std::optional<model::SectionId> m_activeSection;
   SceneJob* m_job = nullptr;
   bool m_modified = false;

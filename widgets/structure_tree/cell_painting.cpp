@@ -68,21 +68,73 @@ void paintEye(QPainter& painter, const QRectF& cell, model::Shown shown, const Q
   painter.drawEllipse(centre, 2.4, 2.4);
 }
 
-void paintSwatch(QPainter& painter, const QRectF& cell, std::span<const QColor> colours,
+void paintSwatch(QPainter& painter, const QRectF& cell, const SwatchLook& look,
                  const QPalette& palette) {
-  QRectF square(0.0, 0.0, 13.0, 13.0);
-  square.moveCenter(cell.center());
+  const double side = look.own ? 13.0 : 9.0;
+  QRectF square(0.0, 0.0, side, side);
+  square.moveCenter(QRectF(cell.toAlignedRect()).center());
   QPainterPath outline;
-  outline.addRoundedRect(square, 3.0, 3.0);
-  const double width = square.width() / double(std::max<std::size_t>(colours.size(), 1));
-  for (std::size_t i = 0; i < colours.size(); ++i) {
+  outline.addRoundedRect(square, look.own ? 3.0 : 2.0, look.own ? 3.0 : 2.0);
+  const auto count = double(std::max<std::size_t>(look.colours.size(), 1));
+  const double width = square.width() / count;
+  QRectF lower = square;
+  lower.setTop(square.center().y());
+  QPainterPath faint;
+  if (look.opacity < 1.0f)
+    faint.addRect(lower);
+  for (std::size_t i = 0; i < look.colours.size(); ++i) {
     QPainterPath part;
     part.addRect(square.left() + width * double(i), square.top(), width, square.height());
-    painter.fillPath(outline.intersected(part), colours[i]);
+    part = outline.intersected(part);
+    painter.fillPath(part.subtracted(faint), look.colours[i]);
+    painter.fillPath(part.intersected(faint), faded(look.colours[i], double(look.opacity)));
   }
   painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(faded(palette.color(QPalette::Text), 0.35), 1.0));
+  painter.setPen(QPen(faded(palette.color(QPalette::Text), look.own ? 0.45 : 0.2), 1.0));
   painter.drawPath(outline);
+}
+
+void paintLock(QPainter& painter, const QRectF& cell, RowLock lock, bool underMouse,
+               const QPalette& palette) {
+  if (lock == RowLock::open && !underMouse)
+    return;
+  const bool open = lock == RowLock::open;
+  const QColor ink = faded(palette.color(QPalette::Text), open                   ? 0.35
+                                                          : lock == RowLock::own ? 0.85
+                                                                                 : 0.4);
+  const QPointF centre = QRectF(cell.toAlignedRect()).center();
+  const QRectF body(centre.x() - 4.5, centre.y() - 0.5, 9.0, 6.5);
+  QPainterPath shackle;
+  const double right = open ? 6.0 : 0.0;  // swung aside
+  shackle.moveTo(centre.x() - 2.8 + right, body.top());
+  shackle.lineTo(centre.x() - 2.8 + right, centre.y() - 2.5);
+  shackle.arcTo(QRectF(centre.x() - 2.8 + right, centre.y() - 5.8, 5.6, 6.2), 180.0, -180.0);
+  if (!open)
+    shackle.lineTo(centre.x() + 2.8, body.top());
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(ink, 1.4, Qt::SolidLine, Qt::FlatCap));
+  painter.drawPath(shackle);
+  if (open) {
+    painter.drawRoundedRect(body.adjusted(0.5, 0.5, -0.5, -0.5), 1.2, 1.2);
+    return;
+  }
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(ink);
+  painter.drawRoundedRect(body, 1.5, 1.5);
+}
+
+void paintDropMark(QPainter& painter, const QRectF& mark, bool into, const QPalette& palette) {
+  const QColor accent = palette.color(QPalette::Highlight);
+  painter.setPen(QPen(accent, 2.0));
+  painter.setBrush(Qt::NoBrush);
+  if (into) {
+    painter.drawRoundedRect(mark.adjusted(2.0, 1.0, -2.0, -1.0), 4.0, 4.0);
+    return;
+  }
+  const double y = std::max(mark.center().y(), 3.5);
+  constexpr double ring = 3.0;
+  painter.drawEllipse(QPointF(mark.left() + ring + 1.0, y), ring, ring);
+  painter.drawLine(QPointF(mark.left() + 2.0 * ring + 1.0, y), QPointF(mark.right() - 2.0, y));
 }
 
 void paintGamma(QPainter& painter, const GammaCell& cell, const GammaLook& look,
@@ -104,7 +156,7 @@ void paintGamma(QPainter& painter, const GammaCell& cell, const GammaLook& look,
   painter.setBrush(look.own ? accent : faded(accent, 0.4));
   painter.drawRoundedRect(QRectF(from, groove.top(), std::max(to - from, 0.0), groove.height()),
                           1.5, 1.5);
-  if (one) {
+  if (one && !look.locked) {
     const QPointF at(to, groove.center().y());
     painter.setPen(QPen(look.own ? accent : faded(text, 0.5), 1.4));
     painter.setBrush(

@@ -2,12 +2,14 @@
 // How the tree's small controls look, and where in their cells they are.
 #pragma once
 
+#include <QColor>
 #include <QPalette>
 #include <QRectF>
-#include <span>
+#include <vector>
 
 #include "model/edit/emphasis.h"
 #include "model/edit/visibility.h"
+#include "widgets/structure_tree/row_states.h"
 
 class QPainter;
 
@@ -23,14 +25,25 @@ struct GammaCell {
 };
 
 void paintEye(QPainter& painter, const QRectF& cell, model::Shown shown, const QPalette& palette);
-/// One colour, or a few side by side.
-void paintSwatch(QPainter& painter, const QRectF& cell, std::span<const QColor> colours,
+struct SwatchLook {
+  std::vector<QColor> colours;  ///< one, or a few side by side
+  float opacity = 1.0f;         ///< below 1 the lower half is as faint
+  bool own = false;             ///< smaller where it comes from the group above
+};
+void paintSwatch(QPainter& painter, const QRectF& cell, const SwatchLook& look,
                  const QPalette& palette);
+/// A padlock; faint where the group above is what locks. Nothing where it is open, or, under the
+/// mouse, an open one.
+void paintLock(QPainter& painter, const QRectF& cell, RowLock lock, bool underMouse,
+               const QPalette& palette);
+/// Where rows that are dragged would stand: a line, or a frame around the group they go into.
+void paintDropMark(QPainter& painter, const QRectF& mark, bool into, const QPalette& palette);
 
 struct GammaLook {
   model::GammaRange range;
   bool own = false;
   bool selected = false;  ///< the row is, so that the colours must stand on the highlight
+  bool locked = false;    ///< no handle: there is nothing to drag
 };
 void paintGamma(QPainter& painter, const GammaCell& cell, const GammaLook& look,
                 const QPalette& palette);

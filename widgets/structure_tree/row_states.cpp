@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "model/scene/resolved_styles.h"
+
 namespace sline::widgets {
 
 namespace {
@@ -15,6 +17,7 @@ struct Tally {
   std::vector<Colour> colours;
   std::optional<model::GammaRange> ofVisible;
   std::optional<model::GammaRange> ofAll;
+  Opacity faintest = Opacity::clamped(1.0f);
 };
 
 void widen(std::optional<model::GammaRange>& range, const model::GammaRange& by) {
@@ -33,6 +36,8 @@ void add(Tally& tally, const model::ResolvedStyle& style) {
   ++tally.structures;
   addColour(tally.colours, style.colour);
   widen(tally.ofAll, gamma);
+  if (style.opacity.value() < tally.faintest.value())
+    tally.faintest = style.opacity;
   if (!style.visible)
     return;
   ++tally.visible;
@@ -48,29 +53,40 @@ model::Shown shownOf(const Tally& tally) {
 }  // namespace
 
 RowStates rowStatesOf(const model::Scene& scene) {
-  std::unordered_map<std::uint64_t, model::NodeId> parents;
-  std::unordered_map<std::uint64_t, Tally> tallies;
-  std::unordered_map<std::uint64_t, model::ResolvedStyle> styles;
-  for (const model::Node& node : scene.nodes()) {
-    const model::ResolvedStyle& style =
-        styles.emplace(node.id.value, scene.resolve(node.id)).first->second;
-    parents[node.id.value] = node.parent;
-    tallies.try_emplace(node.id.value);
-    if (node.isGroup())
+  const std::vector<model::ResolvedStyle> styles = model::resolveAll(scene);
+  const std::vector<model::Node>& nodes = scene.nodes();
+  std::unordered_map<std::uint64_t, std::size_t> places;
+  places.reserve(nodes.size());
+  std::vector<Tally> tallies(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    places.emplace(nodes[i].id.value, i);
+    if (nodes[i].isGroup())
       continue;
-    for (model::NodeId at = node.id; at != model::rootId; at = parents[at.value])
-      add(tallies[at.value], style);
+    for (auto at = places.find(nodes[i].id.value); at != places.end();
+         at = places.find(nodes[at->second].parent.value))
+      add(tallies[at->second], styles[i]);
   }
   RowStates states;
-  for (const model::Node& node : scene.nodes()) {
-    Tally& tally = tallies[node.id.value];
-    const Gamma own = styles.at(node.id.value).gamma;
+  states.reserve(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const model::Node& node = nodes[i];
+    Tally& tally = tallies[i];
+    const auto above = states.find(node.parent.value);
+    const bool lockedAbove = above != states.end() && above->second.lock != RowLock::open;
+    const Gamma own = styles[i].gamma;
     states[node.id.value] = {.shown = shownOf(tally),
                              .colours = std::move(tally.colours),
                              .gamma = tally.ofVisible
                                           ? *tally.ofVisible
                                           : tally.ofAll.value_or(model::GammaRange{own, own}),
+                             .opacity = tally.structures == 0 ? styles[i].opacity : tally.faintest,
                              .ownGamma = node.style.gamma.has_value(),
+                             .ownColour = node.style.colour.has_value(),
+                             .ownOpacity = node.style.opacity.has_value(),
+                             .group = node.isGroup(),
+                             .lock = node.locked   ? RowLock::own
+                                     : lockedAbove ? RowLock::above
+                                                   : RowLock::open,
                              .structures = tally.structures};
   }
   return states;

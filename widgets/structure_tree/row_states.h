@@ -12,13 +12,21 @@
 
 namespace sline::widgets {
 
+/// Whether a row is locked, and by whom.
+enum class RowLock { open, above, own };
+
 /// All of a row but its name.
 struct RowState {
-  model::Shown shown = model::Shown::none;  ///< as model::shownOf
-  std::vector<Colour> colours;              ///< the first few of the structures there, each once
-  model::GammaRange gamma;                  ///< as model::gammaRangeOf
-  bool ownGamma = false;                    ///< the node says Γ itself
-  std::size_t structures = 0;               ///< at or below the node
+  model::Shown shown = model::Shown::none;   ///< as model::shownOf
+  std::vector<Colour> colours;               ///< the first few of the structures there, each once
+  model::GammaRange gamma;                   ///< as model::gammaRangeOf
+  Opacity opacity = Opacity::clamped(1.0f);  ///< of the faintest structure there
+  bool ownGamma = false;                     ///< the node says Γ itself
+  bool ownColour = false;
+  bool ownOpacity = false;
+  bool group = false;
+  RowLock lock = RowLock::open;
+  std::size_t structures = 0;  ///< at or below the node
   bool operator==(const RowState&) const = default;
 };
 

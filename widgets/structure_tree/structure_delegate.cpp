@@ -2,6 +2,7 @@
 #include "widgets/structure_tree/structure_delegate.h"
 
 #include <QApplication>
+#include <QLineEdit>
 #include <QPainter>
 #include <algorithm>
 
@@ -13,12 +14,14 @@ namespace sline::widgets {
 using Model = StructureTreeModel;
 
 namespace {
+
 std::vector<QColor> coloursOf(const QModelIndex& index) {
   std::vector<QColor> colours;
   for (const QVariant& colour : index.data(Model::coloursRole).toList())
     colours.push_back(colour.value<QColor>());
   return colours;
 }
+
 }  // namespace
 
 void StructureDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -42,18 +45,36 @@ void StructureDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opt
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);
   const QRectF cell(look.rect);
+  const auto lock = RowLock(index.data(Model::lockRole).toInt());
   if (index.column() == Model::eye)
     paintEye(*painter, cell, shown, palette);
   else if (index.column() == Model::swatch)
-    paintSwatch(*painter, cell, coloursOf(index), palette);
+    paintSwatch(*painter, cell,
+                {.colours = coloursOf(index),
+                 .opacity = index.data(Model::opacityRole).toFloat(),
+                 .own = index.data(Model::ownColourRole).toBool()},
+                palette);
+  else if (index.column() == Model::lock)
+    paintLock(*painter, cell, lock, look.state.testFlag(QStyle::State_MouseOver), palette);
   else
     paintGamma(*painter, {cell},
                {.range = {Gamma::clamped(index.data(Model::lowGammaRole).toFloat()),
                           Gamma::clamped(index.data(Model::highGammaRole).toFloat())},
                 .own = index.data(Model::ownGammaRole).toBool(),
-                .selected = selected},
+                .selected = selected,
+                .locked = lock != RowLock::open},
                palette);
   painter->restore();
+}
+
+QWidget* StructureDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,
+                                         const QModelIndex&) const {
+  auto* editor = new QLineEdit(parent);
+  editor->setObjectName(QStringLiteral("nameEditor"));
+  editor->setAccessibleName(tr("Name"));
+  editor->setFrame(false);
+  editor->setAutoFillBackground(true);
+  return editor;
 }
 
 QSize StructureDelegate::sizeHint(const QStyleOptionViewItem& option,

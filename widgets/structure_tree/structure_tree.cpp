@@ -3,10 +3,13 @@
 
 #include <QColorDialog>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QVBoxLayout>
 
 #include "model/edit/emphasis.h"
+#include "widgets/structure_tree/structure_properties.h"
 #include "widgets/structure_tree/structure_tree_view.h"
 
 namespace sline::widgets {
@@ -15,12 +18,20 @@ StructureTree::StructureTree(Session& session, QWidget* parent)
     : QWidget(parent),
       m_session(session),
       m_filter(new QLineEdit),
+      m_count(new QLabel),
       m_view(new StructureTreeView(session)) {
   m_filter->setObjectName(QStringLiteral("structureFilter"));
   m_filter->setAccessibleName(tr("Filter structures by name"));
   m_filter->setPlaceholderText(tr("Filter by name"));
+  m_filter->setToolTip(
+      tr("Words in any order. Enter selects all that match, Down goes to the "
+         "list, Escape shows all again."));
   m_filter->setClearButtonEnabled(true);
   m_filter->installEventFilter(this);
+  m_count->setObjectName(QStringLiteral("filterCount"));
+  m_count->setContentsMargins(10, 0, 10, 6);
+  m_count->setForegroundRole(QPalette::PlaceholderText);
+  m_count->hide();
   auto* filter = new QVBoxLayout;
   filter->setContentsMargins(8, 8, 8, 8);
   filter->addWidget(m_filter);
@@ -28,8 +39,11 @@ StructureTree::StructureTree(Session& session, QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   layout->addLayout(filter);
+  layout->addWidget(m_count);
   layout->addWidget(m_view, 1);
   connect(m_filter, &QLineEdit::textChanged, m_view, &StructureTreeView::setFilter);
+  connect(m_view, &StructureTreeView::filtered, this, &StructureTree::showCount);
+  connect(&session, &Session::documentChanged, this, &StructureTree::showCount);
   connect(m_view, &StructureTreeView::colourWanted, this, &StructureTree::chooseColour);
 }
 
@@ -38,20 +52,45 @@ void StructureTree::find() {
   m_filter->selectAll();
 }
 
-bool StructureTree::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::KeyPress) {
-    const int key = static_cast<QKeyEvent*>(event)->key();
-    if (key == Qt::Key_Escape)
+void StructureTree::showCount() {
+  const bool filtering = !m_filter->text().trimmed().isEmpty();
+  m_count->setVisible(filtering);
+  if (!filtering)
+    return;
+  const int found = int(m_view->matches().size());
+  m_count->setText(found == 0 ? tr("No structure is called so")
+                              : tr("%n structures – Enter selects them", nullptr, found));
+}
+
+bool StructureTree::filterKey(int key) {
+  switch (key) {
+    case Qt::Key_Escape:
       m_filter->clear();
-    if (key == Qt::Key_Escape || key == Qt::Key_Down || key == Qt::Key_Return) {
       m_view->setFocus();
       return true;
-    }
+    case Qt::Key_Down:
+      m_view->enter();
+      return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      if (!m_view->matches().empty())
+        m_session.select(m_view->matches());
+      m_view->setFocus();
+      return true;
+    default:
+      return false;
   }
+}
+
+bool StructureTree::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::KeyPress && filterKey(static_cast<QKeyEvent*>(event)->key()))
+    return true;
   return QWidget::eventFilter(watched, event);
 }
 
 void StructureTree::chooseColour(const NodeIds& ids) {
+  if (ids.empty())
+    return;
   const NodeIds structures = m_session.scene().structuresBelow(ids.front());
   const model::NodeId first = structures.empty() ? ids.front() : structures.front();
   const Colour now = m_session.scene().resolve(first).colour;
@@ -67,6 +106,11 @@ void StructureTree::chooseColour(const NodeIds& ids) {
   connect(dialog, &QColorDialog::accepted, this, [this] { m_session.commitPreview(tr("Colour")); });
   connect(dialog, &QColorDialog::rejected, this, [this] { m_session.cancelPreview(); });
   dialog->open();
+}
+
+void StructureTree::showProperties(const NodeIds& ids) {
+  if (!ids.empty())
+    (new StructureProperties(m_session, ids, this))->show();
 }
 
 }  // namespace sline::widgets

@@ -5,6 +5,7 @@
 
 #include "widgets/session/session.h"
 
+class QLabel;
 class QLineEdit;
 
 namespace sline::widgets {
@@ -19,15 +20,20 @@ class StructureTree : public QWidget {
   StructureTreeView& view() { return *m_view; }
   /// Puts the cursor into the filter box.
   void find();
+  /// A dialog for the colour of the nodes.
+  void chooseColour(const NodeIds& ids);
+  void showProperties(const NodeIds& ids);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void chooseColour(const NodeIds& ids);
+  bool filterKey(int key);
+  void showCount();
 
   Session& m_session;
   QLineEdit* m_filter;
+  QLabel* m_count;
   StructureTreeView* m_view;
 };
 

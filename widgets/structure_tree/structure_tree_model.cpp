@@ -2,15 +2,20 @@
 #include "widgets/structure_tree/structure_tree_model.h"
 
 #include <QColor>
+#include <QLocale>
 #include <algorithm>
 #include <utility>
 
 #include "model/edit/tree.h"
 #include "widgets/gamma/stages.h"
+#include "widgets/structure_tree/node_mime.h"
 
 namespace sline::widgets {
 
 namespace {
+
+/// More than these, and beginning anew is quicker for whoever watches.
+constexpr std::size_t mostSteps = 64;
 
 QString textOf(const model::GammaRange& range) {
   return range.low == range.high
@@ -18,11 +23,36 @@ QString textOf(const model::GammaRange& range) {
              : StructureTreeModel::tr("%1 to %2").arg(gammaText(range.low), gammaText(range.high));
 }
 
-bool sameShape(const model::Scene& a, const model::Scene& b) {
-  return std::equal(a.nodes().begin(), a.nodes().end(), b.nodes().begin(), b.nodes().end(),
-                    [](const model::Node& x, const model::Node& y) {
-                      return x.id == y.id && x.parent == y.parent && x.mesh == y.mesh;
-                    });
+/// First and last of the columns in which the rows differ; none: {columns, -1}.
+struct Columns {
+  int first = StructureTreeModel::columns;
+  int last = -1;
+  void add(int column) {
+    first = std::min(first, column);
+    last = std::max(last, column);
+  }
+  bool operator==(const Columns&) const = default;
+};
+
+Columns columnsThatDiffer(const RowState& a, const RowState& b) {
+  using Model = StructureTreeModel;
+  Columns columns;
+  if (a.shown != b.shown) {
+    columns.add(Model::eye);
+    columns.add(Model::name);
+  }
+  if (a.colours != b.colours || a.opacity != b.opacity || a.ownColour != b.ownColour ||
+      a.ownOpacity != b.ownOpacity)
+    columns.add(Model::swatch);
+  if (a.structures != b.structures)
+    columns.add(Model::name);
+  if (!(a.gamma == b.gamma) || a.ownGamma != b.ownGamma)
+    columns.add(Model::gamma);
+  if (a.lock != b.lock) {
+    columns.add(Model::gamma);
+    columns.add(Model::lock);
+  }
+  return columns;
 }
 
 }  // namespace
@@ -30,26 +60,33 @@ bool sameShape(const model::Scene& a, const model::Scene& b) {
 StructureTreeModel::StructureTreeModel(Session& session, QObject* parent)
     : QAbstractItemModel(parent),
       m_session(session),
-      m_shape(shapeOf(session.scene())),
+      m_shape(session.scene()),
       m_states(rowStatesOf(session.scene())) {
-  connect(&session, &Session::documentChanged, this,
-          [this](const Document& before, const Document& now) { change(before.scene, now.scene); });
+  connect(&session, &Session::documentChanged, this, &StructureTreeModel::change);
 }
 
-StructureTreeModel::Shape StructureTreeModel::shapeOf(const model::Scene& scene) {
-  Shape shape;
-  shape[model::rootId.value] = {};
-  for (const model::Node& node : scene.nodes()) {
-    std::vector<model::NodeId>& siblings = shape[node.parent.value].children;
-    shape[node.id.value] = {node.parent, int(siblings.size()), {}};
-    shape[node.parent.value].children.push_back(node.id);
+void StructureTreeModel::setNames(StructureNames names) {
+  m_filter.setNames(std::move(names));
+  emit rearranging();
+  beginResetModel();
+  m_shape = shapeOf(m_session.scene());
+  endResetModel();
+  emit rearranged(false);
+}
+
+void StructureTreeModel::setFilter(const QString& text) {
+  if (m_filter.setText(text))
+    rearrange(shapeOf(m_session.scene()), false);
+}
+
+TreeShape StructureTreeModel::shapeOf(const model::Scene& scene) {
+  if (!m_filter.active()) {
+    m_matches.clear();
+    return TreeShape(scene);
   }
-  return shape;
-}
-
-const StructureTreeModel::Place* StructureTreeModel::place(model::NodeId id) const {
-  const auto found = m_shape.find(id.value);
-  return found == m_shape.end() ? nullptr : &found->second;
+  RowFilter::Left left = m_filter.apply(scene);
+  m_matches = std::move(left.structures);
+  return TreeShape(scene, &left.rows);
 }
 
 const RowState& StructureTreeModel::state(model::NodeId id) const {
@@ -58,22 +95,102 @@ const RowState& StructureTreeModel::state(model::NodeId id) const {
   return found == m_states.end() ? unknown : found->second;
 }
 
-void StructureTreeModel::change(const model::Scene& before, const model::Scene& now) {
-  if (!sameShape(before, now)) {
-    beginResetModel();
-    m_shape = shapeOf(now);
-    m_states = rowStatesOf(now);
-    endResetModel();
-    return;
-  }
-  const RowStates old = std::exchange(m_states, rowStatesOf(now));
-  for (std::size_t i = 0; i < now.nodes().size(); ++i) {
-    const model::Node& node = now.nodes()[i];
-    if (node.name == before.nodes()[i].name && old.at(node.id.value) == state(node.id))
+void StructureTreeModel::change(const Document& before, const Document& now) {
+  const auto alike = [](const model::Node& a, const model::Node& b) {
+    return a.id == b.id && a.parent == b.parent && a.name == b.name && a.isGroup() == b.isGroup();
+  };
+  const auto& was = before.scene.nodes();
+  const auto& is = now.scene.nodes();
+  const RowStates old = std::exchange(m_states, rowStatesOf(now.scene));
+  const bool opened = before.opening != now.opening;
+  if (opened || !std::equal(was.begin(), was.end(), is.begin(), is.end(), alike))
+    rearrange(shapeOf(now.scene), opened);
+  if (!opened)
+    changeRows(before.scene, now.scene, old);
+}
+
+void StructureTreeModel::changeRows(const model::Scene& before, const model::Scene& now,
+                                    const RowStates& old) {
+  std::unordered_map<std::uint64_t, const std::string*> names;
+  for (const model::Node& node : before.nodes())
+    names.emplace(node.id.value, &node.name);
+  // Neighbours that differ in the same columns are told together.
+  QModelIndex first;
+  QModelIndex last;
+  Columns told;
+  const auto tell = [&] {
+    if (first.isValid())
+      emit dataChanged(first.siblingAtColumn(told.first), last.siblingAtColumn(told.last));
+    first = QModelIndex();
+  };
+  std::vector<std::pair<model::NodeId, Columns>> differing;
+  for (const model::Node& node : now.nodes()) {
+    const auto was = old.find(node.id.value);
+    if (was == old.end() || !m_shape.find(node.id))
       continue;
-    const QModelIndex at = indexOf(node.id);
-    emit dataChanged(at.siblingAtColumn(eye), at.siblingAtColumn(gamma));
+    Columns differs = columnsThatDiffer(was->second, state(node.id));
+    if (*names.at(node.id.value) != node.name)
+      differs.add(name);
+    if (differs.last >= 0)
+      differing.emplace_back(node.id, differs);
   }
+  std::stable_sort(differing.begin(), differing.end(), [this](const auto& a, const auto& b) {
+    return m_shape.find(a.first)->parent < m_shape.find(b.first)->parent;
+  });
+  for (const auto& [id, differs] : differing) {
+    const QModelIndex at = indexOf(id);
+    const bool next = first.isValid() && at.row() == last.row() + 1 &&
+                      m_shape.find(id)->parent == m_shape.find(idOf(last))->parent;
+    if (!next || !(differs == told)) {
+      tell();
+      first = at;
+      told = differs;
+    }
+    last = at;
+  }
+  tell();
+}
+
+bool StructureTreeModel::take(const RowStep& step) {
+  const QModelIndex parent = indexOf(step.parent).siblingAtColumn(0);
+  const int last = step.first + int(step.ids.size()) - 1;
+  switch (step.kind) {
+    case RowStep::Kind::insert:
+      beginInsertRows(parent, step.first, last);
+      m_shape.apply(step);
+      endInsertRows();
+      return true;
+    case RowStep::Kind::remove:
+      beginRemoveRows(parent, step.first, last);
+      m_shape.apply(step);
+      endRemoveRows();
+      return true;
+    case RowStep::Kind::move: {
+      // Qt counts rows as they are before the move.
+      const bool down = step.parent == step.target && step.row > step.first;
+      const int row = down ? step.row + int(step.ids.size()) : step.row;
+      if (!beginMoveRows(parent, step.first, last, indexOf(step.target).siblingAtColumn(0), row))
+        return false;
+      m_shape.apply(step);
+      endMoveRows();
+      return true;
+    }
+  }
+  return false;
+}
+
+void StructureTreeModel::rearrange(TreeShape shape, bool opened) {
+  if (!opened && shape.sameAs(m_shape))
+    return;
+  emit rearranging();
+  const auto steps = opened ? std::nullopt : stepsBetween(m_shape, shape, mostSteps);
+  if (!steps || !std::all_of(steps->begin(), steps->end(),
+                             [this](const RowStep& step) { return take(step); })) {
+    beginResetModel();
+    m_shape = std::move(shape);
+    endResetModel();
+  }
+  emit rearranged(opened);
 }
 
 model::NodeId StructureTreeModel::idOf(const QModelIndex& index) const {
@@ -81,12 +198,12 @@ model::NodeId StructureTreeModel::idOf(const QModelIndex& index) const {
 }
 
 QModelIndex StructureTreeModel::indexOf(model::NodeId id) const {
-  const Place* at = id == model::rootId ? nullptr : place(id);
+  const TreeShape::Place* at = id == model::rootId ? nullptr : m_shape.find(id);
   return at ? createIndex(at->row, name, quintptr(id.value)) : QModelIndex();
 }
 
 QModelIndex StructureTreeModel::index(int row, int column, const QModelIndex& parent) const {
-  const Place* group = place(idOf(parent));
+  const TreeShape::Place* group = m_shape.find(idOf(parent));
   if (!group || row < 0 || row >= int(group->children.size()) || column < 0 || column >= columns ||
       (parent.isValid() && parent.column() != 0 && parent.column() != name))
     return {};
@@ -94,17 +211,17 @@ QModelIndex StructureTreeModel::index(int row, int column, const QModelIndex& pa
 }
 
 QModelIndex StructureTreeModel::parent(const QModelIndex& index) const {
-  const Place* at = index.isValid() ? place(idOf(index)) : nullptr;
+  const TreeShape::Place* at = index.isValid() ? m_shape.find(idOf(index)) : nullptr;
   if (!at || at->parent == model::rootId)
     return {};
   // Qt's views ask for children of the first column only.
-  return createIndex(place(at->parent)->row, 0, quintptr(at->parent.value));
+  return createIndex(m_shape.find(at->parent)->row, 0, quintptr(at->parent.value));
 }
 
 int StructureTreeModel::rowCount(const QModelIndex& parent) const {
   if (parent.isValid() && parent.column() != 0)
     return 0;
-  const Place* group = place(idOf(parent));
+  const TreeShape::Place* group = m_shape.find(idOf(parent));
   return group ? int(group->children.size()) : 0;
 }
 
@@ -112,19 +229,15 @@ int StructureTreeModel::columnCount(const QModelIndex&) const {
   return columns;
 }
 
+QString StructureTreeModel::nameOf(const model::Node& node) const {
+  const QString own = QString::fromStdString(node.name);
+  const auto& shown = m_filter.names().shown;
+  return shown ? shown(own) : own;
+}
+
 QVariant StructureTreeModel::data(const QModelIndex& index, int role) const {
-  const model::Scene& scene = m_session.scene();
   const model::NodeId id = idOf(index);
-  const model::Node* node = scene.find(id);
-  if (!node)
-    return {};
   switch (role) {
-    case Qt::DisplayRole:
-    case Qt::EditRole:
-      return index.column() == name ? QString::fromStdString(node->name) : QVariant();
-    case Qt::ToolTipRole:
-    case Qt::AccessibleTextRole:
-      return describe(index);
     case shownRole:
       return int(state(id).shown);
     case coloursRole: {
@@ -133,20 +246,61 @@ QVariant StructureTreeModel::data(const QModelIndex& index, int role) const {
         colours << QColor(c.red, c.green, c.blue);
       return colours;
     }
+    case opacityRole:
+      return state(id).opacity.value();
     case lowGammaRole:
       return state(id).gamma.low.value();
     case highGammaRole:
       return state(id).gamma.high.value();
     case ownGammaRole:
       return state(id).ownGamma;
+    case ownColourRole:
+      return state(id).ownColour || state(id).ownOpacity;
+    case lockRole:
+      return int(state(id).lock);
+    default:
+      break;
+  }
+  const model::Node* node = m_session.scene().find(id);
+  if (!node)
+    return {};
+  switch (role) {
+    case Qt::DisplayRole:
+      return index.column() == name ? nameOf(*node) : QVariant();
+    case Qt::EditRole:
+      return index.column() == name ? QString::fromStdString(node->name) : QVariant();
+    case Qt::ToolTipRole:
+      // Names are of files and may look like markup.
+      return QStringLiteral("<p>%1</p>").arg(describe(index).toHtmlEscaped());
+    case Qt::AccessibleTextRole:
+      return describe(index);
     default:
       return {};
   }
 }
 
-QVariant StructureTreeModel::describe(const QModelIndex& index) const {
-  const model::Scene& scene = m_session.scene();
-  const model::Node& node = *scene.find(idOf(index));
+QString StructureTreeModel::describeGamma(const model::Node& node) const {
+  const QString text = tr("Γ %1").arg(textOf(state(node.id).gamma));
+  if (node.style.gamma)
+    return tr("%1, its own").arg(text);
+  return node.isGroup() ? text : tr("%1, from the group above").arg(text);
+}
+
+QString StructureTreeModel::describeColour(const model::Node& node) const {
+  const RowState& row = state(node.id);
+  QString text = row.ownColour    ? tr("Colour, its own")
+                 : node.isGroup() ? tr("Colours of what is in it")
+                                  : tr("Colour, from the group above");
+  if (row.opacity.value() < 1.0f || row.ownOpacity) {
+    const QString percent = QLocale().toString(int(100.0f * row.opacity.value() + 0.5f));
+    text += QStringLiteral("; ") + (row.ownOpacity ? tr("opacity %1 %, its own").arg(percent)
+                                                   : tr("opacity %1 %").arg(percent));
+  }
+  return text;
+}
+
+QString StructureTreeModel::describe(const QModelIndex& index) const {
+  const model::Node& node = *m_session.scene().find(idOf(index));
   switch (index.column()) {
     case eye:
       switch (state(node.id).shown) {
@@ -159,18 +313,29 @@ QVariant StructureTreeModel::describe(const QModelIndex& index) const {
       }
       return {};
     case swatch:
-      return tr("Colour");
-    case gamma: {
-      const QString text = tr("Γ %1").arg(textOf(state(node.id).gamma));
-      if (node.style.gamma)
-        return text;
-      return node.isGroup() ? text : tr("%1, from the group above").arg(text);
+      return describeColour(node);
+    case gamma:
+      return describeGamma(node);
+    case lock:
+      switch (state(node.id).lock) {
+        case RowLock::open:
+          return tr("Not locked");
+        case RowLock::above:
+          return tr(
+              "Locked by the group above: keeps its look, name and place and cannot be "
+              "clicked in the picture");
+        case RowLock::own:
+          return tr("Locked: keeps its look, name and place and cannot be clicked in the picture");
+      }
+      return {};
+    default: {
+      const QString text = nameOf(node);
+      const QString own = QString::fromStdString(node.name);
+      if (node.isGroup())
+        return tr("%1, structures: %2")
+            .arg(text, QLocale().toString(qulonglong(state(node.id).structures)));
+      return text == own ? text : QStringLiteral("%1 (%2)").arg(text, own);
     }
-    default:
-      return node.isGroup() ? tr("%1, structures: %2")
-                                  .arg(QString::fromStdString(node.name))
-                                  .arg(state(node.id).structures)
-                            : QString::fromStdString(node.name);
   }
 }
 
@@ -191,9 +356,24 @@ QVariant StructureTreeModel::headerData(int section, Qt::Orientation orientation
 
 Qt::ItemFlags StructureTreeModel::flags(const QModelIndex& index) const {
   if (!index.isValid())
-    return Qt::NoItemFlags;
-  const Qt::ItemFlags usual = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
-  return index.column() == name ? usual | Qt::ItemIsEditable : usual;
+    return Qt::ItemIsDropEnabled;  // the top level
+  Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDropEnabled;
+  if (state(idOf(index)).lock != RowLock::open)
+    return flags;
+  flags |= Qt::ItemIsDragEnabled;
+  return index.column() == name ? flags | Qt::ItemIsEditable : flags;
+}
+
+QStringList StructureTreeModel::mimeTypes() const {
+  return {QLatin1String(nodeMimeType)};
+}
+
+QMimeData* StructureTreeModel::mimeData(const QModelIndexList& indexes) const {
+  NodeIds ids;
+  for (const QModelIndex& index : indexes)
+    if (index.column() == name)
+      ids.push_back(idOf(index));
+  return nodesAsMime(m_session, ids);
 }
 
 }  // namespace sline::widgets

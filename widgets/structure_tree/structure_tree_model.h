@@ -1,34 +1,48 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene's tree as Qt's views want it. Of each scene it works out the shape of the tree (ids,
-// parents, order) and what the rows show, and asks the session for all else.
+// The scene's tree as Qt's views want it, or what a filter leaves of it. Of each scene it works out
+// the shape of the tree (ids, parents, order) and what the rows show, and asks the session for all
+// else. Rows that differ are told one by one, and so are those that come, go and move.
 #pragma once
 
 #include <QAbstractItemModel>
-#include <unordered_map>
-#include <vector>
 
 #include "widgets/session/session.h"
+#include "widgets/structure_tree/row_filter.h"
 #include "widgets/structure_tree/row_states.h"
+#include "widgets/structure_tree/tree_shape.h"
 
 namespace sline::widgets {
 
 class StructureTreeModel : public QAbstractItemModel {
   Q_OBJECT
  public:
-  enum Column { eye, swatch, name, gamma, columns };
+  enum Column { eye, swatch, name, gamma, lock, columns };
   enum Role {
     shownRole = Qt::UserRole,  ///< model::Shown as int
     coloursRole,               ///< QVariantList: up to three colours of the structures there
+    opacityRole,               ///< float: of the faintest
     lowGammaRole,              ///< float: smallest Γ of the structures there
     highGammaRole,             ///< float: largest
     ownGammaRole,              ///< bool: the node says Γ itself
+    ownColourRole,             ///< bool: it says its colour or opacity itself
+    lockRole,                  ///< RowLock as int
   };
 
   explicit StructureTreeModel(Session& session, QObject* parent = nullptr);
 
+  /// How structures are called from now on.
+  void setNames(StructureNames names);
+  /// Leaves the rows that match (see RowFilter); nothing typed leaves all.
+  void setFilter(const QString& text);
+  bool filtered() const { return m_filter.active(); }
+  /// The structures that match the filter; none where there is no filter.
+  const NodeIds& matches() const { return m_matches; }
+
   model::NodeId idOf(const QModelIndex& index) const;
-  /// In the name's column; invalid for a node that is not in the tree.
+  /// In the name's column; invalid for a node without a row.
   QModelIndex indexOf(model::NodeId id) const;
+  const TreeShape& shape() const { return m_shape; }
+  const RowState& state(model::NodeId id) const;
 
   QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
   QModelIndex parent(const QModelIndex& index) const override;
@@ -38,22 +52,30 @@ class StructureTreeModel : public QAbstractItemModel {
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
+  QStringList mimeTypes() const override;
+  QMimeData* mimeData(const QModelIndexList& indexes) const override;
+  Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
+
+ signals:
+  /// Around steps or a reset that add, take away or move rows. `opened`: another document.
+  void rearranging();
+  void rearranged(bool opened);
 
  private:
-  struct Place {
-    model::NodeId parent;
-    int row = 0;
-    std::vector<model::NodeId> children;
-  };
-  using Shape = std::unordered_map<std::uint64_t, Place>;
-  static Shape shapeOf(const model::Scene& scene);
-  const Place* place(model::NodeId id) const;
-  const RowState& state(model::NodeId id) const;
-  void change(const model::Scene& before, const model::Scene& now);
-  QVariant describe(const QModelIndex& index) const;
+  TreeShape shapeOf(const model::Scene& scene);
+  void change(const Document& before, const Document& now);
+  void changeRows(const model::Scene& before, const model::Scene& now, const RowStates& old);
+  void rearrange(TreeShape shape, bool opened);
+  bool take(const RowStep& step);
+  QString nameOf(const model::Node& node) const;
+  QString describe(const QModelIndex& index) const;
+  QString describeGamma(const model::Node& node) const;
+  QString describeColour(const model::Node& node) const;
 
   Session& m_session;
-  Shape m_shape;
+  RowFilter m_filter;
+  NodeIds m_matches;
+  TreeShape m_shape;
   RowStates m_states;  ///< worked out anew from each scene
 };
 

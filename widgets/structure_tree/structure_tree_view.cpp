@@ -1,85 +1,158 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/structure_tree/structure_tree_view.h"
 
+#include <QDragMoveEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QMimeData>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QScopedValueRollback>
-#include <QSortFilterProxyModel>
+#include <QScrollBar>
+#include <QToolTip>
 #include <algorithm>
+#include <cmath>
 
-#include "model/edit/visibility.h"
+#include "model/edit/locks.h"
 #include "widgets/structure_tree/cell_painting.h"
+#include "widgets/structure_tree/node_mime.h"
 #include "widgets/structure_tree/structure_delegate.h"
+#include "widgets/structure_tree/structure_edits.h"
 #include "widgets/structure_tree/structure_tree_model.h"
 
 namespace sline::widgets {
 
 using Model = StructureTreeModel;
 
+namespace {
+/// Where there are more rows, a document that is opened shows its top level alone.
+constexpr std::size_t rowsAtAGlance = 300;
+}  // namespace
+
 StructureTreeView::StructureTreeView(Session& session, QWidget* parent)
     : QTreeView(parent),
       m_session(session),
       m_model(new Model(session, this)),
-      m_filtered(new QSortFilterProxyModel(this)),
-      m_drag(session) {
+      m_drag(session),
+      m_sweep(session) {
   setObjectName(QStringLiteral("structureTree"));
   setAccessibleName(tr("Structures"));
-  m_filtered->setSourceModel(m_model);
-  m_filtered->setFilterKeyColumn(Model::name);
-  m_filtered->setFilterCaseSensitivity(Qt::CaseInsensitive);
-  m_filtered->setRecursiveFilteringEnabled(true);
-  m_filtered->setAutoAcceptChildRows(true);
-  setModel(m_filtered);
+  setModel(m_model);
   setItemDelegate(new StructureDelegate(this));
   setTreePosition(Model::name);
   setUniformRowHeights(true);
   setSelectionMode(ExtendedSelection);
   setSelectionBehavior(SelectRows);
-  setEditTriggers(EditKeyPressed);
+  setEditTriggers(NoEditTriggers);
+  setExpandsOnDoubleClick(false);
   setAllColumnsShowFocus(true);
   setIndentation(14);
   setContextMenuPolicy(Qt::ActionsContextMenu);
   setFrameShape(NoFrame);
+  setDragEnabled(true);
+  setAcceptDrops(true);
+  setDropIndicatorShown(false);  // the line and the frame are painted here
+  setDragDropMode(DragDrop);
+  setDefaultDropAction(Qt::MoveAction);
+  setAutoExpandDelay(700);
+  setAutoScrollMargin(24);
+  shapeColumns();
+  connectModel();
+  afterArranging(true);
+}
 
+void StructureTreeView::shapeColumns() {
   QHeaderView* columns = header();
   columns->setStretchLastSection(false);
   columns->setSectionsMovable(false);
   columns->setMinimumSectionSize(24);
-  columns->setSectionResizeMode(Model::eye, QHeaderView::Fixed);
-  columns->setSectionResizeMode(Model::swatch, QHeaderView::Fixed);
+  for (const auto& [column, width] :
+       {std::pair(Model::eye, 30), {Model::swatch, 26}, {Model::gamma, 132}, {Model::lock, 26}}) {
+    columns->setSectionResizeMode(column, QHeaderView::Fixed);
+    columns->resizeSection(column, width);
+  }
   columns->setSectionResizeMode(Model::name, QHeaderView::Stretch);
-  columns->setSectionResizeMode(Model::gamma, QHeaderView::Fixed);
-  columns->resizeSection(Model::eye, 30);
-  columns->resizeSection(Model::swatch, 26);
-  columns->resizeSection(Model::gamma, 132);
+}
 
-  connect(m_model, &QAbstractItemModel::modelReset, this, [this] {
-    expandAll();
-    fromSession();
-  });
+void StructureTreeView::connectModel() {
+  connect(m_model, &Model::rearranging, this, &StructureTreeView::beforeArranging);
+  connect(m_model, &Model::rearranged, this, &StructureTreeView::afterArranging);
   connect(selectionModel(), &QItemSelectionModel::selectionChanged, this,
           &StructureTreeView::toSession);
-  connect(&session, &Session::selectionChanged, this, &StructureTreeView::fromSession);
-  expandAll();
+  connect(&m_session, &Session::selectionChanged, this, [this] {
+    fromSession();
+    if (!m_following && !m_session.selection().empty()) {
+      const QModelIndex row = indexOf(m_session.selection().front());
+      if (row.isValid())
+        scrollTo(row);
+    }
+  });
+  connect(this, &QTreeView::collapsed, this, [this](const QModelIndex& index) {
+    if (!m_arranging && !m_model->filtered())
+      m_closed.insert(idAt(index).value);
+  });
+  connect(this, &QTreeView::expanded, this, [this](const QModelIndex& index) {
+    if (!m_arranging && !m_model->filtered())
+      m_closed.erase(idAt(index).value);
+  });
+}
+
+void StructureTreeView::setNames(StructureNames names) {
+  m_model->setNames(std::move(names));
 }
 
 void StructureTreeView::setFilter(const QString& text) {
-  {
-    // What the filter hides stays selected: looking for one structure forgets no other.
-    const QScopedValueRollback following(m_following, true);
-    m_filtered->setFilterFixedString(text.trimmed());
+  m_model->setFilter(text);
+  emit filtered();
+}
+
+const NodeIds& StructureTreeView::matches() const {
+  return m_model->matches();
+}
+
+void StructureTreeView::beforeArranging() {
+  m_following = true;
+  m_arranging = true;
+  m_scroll = verticalScrollBar()->value();
+  m_current = currentIndex().isValid() ? idAt(currentIndex()) : model::rootId;
+}
+
+void StructureTreeView::afterArranging(bool opened) {
+  if (opened) {
+    m_closed.clear();
+    if (m_model->shape().rows() > rowsAtAGlance)
+      for (const model::Node& node : m_session.scene().nodes())
+        if (node.isGroup())
+          m_closed.insert(node.id.value);
   }
-  expandAll();
+  openGroups();
+  m_arranging = false;
+  m_following = false;
   fromSession();
+  if (opened)
+    return;
+  if (!currentIndex().isValid() && indexOf(m_current).isValid())
+    selectionModel()->setCurrentIndex(indexOf(m_current), QItemSelectionModel::NoUpdate);
+  executeDelayedItemsLayout();
+  verticalScrollBar()->setValue(m_scroll);
+}
+
+void StructureTreeView::openGroups() {
+  const QScopedValueRollback arranging(m_arranging, true);
+  for (const model::Node& node : m_session.scene().nodes()) {
+    const QModelIndex row = node.isGroup() ? indexOf(node.id).siblingAtColumn(0) : QModelIndex();
+    const bool open = m_model->filtered() || !m_closed.contains(node.id.value);
+    if (row.isValid() && isExpanded(row) != open)
+      setExpanded(row, open);
+  }
 }
 
 model::NodeId StructureTreeView::idAt(const QModelIndex& shown) const {
-  return m_model->idOf(m_filtered->mapToSource(shown));
+  return m_model->idOf(shown);
 }
 
 QModelIndex StructureTreeView::indexOf(model::NodeId id) const {
-  return m_filtered->mapFromSource(m_model->indexOf(id));
+  return m_model->indexOf(id);
 }
 
 QRect StructureTreeView::cellOf(model::NodeId id, int column) const {
@@ -94,26 +167,42 @@ NodeIds StructureTreeView::meant(const QModelIndex& shown) const {
   return part ? selected : NodeIds{id};
 }
 
-void StructureTreeView::toggle(const NodeIds& ids) {
-  const model::Scene& scene = m_session.scene();
-  const bool all = std::all_of(ids.begin(), ids.end(), [&](model::NodeId id) {
-    return model::shownOf(scene, id) == model::Shown::all;
-  });
-  if (all)
-    m_session.apply(tr("Hide"), model::withHidden(scene, ids));
-  else
-    m_session.apply(tr("Show"), model::withShown(scene, ids));
+void StructureTreeView::rename(model::NodeId id) {
+  const QModelIndex index = indexOf(id);
+  if (!index.isValid())
+    return;
+  setFocus();
+  scrollTo(index);
+  setCurrentIndex(index);
+  edit(index);
 }
 
-void StructureTreeView::toggleSelection() {
-  if (!m_session.selection().empty())
-    toggle(m_session.selection());
+void StructureTreeView::renameCurrent() {
+  const NodeIds& selected = m_session.selection();
+  const model::NodeId current = idAt(currentIndex());
+  const bool part = std::find(selected.begin(), selected.end(), current) != selected.end();
+  if (part || !selected.empty())
+    rename(part ? current : selected.front());
+}
+
+void StructureTreeView::enter() {
+  setFocus();
+  const NodeIds& matches = m_model->matches();
+  const QModelIndex first =
+      matches.empty() ? m_model->index(0, Model::name) : indexOf(matches.front());
+  if (!currentIndex().isValid() || !m_session.selection().empty() || m_model->filtered())
+    setCurrentIndex(first);
 }
 
 bool StructureTreeView::pressControl(const QModelIndex& index, const QPointF& at) {
   switch (index.column()) {
     case Model::eye:
-      toggle(meant(index));
+      m_sweep.begin(SwitchSweep::Switch::eye, meant(index));
+      m_sweptTo = at.y();
+      return true;
+    case Model::lock:
+      m_sweep.begin(SwitchSweep::Switch::lock, meant(index));
+      m_sweptTo = at.y();
       return true;
     case Model::swatch:
       emit colourWanted(meant(index));
@@ -121,6 +210,10 @@ bool StructureTreeView::pressControl(const QModelIndex& index, const QPointF& at
     case Model::gamma:
       if (at.x() > GammaCell{QRectF(visualRect(index))}.number().left())
         return false;  // the number selects, like the name
+      if (model::editable(m_session.scene(), meant(index)).empty()) {
+        QToolTip::showText(viewport()->mapToGlobal(at.toPoint()), tr("Locked"), viewport());
+        return true;
+      }
       m_drag.begin(meant(index));
       m_dragged = idAt(index);
       dragGamma(at);
@@ -130,22 +223,60 @@ bool StructureTreeView::pressControl(const QModelIndex& index, const QPointF& at
   }
 }
 
+bool StructureTreeView::resetControl(const QModelIndex& index) {
+  if (index.column() == Model::gamma)
+    inherit(m_session, meant(index), model::Inherited::gamma);
+  else if (index.column() == Model::swatch)
+    inherit(m_session, meant(index), model::Inherited::colour);
+  else
+    return false;
+  return true;
+}
+
 void StructureTreeView::dragGamma(const QPointF& at) {
   const GammaCell cell{QRectF(cellOf(m_dragged, Model::gamma))};
   m_drag.moveTo(cell.gammaAt(at.x()));
 }
 
+void StructureTreeView::sweepTo(const QPointF& at) {
+  // A fast mouse jumps over rows.
+  const double step = std::max(1, rowHeight(m_model->index(0, 0)));
+  const int column = m_sweep.what() == SwitchSweep::Switch::eye ? Model::eye : Model::lock;
+  const int x = columnViewportPosition(column) + 1;
+  const int rows = int(std::ceil(std::abs(at.y() - m_sweptTo) / step));
+  for (int i = 1; i <= rows; ++i) {
+    const double y = m_sweptTo + (at.y() - m_sweptTo) * i / rows;
+    const QModelIndex row = indexAt(QPoint(x, int(y)));
+    if (row.isValid())
+      m_sweep.add(idAt(row));
+  }
+  m_sweptTo = at.y();
+}
+
 void StructureTreeView::mousePressEvent(QMouseEvent* event) {
   const QModelIndex index = indexAt(event->position().toPoint());
-  const bool plain = event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier;
-  if (plain && index.isValid() && pressControl(index, event->position()))
-    return;
+  m_adding = event->modifiers().testFlag(Qt::ControlModifier);
+  if (index.isValid() && !m_drag.active() && !m_sweep.active()) {
+    const bool left = event->button() == Qt::LeftButton;
+    if (left && event->modifiers() == Qt::NoModifier && pressControl(index, event->position()))
+      return;
+    const bool alone =
+        event->modifiers() == Qt::AltModifier || event->modifiers() == Qt::ControlModifier;
+    if (left && alone && index.column() == Model::eye) {
+      isolate(m_session, meant(index));
+      return;
+    }
+    if (event->button() == Qt::MiddleButton && resetControl(index))
+      return;
+  }
   QTreeView::mousePressEvent(event);
 }
 
 void StructureTreeView::mouseMoveEvent(QMouseEvent* event) {
   if (m_drag.active())
     dragGamma(event->position());
+  else if (m_sweep.active())
+    sweepTo(event->position());
   else
     QTreeView::mouseMoveEvent(event);
 }
@@ -153,26 +284,89 @@ void StructureTreeView::mouseMoveEvent(QMouseEvent* event) {
 void StructureTreeView::mouseReleaseEvent(QMouseEvent* event) {
   if (m_drag.active() && event->button() == Qt::LeftButton)
     m_drag.finish();
+  else if (m_sweep.active() && event->button() == Qt::LeftButton)
+    m_sweep.finish();
   else
     QTreeView::mouseReleaseEvent(event);
 }
 
 void StructureTreeView::mouseDoubleClickEvent(QMouseEvent* event) {
-  // On a control the second click is one more click.
+  // On a control the second click is one more click; on a name it renames.
   const QModelIndex index = indexAt(event->position().toPoint());
   if (index.isValid() && index.column() != Model::name)
     mousePressEvent(event);
+  else if (index.isValid() && event->button() == Qt::LeftButton &&
+           visualRect(index).contains(event->position().toPoint()))
+    rename(idAt(index));
   else
     QTreeView::mouseDoubleClickEvent(event);
 }
 
 void StructureTreeView::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape && m_drag.active())
+  m_adding = event->modifiers().testFlag(Qt::ControlModifier);
+  const int key = event->key();
+  if (key == Qt::Key_Escape && (m_drag.active() || m_sweep.active())) {
     m_drag.cancel();
-  else if (event->key() == Qt::Key_Space)
-    toggleSelection();
-  else
+    m_sweep.cancel();
+  } else if (key == Qt::Key_Space && !m_adding) {
+    toggleShown(m_session, m_session.selection());
+  } else if (key == Qt::Key_Backspace) {
+    inherit(m_session, m_session.selection(), model::Inherited::gamma);
+  } else if ((key == Qt::Key_Return || key == Qt::Key_Enter) &&
+             event->modifiers().testFlags(Qt::NoModifier) && state() != EditingState) {
+    emit zoomWanted();
+  } else {
     QTreeView::keyPressEvent(event);
+  }
+}
+
+void StructureTreeView::showDrop(std::optional<DropPlace> place) {
+  m_drop = place;
+  viewport()->update();
+}
+
+void StructureTreeView::dragMoveEvent(QDragMoveEvent* event) {
+  QTreeView::dragMoveEvent(event);  // scrolls at the edges, opens groups
+  const auto ids = nodesFromMime(m_session, *event->mimeData());
+  showDrop(ids ? dropPlace(*this, *m_model, m_session.scene(), *ids, event->position().toPoint())
+               : std::nullopt);
+  if (m_drop) {
+    event->setDropAction(Qt::MoveAction);
+    event->accept();
+  } else {
+    event->ignore();
+  }
+}
+
+void StructureTreeView::dragLeaveEvent(QDragLeaveEvent* event) {
+  showDrop(std::nullopt);
+  QTreeView::dragLeaveEvent(event);
+}
+
+void StructureTreeView::dropEvent(QDropEvent* event) {
+  const auto ids = nodesFromMime(m_session, *event->mimeData());
+  const auto place =
+      ids ? dropPlace(*this, *m_model, m_session.scene(), *ids, event->position().toPoint())
+          : std::nullopt;
+  showDrop(std::nullopt);
+  setState(NoState);
+  stopAutoScroll();
+  if (!place) {
+    event->ignore();
+    return;
+  }
+  event->setDropAction(Qt::MoveAction);
+  event->accept();
+  moveNodes(m_session, *ids, place->group, place->before);
+}
+
+void StructureTreeView::paintEvent(QPaintEvent* event) {
+  QTreeView::paintEvent(event);
+  if (!m_drop || m_drop->mark.isNull())
+    return;
+  QPainter painter(viewport());
+  painter.setRenderHint(QPainter::Antialiasing);
+  paintDropMark(painter, m_drop->mark, m_drop->into, palette());
 }
 
 void StructureTreeView::toSession() {
@@ -181,6 +375,10 @@ void StructureTreeView::toSession() {
   NodeIds ids;
   for (const QModelIndex& index : selectionModel()->selectedRows(Model::name))
     ids.push_back(idAt(index));
+  if (m_adding)
+    for (const model::NodeId id : m_session.selection())
+      if (!indexOf(id).isValid())
+        ids.push_back(id);
   const QScopedValueRollback following(m_following, true);
   m_session.select(std::move(ids));
 }
@@ -189,15 +387,28 @@ void StructureTreeView::fromSession() {
   if (m_following)
     return;
   const QScopedValueRollback following(m_following, true);
+  // Neighbours as one range: Qt weighs each range against all others.
+  std::vector<QModelIndex> rows;
+  for (const model::NodeId id : m_session.selection())
+    if (const QModelIndex index = indexOf(id); index.isValid())
+      rows.push_back(index);
+  const auto before = [](const QModelIndex& a, const QModelIndex& b) {
+    return std::pair(a.parent().internalId(), a.row()) <
+           std::pair(b.parent().internalId(), b.row());
+  };
+  std::sort(rows.begin(), rows.end(), before);
   QItemSelection selection;
-  for (const model::NodeId id : m_session.selection()) {
-    const QModelIndex index = indexOf(id);
-    if (index.isValid())
-      selection.select(index.siblingAtColumn(0), index.siblingAtColumn(Model::gamma));
+  for (std::size_t first = 0, last = 0; first < rows.size(); first = ++last) {
+    while (last + 1 < rows.size() && rows[last + 1].parent() == rows[first].parent() &&
+           rows[last + 1].row() == rows[last].row() + 1)
+      ++last;
+    selection.append(QItemSelectionRange(rows[first].siblingAtColumn(0),
+                                         rows[last].siblingAtColumn(Model::columns - 1)));
   }
   selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
-  if (!selection.isEmpty())
-    scrollTo(indexOf(m_session.selection().front()));
+  const bool elsewhere = !rows.empty() && !selectionModel()->isSelected(currentIndex());
+  if (elsewhere)
+    selectionModel()->setCurrentIndex(rows.front(), QItemSelectionModel::NoUpdate);
 }
 
 }  // namespace sline::widgets

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tree on screen: clicks on eyes and swatches, drags of Γ, keys.
+// The tree on screen: clicks on eyes, swatches and locks, drags of Γ and of rows, keys.
 #pragma once
 
+#include <QPersistentModelIndex>
 #include <QTreeView>
+#include <optional>
 
+#include "model/edit/node_sets.h"
 #include "widgets/gamma/gamma_drag.h"
-
-class QSortFilterProxyModel;
+#include "widgets/structure_tree/drop_place.h"
+#include "widgets/structure_tree/structure_names.h"
+#include "widgets/structure_tree/switch_sweep.h"
 
 namespace sline::widgets {
 
@@ -17,17 +21,27 @@ class StructureTreeView : public QTreeView {
  public:
   explicit StructureTreeView(Session& session, QWidget* parent = nullptr);
 
-  /// Shows the structures whose names, or whose groups' names, contain the text.
+  /// How structures are called from now on.
+  void setNames(StructureNames names);
+  /// Shows the structures whose names, or whose groups' names, contain all words of the text.
   void setFilter(const QString& text);
+  /// The structures that match the filter; none where there is none.
+  const NodeIds& matches() const;
   /// The row, by its name's cell; invalid where the filter hides it.
   QModelIndex indexOf(model::NodeId id) const;
   /// The row's cell in the viewport; empty where the row is out of sight.
   QRect cellOf(model::NodeId id, int column) const;
-  /// Hides what is selected where all of it is shown, else shows it.
-  void toggleSelection();
+  /// Opens the editor of the name, or of the current row's.
+  void rename(model::NodeId id);
+  void renameCurrent();
+  /// The first row becomes the current one, where none is.
+  void enter();
 
  signals:
   void colourWanted(const std::vector<sline::model::NodeId>& ids);
+  /// Enter was pressed: bring what is selected into the picture.
+  void zoomWanted();
+  void filtered();
 
  protected:
   void mousePressEvent(QMouseEvent* event) override;
@@ -35,23 +49,43 @@ class StructureTreeView : public QTreeView {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void dragMoveEvent(QDragMoveEvent* event) override;
+  void dragLeaveEvent(QDragLeaveEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
 
  private:
+  void shapeColumns();
+  void connectModel();
   model::NodeId idAt(const QModelIndex& shown) const;
   /// The selection where the row is part of it, else the row alone.
   NodeIds meant(const QModelIndex& shown) const;
-  void toggle(const NodeIds& ids);
   bool pressControl(const QModelIndex& index, const QPointF& at);
+  /// Takes from the group above again what the cell says.
+  bool resetControl(const QModelIndex& index);
   void dragGamma(const QPointF& at);
+  void sweepTo(const QPointF& at);
+  void showDrop(std::optional<DropPlace> place);
   void toSession();
   void fromSession();
+  /// What was open before the rows were arranged anew is open again.
+  void beforeArranging();
+  void afterArranging(bool opened);
+  void openGroups();
 
   Session& m_session;
   StructureTreeModel* m_model;
-  QSortFilterProxyModel* m_filtered;
   GammaDrag m_drag;
   model::NodeId m_dragged;
+  SwitchSweep m_sweep;
+  double m_sweptTo = 0.0;
+  std::optional<DropPlace> m_drop;
+  model::NodeSet m_closed;   ///< groups that a person closed
+  bool m_arranging = false;  ///< groups open and close by themselves
   bool m_following = false;  ///< the session's selection, not the person's
+  bool m_adding = false;     ///< Ctrl is down: what the filter hides stays selected
+  int m_scroll = 0;          ///< where the rows stood before they are arranged anew
+  model::NodeId m_current;   ///< the current row, likewise
 };
 
 }  // namespace sline::widgets

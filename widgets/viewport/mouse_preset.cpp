@@ -140,7 +140,6 @@ std::vector<ControlRow> controlRows(MousePreset preset) {
       {tr("Arrow keys"), tr("Turn by %1°").arg(QLocale().toString(5))},
       {control + tr("Arrow keys"), tr("Move the picture")},
       {tr("Plus, minus"), tr("Zoom")},
-      {tr("Space in the list"), tr("Show or hide the selected structures")},
       {tr("Escape during a drag"), tr("As it was before")}};
   rows.insert(rows.end(), others.begin(), others.end());
   std::erase_if(rows, [](const ControlRow& row) { return row.control.isEmpty(); });

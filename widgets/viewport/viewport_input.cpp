@@ -211,7 +211,7 @@ void Viewport::clicked(const Picks& picks, const QPoint& at, ClickFor purpose) {
     if (!node)
       return;
     setPivot(pick->position);
-    emit pivotChosen(QString::fromStdString(node->name));
+    emit pivotChosen(m_session.names().shown(node->name));
     return;
   }
   NodeIds ids;
@@ -238,7 +238,7 @@ void Viewport::wantName() {
   m_picker.askLatest(question(m_mouse), [this](const Picks& picks) {
     const model::Node* node = picks.seen ? m_session.scene().find(picks.seen->id) : nullptr;
     if (node)
-      m_marks->showName(QString::fromStdString(node->name), m_mouse.toPoint());
+      m_marks->showName(m_session.names().shown(node->name), m_mouse.toPoint());
   });
 }
 
@@ -261,8 +261,10 @@ void Viewport::resizeEvent(QResizeEvent* event) {
 
 void Viewport::changeEvent(QEvent* event) {
   QOpenGLWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange)
+  if (event->type() == QEvent::FontChange || event->type() == QEvent::LanguageChange)
     placeMarks();
+  if (event->type() == QEvent::LanguageChange)
+    setAccessibleName(tr("Picture"));
 }
 
 bool Viewport::event(QEvent* event) {

@@ -58,9 +58,13 @@ ControlsDialog::ControlsDialog(const std::vector<ControlRow>& mouse, QWidget* pa
 }
 
 void ControlsDialog::fill(const std::vector<ControlRow>& mouse) {
-  QTreeWidgetItem* picture = heading(*m_rows, tr("Mouse"));
-  for (const ControlRow& row : mouse)
-    new QTreeWidgetItem(picture, {row.control, row.meaning});
+  const auto add = [this](const QString& title, const std::vector<ControlRow>& rows) {
+    QTreeWidgetItem* group = heading(*m_rows, title);
+    for (const ControlRow& row : rows)
+      new QTreeWidgetItem(group, {row.control, row.meaning});
+  };
+  add(tr("Mouse"), mouse);
+  add(tr("List of structures"), listRows());
   const std::vector<ActionRow> actions = actionRows();
   for (const MenuRow& menu : menuRows()) {
     QTreeWidgetItem* group = nullptr;

@@ -85,12 +85,17 @@ void FileActions::connectActions() {
   on("reload", [this] { m_session.reloadSources(); });
   on("recover", [this] { offerRecovery(); });
   on("quit", [this] { m_window.close(); });
-  m_actions[QStringLiteral("recover")].setEnabled(false);
+  m_actions[QStringLiteral("recover")].setEnabled(!m_recoverable.empty());
   auto& recent = *m_window.findChild<QMenu*>(QStringLiteral("recentMenu"));
   connect(&recent, &QMenu::aboutToShow, this, [this, &recent] { fillRecent(recent); });
   const auto enable = [this, &recent] { recent.setEnabled(!m_recent.paths().isEmpty()); };
-  connect(&m_recent, &RecentFiles::changed, this, enable);
+  connect(&m_recent, &RecentFiles::changed, &recent, enable);
   enable();
+}
+
+void FileActions::controlsRemade() {
+  connectActions();
+  fileChange();
 }
 
 void FileActions::connectSaver() {

@@ -40,6 +40,9 @@ class FileActions : public QObject {
   /// All parts must outlive it.
   FileActions(const Parts& parts, QMainWindow& window);
 
+  /// The window's actions and menus are others now.
+  void controlsRemade();
+
   /// What is on screen, for the small picture in scene files; until it is said they keep theirs.
   void setPicture(std::function<QImage()> picture) { m_picture = std::move(picture); }
   /// Who decides what becomes of dropped files where there may be a choice; a scene file alone is

@@ -15,7 +15,7 @@ namespace sline::widgets {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("FileDialogs", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 
 /// "*.sline *.mrml *.obj …", for a file dialog.

@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QGridLayout>
@@ -18,13 +19,13 @@
 #include <algorithm>
 #include <array>
 
-#include "model/edit/emphasis.h"
-#include "model/edit/tree.h"
-#include "model/edit/visibility.h"
 #include "model/files/cache_folder.h"
 #include "widgets/focus/focus_context.h"
 #include "widgets/focus/focus_panel.h"
 #include "widgets/gamma/gamma_panel.h"
+#include "widgets/help/help_pages.h"
+#include "widgets/help/help_window.h"
+#include "widgets/language/languages.h"
 #include "widgets/preferences/preferences_dialog.h"
 #include "widgets/sections/sections_panel.h"
 #include "widgets/session/demo_scenes.h"
@@ -34,11 +35,13 @@
 #include "widgets/viewport/viewport.h"
 #include "widgets/window/about_dialog.h"
 #include "widgets/window/controls_dialog.h"
+#include "widgets/window/controls_memory.h"
 #include "widgets/window/file_actions.h"
 #include "widgets/window/message_bar.h"
 #include "widgets/window/picture_habits.h"
 #include "widgets/window/picture_menu.h"
 #include "widgets/window/section_actions.h"
+#include "widgets/window/structure_actions.h"
 #include "widgets/window/view_actions.h"
 
 namespace sline::widgets {
@@ -93,16 +96,8 @@ MainWindow::MainWindow(Session& session, QSettings& settings, QWidget* parent)
   setAcceptDrops(true);
   setDockOptions(AnimatedDocks | AllowTabbedDocks);
   makeCentre();
-  makePanels();
-  makeStatus();
-  makeMenus();
-  makeFiles();
-  makeTools();
-  connectSession();
-  connectActions();
-  connectViews();
+  makeControls();
   restore();
-  documentChange({}, session.document());
 }
 
 MainWindow::~MainWindow() = default;
@@ -110,6 +105,9 @@ MainWindow::~MainWindow() = default;
 void MainWindow::makeCentre() {
   m_message = new MessageBar;
   m_viewport = new Viewport(m_session);
+  m_focus = new FocusContext(
+      m_session, [this] { return m_viewport->camera(); }, this);
+  connect(m_focus, &FocusContext::failed, m_message, &MessageBar::showError);
   auto* centre = new QWidget;
   auto* layout = new QGridLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -125,8 +123,6 @@ void MainWindow::makePanels() {
   m_gamma = new GammaPanel(m_session);
   addDockWidget(Qt::LeftDockWidgetArea, dock(tr("Structures"), "structuresPanel", m_tree));
   addDockWidget(Qt::RightDockWidgetArea, dock(tr("Line Style"), "gammaPanel", m_gamma));
-  m_focus = new FocusContext(
-      m_session, [this] { return m_viewport->camera(); }, this);
   auto* focus = new FocusPanel(m_session, *m_focus);
   QDockWidget* focusPanel = dock(tr("Focus and Context"), "focusPanel", focus);
   addDockWidget(Qt::RightDockWidgetArea, focusPanel);
@@ -135,7 +131,6 @@ void MainWindow::makePanels() {
   tabifyDockWidget(focusPanel, dock(tr("Sections"), "sectionsPanel", m_sectionsPanel));
   focusPanel->raise();
   connect(focus, &FocusPanel::focusWanted, &m_actions[QStringLiteral("focus")], &QAction::trigger);
-  connect(m_focus, &FocusContext::failed, m_message, &MessageBar::showError);
   auto* history = new QUndoView(&m_session.history());
   history->setObjectName(QStringLiteral("history"));
   history->setAccessibleName(tr("History"));
@@ -146,6 +141,54 @@ void MainWindow::makePanels() {
   resizeDocks({findChild<QDockWidget*>(QStringLiteral("structuresPanel")),
                findChild<QDockWidget*>(QStringLiteral("gammaPanel"))},
               {380, 250}, Qt::Horizontal);
+}
+
+void MainWindow::makeControls() {
+  m_parts = new QObject(this);
+  makePanels();
+  makeStatus();
+  makeMenus();
+  makeFiles();
+  makeStart();
+  makeTools();
+  connectSession();
+  connectActions();
+  connectViews();
+  nameStructures();
+  documentChange({}, m_session.document());
+}
+
+void MainWindow::remakeControls() {
+  const ControlsMemory memory(*this);
+  // What outlives the controls must not speak to those that were.
+  for (QObject* source :
+       {static_cast<QObject*>(&m_session), static_cast<QObject*>(&m_preferences),
+        static_cast<QObject*>(&m_session.history()), static_cast<QObject*>(m_viewport)})
+    for (QObject* listener : {static_cast<QObject*>(this), static_cast<QObject*>(m_message)})
+      source->disconnect(listener);
+  placeMessage(false);
+  delete m_start;
+  delete m_parts;
+  clearControls(*this);
+  m_actions.remake(*this);
+  setLocale(QLocale());
+  makeControls();
+  memory.restore(*this);
+}
+
+void MainWindow::nameStructures() {
+  const auto follow = [this] {
+    m_session.names().setLanguage(
+        namesLanguage(m_preferences.choice(QStringLiteral("language/structures")), QLocale()));
+  };
+  connect(&m_preferences, &Preferences::changed, m_parts, follow);
+  follow();
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::LanguageChange)
+    remakeControls();
+  QMainWindow::changeEvent(event);
 }
 
 void MainWindow::makeStatus() {
@@ -166,7 +209,7 @@ void MainWindow::makeStatus() {
   statusBar()->addPermanentWidget(m_progress);
   statusBar()->addPermanentWidget(m_cancel);
   statusBar()->addPermanentWidget(m_summary);
-  jobShown(false);
+  jobShown(m_session.busy());
 }
 
 void MainWindow::jobShown(bool running) {
@@ -188,17 +231,21 @@ void MainWindow::makeMenus() {
     m_tree->view().addAction(action);
   m_views = new ViewActions(m_session, *m_viewport, m_settings, m_actions,
                             menus[QStringLiteral("savedViews")]);
-  m_sections = new SectionActions(m_session, *m_viewport, m_actions, this);
+  m_structures = new StructureActions(m_session, *m_tree, *m_viewport, m_actions, m_parts);
+  m_sections = new SectionActions(m_session, *m_viewport, m_actions, m_parts);
   connect(m_sections, &SectionActions::refused, m_message, &MessageBar::showError);
   m_sections->fillAddMenu(m_sectionsPanel->addButton());
-  new PictureHabits(*m_viewport, m_preferences, m_actions, this);
-  new PictureMenu(m_session, *m_viewport, *m_sections, *m_menus, this);
+  new PictureHabits(*m_viewport, m_preferences, m_actions, m_parts);
+  new PictureMenu(m_session, *m_viewport, *m_sections, *m_menus, m_parts);
   for (QDockWidget* panel : findChildren<QDockWidget*>())
     menus[QStringLiteral("panelMenu")].addAction(panel->toggleViewAction());
   makeBackgrounds(menus[QStringLiteral("backgroundMenu")]);
 }
 
 void MainWindow::makeFiles() {
+  // It holds what is being written and must outlive a change of language.
+  if (m_files)
+    return m_files->controlsRemade();
   m_files = new FileActions({.session = m_session,
                              .settings = m_settings,
                              .preferences = m_preferences,
@@ -206,6 +253,9 @@ void MainWindow::makeFiles() {
                              .message = *m_message},
                             *this);
   m_files->setPicture([this] { return m_viewport->grabFramebuffer(); });
+}
+
+void MainWindow::makeStart() {
   const std::filesystem::path cache = model::userCacheFolder();
   m_start = new StartPage(*this, m_files->recent(), cache.empty() ? cache : cache / "pictures");
   m_start->setDrawing(m_settings.value(QLatin1String(demoPicturesKey), true).toBool());
@@ -217,8 +267,9 @@ void MainWindow::makeFiles() {
   connect(m_start, &StartPage::recentChosen, m_files, &FileActions::openRecent);
   connect(m_start, &StartPage::recoverWanted, m_files, &FileActions::recover);
   connect(m_start, &StartPage::forgetWanted, m_files, &FileActions::forget);
-  connect(m_files, &FileActions::recoverableChanged, m_start,
-          [this] { m_start->setRecoverable(m_files->recoverable()); });
+  const auto follow = [this] { m_start->setRecoverable(m_files->recoverable()); };
+  connect(m_files, &FileActions::recoverableChanged, m_start, follow);
+  follow();
 }
 
 void MainWindow::showStart() {
@@ -226,8 +277,12 @@ void MainWindow::showStart() {
   if (wanted == m_start->isVisibleTo(this))
     return;
   m_start->setVisible(wanted);
+  placeMessage(wanted);
+}
+
+void MainWindow::placeMessage(bool onStartPage) {
   // What is said must not be said beneath the page.
-  if (wanted)
+  if (onStartPage)
     m_start->messagePlace().addWidget(m_message);
   else
     static_cast<QGridLayout*>(centralWidget()->layout())->addWidget(m_message, 0, 0, Qt::AlignTop);
@@ -271,7 +326,6 @@ void MainWindow::makeTools() {
 
 void MainWindow::connectSession() {
   connect(&m_session, &Session::documentChanged, this, &MainWindow::documentChange);
-  connect(&m_session, &Session::selectionChanged, this, &MainWindow::updateActions);
   connect(&m_session, &Session::failed, m_message, &MessageBar::showError);
   connect(&m_session, &Session::remarked, m_message, &MessageBar::showRemarks);
   connect(&m_session, &Session::jobStarted, this, [this](const QString& title) {
@@ -313,19 +367,8 @@ void MainWindow::connectActions() {
   on("redo", [this] { m_session.redo(); });
   on("find", [this] { m_tree->find(); });
   on("focus", [this] { m_focus->focusOn(m_session.selection()); });
-  on("context", [this] { editSelection(tr("Context"), model::withContext); });
-  on("inherit", [this] { editSelection(tr("Inherit Γ"), model::withGammaInherited); });
-  on("toggle", [this] { m_tree->view().toggleSelection(); });
-  on("isolate", [this] { editSelection(tr("Isolate"), model::withOnlyVisible); });
-  on("showAll", [this] {
-    NodeIds all;
-    for (const model::Node& node : m_session.scene().nodes())
-      all.push_back(node.id);
-    m_session.apply(tr("Show All"), model::withShown(m_session.scene(), all));
-  });
-  on("remove", [this] { editSelection(tr("Remove"), model::removed); });
   on("fit", [this] { m_viewport->fitAll(); });
-  on("zoomTo", [this] { m_viewport->fitTo(m_session.selection()); });
+  on("help", [this] { showHelp(); });
   on("controls",
      [this] { (new ControlsDialog(controlRows(m_viewport->mousePreset()), this))->open(); });
   on("preferences", [this] { (new PreferencesDialog(m_preferences, this))->open(); });
@@ -349,6 +392,17 @@ void MainWindow::connectViews() {
           &QAction::trigger);
   connect(m_gamma, &GammaPanel::contextWanted, &m_actions[QStringLiteral("context")],
           &QAction::trigger);
+}
+
+void MainWindow::showHelp() {
+  const QString page = helpPageOf(QApplication::focusWidget());
+  auto* help = findChild<HelpWindow*>();
+  if (!help)
+    help = new HelpWindow(this);
+  help->showPage(page);
+  help->show();
+  help->raise();
+  help->activateWindow();
 }
 
 void MainWindow::restore() {
@@ -383,13 +437,6 @@ void MainWindow::dropEvent(QDropEvent* event) {
   m_files->dropped(paths);
 }
 
-void MainWindow::editSelection(const QString& name,
-                               model::Edited (*edit)(const model::Scene&,
-                                                     std::span<const model::NodeId>)) {
-  if (!m_session.selection().empty())
-    m_session.apply(name, edit(m_session.scene(), m_session.selection()));
-}
-
 void MainWindow::documentChange(const Document& before, const Document& now) {
   if (before.opening != now.opening || now.opening == 0) {
     m_summary->setText(now.opening == 0 ? QString() : summaryOf(now.scene));
@@ -399,9 +446,6 @@ void MainWindow::documentChange(const Document& before, const Document& now) {
 }
 
 void MainWindow::updateActions() {
-  const bool any = !m_session.selection().empty();
-  for (const char* id : {"focus", "context", "inherit", "toggle", "isolate", "remove", "zoomTo"})
-    m_actions[QLatin1String(id)].setEnabled(any);
   m_actions[QStringLiteral("reload")].setEnabled(m_session.canReload());
 }
 

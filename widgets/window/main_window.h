@@ -25,8 +25,9 @@ class FocusContext;
 class GammaPanel;
 class MessageBar;
 class SectionActions;
-class SectionsPanel;
 class StartPage;
+class StructureActions;
+class SectionsPanel;
 class StructureTree;
 class ViewActions;
 class Viewport;
@@ -49,9 +50,15 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   void makeCentre();
+  /// All but the centre.
+  void makeControls();
+  /// Again, in the language of now.
+  void remakeControls();
+  void nameStructures();
   void makePanels();
   void makeStatus();
   void makeMenus();
@@ -61,11 +68,12 @@ class MainWindow : public QMainWindow {
   void connectActions();
   void connectViews();
   void restore();
+  void showHelp();
   void makeFiles();
+  void makeStart();
   /// The start page while nothing is open and nothing is on its way.
   void showStart();
-  void editSelection(const QString& name,
-                     model::Edited (*edit)(const model::Scene&, std::span<const model::NodeId>));
+  void placeMessage(bool onStartPage);
   void documentChange(const Document& before, const Document& now);
   void updateActions();
   void jobShown(bool running);
@@ -75,6 +83,7 @@ class MainWindow : public QMainWindow {
   Preferences m_preferences;
   WindowActions m_actions;
   std::optional<WindowMenus> m_menus;
+  QObject* m_parts = nullptr;  ///< what belongs to the controls, and goes with them
   MessageBar* m_message = nullptr;
   Viewport* m_viewport = nullptr;
   FileActions* m_files = nullptr;
@@ -83,6 +92,7 @@ class MainWindow : public QMainWindow {
   GammaPanel* m_gamma = nullptr;
   FocusContext* m_focus = nullptr;
   SectionActions* m_sections = nullptr;
+  StructureActions* m_structures = nullptr;
   SectionsPanel* m_sectionsPanel = nullptr;
   ViewActions* m_views = nullptr;
   QLabel* m_summary = nullptr;

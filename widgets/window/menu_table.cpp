@@ -16,7 +16,7 @@ namespace sline::widgets {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("WindowMenus", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 
 std::vector<QString> ids(std::initializer_list<const char*> words) {
@@ -40,8 +40,12 @@ std::vector<MenuRow> menuRows() {
       row("demoMenu", tr("&Demo"), {}),
       row("editMenu", tr("&Edit"), ids({"undo", "redo", "", "find", "", "preferences"})),
       row("structureMenu", tr("&Structure"),
-          ids({"focus", "context", "inherit", "", "toggle", "isolate", "showAll", "", "zoomTo", "",
-               "remove"})),
+          ids({"focus",   "context", "ghost",      "colour",     ">inheritMenu",
+               "",        "toggle",  "isolate",    "hideOthers", "showAll",
+               "zoomTo",  "",        "rename",     "newGroup",   "group",
+               "ungroup", "lock",    "properties", "",           "remove"})),
+      row("inheritMenu", tr("&Inherit"),
+          ids({"inherit", "inheritColour", "inheritOpacity", "", "inheritAll"})),
       row("viewMenu", tr("&View"),
           ids({"anterior", "posterior", "left", "right", "superior", "inferior", "fit", "zoomTo",
                "", ">savedViews", "", ">sectionMenu", "keyLight", ">backgroundMenu", ">marksMenu",
@@ -54,7 +58,7 @@ std::vector<MenuRow> menuRows() {
       row("marksMenu", tr("&Over the Picture"),
           ids({"showCube", "showScaleBar", "showNames", "showFrameTime"})),
       row("panelMenu", tr("Pa&nels"), {}),
-      row("helpMenu", tr("&Help"), ids({"controls", "", "about"})),
+      row("helpMenu", tr("&Help"), ids({"help", "controls", "", "about"})),
   };
 }
 

@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPlainTextEdit>
@@ -30,29 +31,34 @@ QString sentence(std::string text) {
 MessageBar::MessageBar(QWidget* parent)
     : QFrame(parent),
       m_text(new QLabel),
-      m_details(new QPushButton(tr("Show all"))),
+      m_details(new QPushButton),
+      m_close(new QToolButton),
       m_remedy(new QPushButton) {
   m_remedy->setObjectName(QStringLiteral("messageRemedy"));
   setObjectName(QStringLiteral("messageBar"));
-  setAccessibleName(tr("Message"));
   m_text->setObjectName(QStringLiteral("messageText"));
   m_text->setWordWrap(true);
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_details->setObjectName(QStringLiteral("messageDetails"));
-  auto* close = new QToolButton;
-  close->setObjectName(QStringLiteral("messageClose"));
-  close->setAccessibleName(tr("Close the message"));
-  close->setText(QStringLiteral("✕"));
-  close->setAutoRaise(true);
+  m_close->setObjectName(QStringLiteral("messageClose"));
+  m_close->setText(QStringLiteral("✕"));
+  m_close->setAutoRaise(true);
+  nameControls();
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(14, 8, 8, 8);
   layout->addWidget(m_text, 1);
   layout->addWidget(m_details, 0, Qt::AlignTop);
   layout->addWidget(m_remedy, 0, Qt::AlignTop);
-  layout->addWidget(close, 0, Qt::AlignTop);
-  connect(close, &QToolButton::clicked, this, &QWidget::hide);
+  layout->addWidget(m_close, 0, Qt::AlignTop);
+  connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
   connect(m_details, &QPushButton::clicked, this, &MessageBar::showDetails);
   hide();
+}
+
+void MessageBar::nameControls() {
+  setAccessibleName(tr("Message"));
+  m_close->setAccessibleName(tr("Close the message"));
+  m_details->setText(tr("Show all %n", nullptr, int(m_remarks.size())));
 }
 
 QString MessageBar::text() const {
@@ -76,8 +82,8 @@ void MessageBar::showRemarks(const QStringList& remarks) {
 void MessageBar::showNotice(const QString& heading, const QString& body, QAction& action) {
   m_remarks.clear();
   m_remedy->setText(QString(action.text()).remove(QLatin1Char('&')));
-  m_remedy->disconnect(this);
-  connect(m_remedy, &QPushButton::clicked, this, [&action] { action.trigger(); });
+  disconnect(m_remedy, &QPushButton::clicked, nullptr, nullptr);
+  connect(m_remedy, &QPushButton::clicked, &action, &QAction::trigger);
   display(Kind::notice, heading, sentence(body.toStdString()));
 }
 
@@ -94,7 +100,7 @@ void MessageBar::display(Kind kind, const QString& heading, const QString& body)
   m_kind = kind;
   m_remedy->setVisible(kind == Kind::notice);
   m_details->setVisible(m_remarks.size() > 1);
-  m_details->setText(tr("Show all %n", nullptr, int(m_remarks.size())));
+  nameControls();
   dress();
   show();
 }
@@ -103,6 +109,9 @@ void MessageBar::changeEvent(QEvent* event) {
   QFrame::changeEvent(event);
   if (event->type() == QEvent::PaletteChange)
     dress();
+  // It outlives the other controls when the language changes: what it says must not be lost.
+  if (event->type() == QEvent::LanguageChange)
+    nameControls();
 }
 
 void MessageBar::dress() {

@@ -8,6 +8,7 @@
 class QAction;
 class QLabel;
 class QPushButton;
+class QToolButton;
 
 namespace sline::widgets {
 
@@ -34,10 +35,12 @@ class MessageBar : public QFrame {
   void display(Kind kind, const QString& heading, const QString& body);
   void dress();
   void showDetails();
+  void nameControls();
 
   Kind m_kind = Kind::remark;
   QLabel* m_text;
   QPushButton* m_details;
+  QToolButton* m_close;
   QPushButton* m_remedy;
   QStringList m_remarks;
 };

@@ -13,29 +13,28 @@ namespace sline::widgets {
 namespace {
 
 /// As a menu's entry: an ampersand in a name is no mark of a key.
-QString plain(const std::string& name) {
-  return QString::fromStdString(name).replace(QLatin1Char('&'), QLatin1String("&&"));
+QString plain(QString name) {
+  return name.replace(QLatin1Char('&'), QLatin1String("&&"));
 }
 
 }  // namespace
 
 PictureMenu::PictureMenu(Session& session, Viewport& viewport, SectionActions& sections,
-                         const WindowMenus& menus, QWidget* parent)
+                         const WindowMenus& menus, QObject* parent)
     : QObject(parent),
       m_session(session),
       m_viewport(viewport),
       m_sections(sections),
-      m_menus(menus),
-      m_parent(parent) {
+      m_menus(menus) {
   connect(&viewport, &Viewport::menuWanted, this, &PictureMenu::popUp);
 }
 
 void PictureMenu::addStructure(QMenu& menu, const std::optional<Pick>& pick) {
   const model::Node* first = m_session.scene().find(m_session.selection().front());
   const int others = int(m_session.selection().size()) - 1;
+  const QString name = plain(m_session.names().shown(first->name));
   QAction* heading =
-      menu.addAction(others > 0 ? tr("%1 and %n more", nullptr, others).arg(plain(first->name))
-                                : plain(first->name));
+      menu.addAction(others > 0 ? tr("%1 and %n more", nullptr, others).arg(name) : name);
   heading->setEnabled(false);
   menu.addSeparator();
   menu.addActions(m_menus[QStringLiteral("structureMenu")].actions());
@@ -56,7 +55,7 @@ void PictureMenu::popUp(const QPoint& onScreen, const std::optional<Pick>& pick)
   const NodeIds& selected = m_session.selection();
   if (pick && std::find(selected.begin(), selected.end(), pick->id) == selected.end())
     m_session.select({pick->id});
-  auto* menu = new QMenu(m_parent);
+  auto* menu = new QMenu(&m_viewport);
   menu->setObjectName(QStringLiteral("pictureMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
   if (pick)

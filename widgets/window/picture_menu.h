@@ -10,7 +10,6 @@
 #include "widgets/window/menu_table.h"
 
 class QMenu;
-class QWidget;
 
 namespace sline::widgets {
 
@@ -23,7 +22,7 @@ class PictureMenu : public QObject {
   Q_OBJECT
  public:
   PictureMenu(Session& session, Viewport& viewport, SectionActions& sections,
-              const WindowMenus& menus, QWidget* parent);
+              const WindowMenus& menus, QObject* parent);
 
  private:
   void popUp(const QPoint& onScreen, const std::optional<Pick>& pick);
@@ -33,7 +32,6 @@ class PictureMenu : public QObject {
   Viewport& m_viewport;
   SectionActions& m_sections;
   const WindowMenus& m_menus;
-  QWidget* m_parent;
 };
 
 }  // namespace sline::widgets

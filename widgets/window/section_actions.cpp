@@ -108,7 +108,7 @@ void SectionActions::fillAddMenu(QToolButton& button) {
     const model::NodeId scope = commonNode(m_session.scene(), m_session.selection());
     if (scope == model::rootId)
       return;
-    menu->addSection(tr("Of %1 alone").arg(scopeText(m_session.scene(), scope)));
+    menu->addSection(tr("Of %1 alone").arg(scopeText(m_session, scope)));
     fill(*menu, {.scope = scope});
   });
 }

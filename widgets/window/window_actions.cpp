@@ -12,7 +12,7 @@ namespace sline::widgets {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("WindowActions", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 
 QList<QKeySequence> key(const QKeySequence& keys) {
@@ -56,7 +56,7 @@ std::vector<ActionRow> fileRows() {
            tr("Type a few letters of a name")}};
 }
 
-std::vector<ActionRow> structureRows() {
+std::vector<ActionRow> lookRows() {
   return {
       {QStringLiteral("focus"),
        tr("&Focus"),
@@ -65,16 +65,55 @@ std::vector<ActionRow> structureRows() {
        "focus"},
       {QStringLiteral("context"), tr("&Context"), key(tr("Ctrl+D")),
        tr("The selected structures as contours"), "context"},
-      {QStringLiteral("inherit"), tr("&Inherit Γ"), {}, tr("Take Γ from the group above again")},
+      {QStringLiteral("ghost"), tr("&Ghost"), key(tr("Ctrl+Shift+D")),
+       tr("The selected structures as outlines under a veil"), "ghost"},
+      {QStringLiteral("colour"), tr("Co&lour…"), {}, tr("Another colour for the selected")},
+      {QStringLiteral("inherit"), tr("Inherit &Γ"), {}, tr("Take Γ from the group above again")},
+      {QStringLiteral("inheritColour"),
+       tr("Inherit &Colour"),
+       {},
+       tr("Take the colour from the group above again")},
+      {QStringLiteral("inheritOpacity"),
+       tr("Inherit &Opacity"),
+       {},
+       tr("Take the opacity from the group above again")},
+      {QStringLiteral("inheritAll"),
+       tr("Inherit &All"),
+       {},
+       tr("Take the whole look from the group above again")},
       {QStringLiteral("toggle"),
        tr("Show or &Hide"),
        {},
        tr("Hide the selected structures, or show them again (Space in the list)"),
        "toggle"},
-      {QStringLiteral("isolate"), tr("I&solate"), key(tr("/")), tr("Hide everything else"),
-       "isolate"},
+      {QStringLiteral("isolate"), tr("I&solate"), key(tr("/")),
+       tr("Show the selected structures and nothing else; again: everything"), "isolate"},
+      {QStringLiteral("hideOthers"), tr("Hide &Others"), key(tr("Shift+H")),
+       tr("Hide all but the selected structures")},
       {QStringLiteral("showAll"), tr("Show &All"), key(tr("Ctrl+Shift+H")), tr("Hide nothing"),
-       "show_all"},
+       "show_all"}};
+}
+
+std::vector<ActionRow> structureRows() {
+  return {
+      {QStringLiteral("zoomTo"),
+       tr("&Zoom To"),
+       {QKeySequence(tr("Z")), QKeySequence(tr(".")),
+        QKeySequence(int(Qt::KeypadModifier) | Qt::Key_Period),
+        QKeySequence(int(Qt::KeypadModifier) | Qt::Key_Comma)},
+       tr("Bring the selected structures into the picture, and turn around them"),
+       "zoom_to"},
+      {QStringLiteral("rename"), tr("Re&name"), key(tr("F2")), tr("Another name")},
+      {QStringLiteral("newGroup"), tr("Ne&w Group"), key(tr("Ctrl+Shift+N")), tr("An empty group")},
+      {QStringLiteral("group"), tr("Grou&p"), key(tr("Ctrl+G")),
+       tr("The selected structures in a group of their own"), "group"},
+      {QStringLiteral("ungroup"), tr("&Ungroup"), key(tr("Ctrl+Shift+G")),
+       tr("Dissolve the selected groups; what is in them keeps its look")},
+      {QStringLiteral("lock"), tr("Loc&k"), key(tr("Ctrl+L")),
+       tr("What is locked keeps its look, name and place and cannot be clicked in the picture"),
+       "lock"},
+      {QStringLiteral("properties"), tr("Propert&ies…"), key(tr("Alt+Return")),
+       tr("Where it came from, how large it is, how it is drawn")},
       {QStringLiteral("remove"), tr("&Remove"), key(QKeySequence::Delete),
        tr("Take the selected structures out of the scene"), "remove"}};
 }
@@ -89,12 +128,6 @@ std::vector<ActionRow> viewRows() {
       {QStringLiteral("inferior"), tr("&Inferior"), key(tr("I")), tr("Seen from below")},
       {QStringLiteral("fit"), tr("&Fit All"), key(tr("Home")),
        tr("Bring all that is shown into the picture"), "fit"},
-      {QStringLiteral("zoomTo"),
-       tr("&Zoom to Selection"),
-       {QKeySequence(tr(".")), QKeySequence(int(Qt::KeypadModifier) | Qt::Key_Period),
-        QKeySequence(int(Qt::KeypadModifier) | Qt::Key_Comma), QKeySequence(tr("Z"))},
-       tr("Bring the selected structures into the picture, and turn around them"),
-       "zoom_to"},
       {QStringLiteral("sectionSagittal"), tr("&Sagittal"), key(tr("Ctrl+1")),
        tr("Cut in the plane between left and right; again: whole"), "section_sagittal"},
       {QStringLiteral("sectionCoronal"), tr("&Coronal"), key(tr("Ctrl+2")),
@@ -109,6 +142,8 @@ std::vector<ActionRow> viewRows() {
        tr("Take all sections away")},
       {QStringLiteral("keyLight"), tr("&Key Light"), key(tr("K")),
        tr("Light from the upper left on what is shaded"), "key_light"},
+      {QStringLiteral("help"), tr("&Help on This"), key(QKeySequence(Qt::Key_F1)),
+       tr("The page about the panel that has the keyboard")},
       {QStringLiteral("showCube"),
        tr("&Orientation Cube"),
        {},
@@ -131,12 +166,19 @@ std::vector<ActionRow> viewRows() {
 
 std::vector<ActionRow> actionRows() {
   std::vector<ActionRow> rows = fileRows();
-  for (const std::vector<ActionRow>& more : {structureRows(), viewRows()})
+  for (const std::vector<ActionRow>& more : {lookRows(), structureRows(), viewRows()})
     rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }
 
 WindowActions::WindowActions(QWidget& window) {
+  remake(window);
+}
+
+void WindowActions::remake(QWidget& window) {
+  for (const auto& [id, action] : m_actions)
+    delete action;
+  m_actions.clear();
   for (const ActionRow& row : actionRows()) {
     auto* action = new QAction(row.text, &window);
     action->setObjectName(row.id);
@@ -154,6 +196,16 @@ QAction& WindowActions::operator[](const QString& id) const {
   const auto found = m_actions.find(id);
   Q_ASSERT(found != m_actions.end());
   return *found->second;
+}
+
+std::vector<ControlRow> listRows() {
+  return {{tr("Space"), tr("Show or hide the selected structures")},
+          {tr("Enter"), tr("Bring the selected structures into the picture")},
+          {tr("Drag over eyes or locks"), tr("Set them all alike")},
+          {tr("Alt + click on an eye"), tr("Show this and nothing else; again: everything")},
+          {tr("Middle click on Γ or colour"), tr("Take it from the group above again")},
+          {tr("Drag rows"), tr("Put them elsewhere, or into another group")},
+          {tr("Double click on a name"), tr("Another name")}};
 }
 
 }  // namespace sline::widgets

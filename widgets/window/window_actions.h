@@ -8,6 +8,8 @@
 #include <map>
 #include <vector>
 
+#include "widgets/viewport/mouse_preset.h"
+
 class QAction;
 class QWidget;
 
@@ -23,11 +25,15 @@ struct ActionRow {
 
 /// In the order in which help lists them.
 std::vector<ActionRow> actionRows();
+/// What mouse and keys do in the list of structures beside these.
+std::vector<ControlRow> listRows();
 
 class WindowActions {
  public:
   /// Makes an action of each row and adds it to the window, so that its keys work.
   explicit WindowActions(QWidget& window);
+  /// Makes them once more, in the language of now; those that were are gone.
+  void remake(QWidget& window);
   /// Asserts that the table has it.
   QAction& operator[](const QString& id) const;
 

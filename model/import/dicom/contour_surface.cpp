@@ -1,17 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/import/dicom/contour_surface.h"
 
-#include <vtkCellArray.h>
-#include <vtkCellArrayIterator.h>
-#include <vtkFloatArray.h>
-#include <vtkFlyingEdges3D.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -21,6 +11,7 @@
 #include "model/import/half_edges.h"
 #include "model/import/vertex_rings.h"
 #include "model/import/windowed_sinc.h"
+#include "model/isosurface/zero_surface.h"
 
 namespace sline::model {
 
@@ -39,34 +30,11 @@ SincFilter filterFor(float edge, double spacing) {
 
 /// The surface 0 in (u, v, n), about the middle of the box.
 void isosurface(const FieldBox& box, RawMesh& mesh) {
-  vtkNew<vtkFloatArray> values;
-  // Flying edges only reads; the box outlives it.
-  values->SetArray(const_cast<float*>(box.values.data()), vtkIdType(box.values.size()), 1);
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(box.size.x, box.size.y, box.size.z);
   const glm::dvec3 half = 0.5 * box.step * glm::dvec3(box.size - 1);
-  image->SetOrigin(-half.x, -half.y, -half.z);
-  image->SetSpacing(box.step.x, box.step.y, box.step.z);
-  image->GetPointData()->SetScalars(values);
-  vtkNew<vtkFlyingEdges3D> contour;
-  contour->SetInputData(image);
-  contour->SetValue(0, 0.0);
-  contour->ComputeNormalsOff();
-  contour->ComputeScalarsOff();
-  contour->Update();
-  vtkPolyData* out = contour->GetOutput();
-  for (vtkIdType i = 0; i < out->GetNumberOfPoints(); ++i) {
-    std::array<double, 3> p{};
-    out->GetPoint(i, p.data());
-    mesh.positions.emplace_back(p[0], p[1], p[2]);
-  }
-  const auto cells = vtk::TakeSmartPointer(out->GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell()) {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    cells->GetCurrentCell(count, ids);
-    mesh.triangles.push_back({std::uint32_t(ids[0]), std::uint32_t(ids[1]), std::uint32_t(ids[2])});
-  }
+  ZeroSurface surface =
+      zeroSurface({.size = box.size, .origin = -half, .step = box.step, .values = box.values});
+  mesh.positions = std::move(surface.positions);
+  mesh.triangles = std::move(surface.triangles);
 }
 
 double signedVolume(const RawMesh& mesh) {

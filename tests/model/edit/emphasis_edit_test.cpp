@@ -82,6 +82,50 @@ class EmphasisEditTest : public QObject {
     QCOMPARE(gammaOf(grouped.scene, m_b), 4.5f);
     QCOMPARE(gammaOf(grouped.scene, m_c), 1.0f);
   }
+
+  void ghostsAreOutlinesUnderAVeil() {
+    const NodeId only[] = {m_a};
+    const NodeId group[] = {m_group};
+    Scene scene = withGamma(m_scene, only, gamma(4.0f)).scene;
+    scene = withGhost(scene, group).scene;
+    for (const NodeId id : {m_a, m_b}) {
+      QCOMPARE(gammaOf(scene, id), 0.0f);
+      QVERIFY(scene.resolve(id).fill == Fill::veil);
+    }
+    QVERIFY(scene.resolve(m_c) == m_scene.resolve(m_c));
+    QVERIFY(!withGhost(scene, group).changed);
+  }
+
+  void inheritsFieldByField_data() {
+    QTest::addColumn<int>("what");
+    QTest::addColumn<bool>("gammaStays");
+    QTest::addColumn<bool>("colourStays");
+    QTest::addColumn<bool>("opacityStays");
+    QTest::newRow("gamma") << int(Inherited::gamma) << false << true << true;
+    QTest::newRow("colour") << int(Inherited::colour) << true << false << true;
+    QTest::newRow("opacity") << int(Inherited::opacity) << true << true << false;
+    QTest::newRow("all") << int(Inherited::all) << false << false << false;
+  }
+  void inheritsFieldByField() {
+    QFETCH(int, what);
+    QFETCH(bool, gammaStays);
+    QFETCH(bool, colourStays);
+    QFETCH(bool, opacityStays);
+    const NodeId only[] = {m_a};
+    Style own{.colour = Colour{1, 2, 3}, .gamma = gamma(4.0f), .opacity = Opacity::clamped(0.5f)};
+    own.visible = false;
+    const Scene scene = withStyle(m_scene, only, own).scene;
+    const NodeId group[] = {m_group};
+    for (const auto& named : {std::span<const NodeId>(only), std::span<const NodeId>(group)}) {
+      const Scene after = withInherited(scene, named, Inherited(what)).scene;
+      const Style& style = after.find(m_a)->style;
+      QCOMPARE(style.gamma.has_value(), gammaStays);
+      QCOMPARE(style.colour.has_value(), colourStays);
+      QCOMPARE(style.opacity.has_value(), opacityStays);
+      QVERIFY2(style.visible == false, "what is hidden stays hidden");
+      QVERIFY(!withInherited(after, named, Inherited(what)).changed);
+    }
+  }
 };
 
 }  // namespace sline::model

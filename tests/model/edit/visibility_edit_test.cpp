@@ -138,6 +138,49 @@ class VisibilityEditTest : public QObject {
     QVERIFY(shownOf(s.scene, s.id("B")) == Shown::none);
     QVERIFY(shownOf(s.scene, rootId) == Shown::some);
   }
+
+  void hidesOthers_data() {
+    QTest::addColumn<QString>("before");
+    QTest::addColumn<QString>("ids");
+    QTest::addColumn<QString>("visible");
+    QTest::newRow("a structure") << ""
+                                 << "b"
+                                 << "b";
+    QTest::newRow("a group") << ""
+                             << "B"
+                             << "b c";
+    QTest::newRow("a group and one beside it") << ""
+                                               << "B d"
+                                               << "b c d";
+    QTest::newRow("a group and one in it") << ""
+                                           << "A b"
+                                           << "b c a";
+    QTest::newRow("what is hidden stays hidden") << "-b"
+                                                 << "B"
+                                                 << "c";
+    QTest::newRow("itself hidden") << "-d"
+                                   << "d"
+                                   << "";
+    QTest::newRow("none") << ""
+                          << ""
+                          << "b c a d";
+    QTest::newRow("the unknown") << ""
+                                 << "x"
+                                 << "b c a d";
+  }
+  void hidesOthers() {
+    QFETCH(QString, before);
+    QFETCH(QString, ids);
+    QFETCH(QString, visible);
+    Sample s;
+    s.edit(before);
+    const QString shownBefore = s.visible();
+    const Edited edited = withOthersHidden(s.scene, s.ids(ids));
+    s.scene = edited.scene;
+    QCOMPARE(s.visible(), visible);
+    QCOMPARE(edited.changed, visible != shownBefore);
+    QVERIFY(!withOthersHidden(s.scene, s.ids(ids)).changed);
+  }
 };
 
 }  // namespace sline::model

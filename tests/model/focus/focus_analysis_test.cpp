@@ -96,8 +96,7 @@ class FocusAnalysisTest : public QObject {
                                 " " + std::to_string(y.outside);
       QVERIFY2(x.role == y.role, about.c_str());
       QVERIFY2(std::abs(x.gap - y.gap) <= near && std::abs(x.hides - y.hides) <= near &&
-                   std::abs(x.outside - y.outside) <= near &&
-                   std::abs(x.distance - y.distance) <= near,
+                   std::abs(x.outside - y.outside) <= near,
                about.c_str());
     }
   }

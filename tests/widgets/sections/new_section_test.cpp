@@ -85,7 +85,10 @@ class NewSectionTest : public QObject {
         newSection(scene, {}, {.kind = SectionKind::sagittal, .scope = group});
     QVERIFY(section.scope == group);
     QCOMPARE(std::abs(section.plane.offset), 10.0f);  // the middle of the kidneys
-    QCOMPARE(scopeText(scene, section.scope), QStringLiteral("kidneys"));
+    Session session;
+    session.apply("body", {scene, true});
+    QCOMPARE(scopeText(session, section.scope), QStringLiteral("kidneys"));
+    QCOMPARE(scopeText(session, model::rootId), QStringLiteral("Whole scene"));
   }
 
   void positions_data() {
@@ -119,5 +122,5 @@ class NewSectionTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(NewSectionTest)
+QTEST_GUILESS_MAIN(NewSectionTest)
 #include "new_section_test.moc"

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QAbstractItemModelTester>
+#include <QMimeData>
 #include <QSignalSpy>
 #include <QTest>
+#include <memory>
 
 #include "model/edit/emphasis.h"
+#include "model/edit/locks.h"
 #include "model/edit/tree.h"
 #include "model/edit/visibility.h"
 #include "tests/support/shapes.h"
+#include "widgets/structure_tree/node_mime.h"
 #include "widgets/structure_tree/structure_tree_model.h"
 
 namespace sline::widgets {
@@ -68,8 +72,11 @@ class StructureTreeModelTest : public QObject {
     QSignalSpy changes(&tree, &QAbstractItemModel::dataChanged);
     const auto changed = [&] {
       QStringList names;
-      for (const auto& arguments : std::as_const(changes))
-        names << arguments[0].toModelIndex().siblingAtColumn(Model::name).data().toString();
+      for (const auto& arguments : std::as_const(changes)) {
+        const QModelIndex first = arguments[0].toModelIndex();
+        for (int row = first.row(); row <= arguments[1].toModelIndex().row(); ++row)
+          names << first.sibling(row, Model::name).data().toString();
+      }
       changes.clear();
       return names.join(QLatin1Char(' '));
     };
@@ -82,6 +89,129 @@ class StructureTreeModelTest : public QObject {
     session.apply({}, model::renamed(session.scene(), kidney[0], "left kidney"));
     QCOMPARE(changed(), QStringLiteral("left kidney"));
     QCOMPARE(resets.count(), 0);
+  }
+
+  void neighboursAreToldTogether() {
+    Session session;
+    QVERIFY(open(session));
+    Model tree(session);
+    QSignalSpy changes(&tree, &QAbstractItemModel::dataChanged);
+    const model::NodeId organs[] = {id(session, "Organs")};
+    session.apply({}, model::withGamma(session.scene(), organs, Gamma::clamped(4.0f)));
+    QCOMPARE(changes.count(), 2);  // the group; what is in it
+    for (const auto& arguments : std::as_const(changes)) {
+      QCOMPARE(arguments[0].toModelIndex().column(), int(Model::gamma));
+      QCOMPARE(arguments[1].toModelIndex().column(), int(Model::gamma));
+    }
+  }
+
+  /// Rows come, go and move one by one, and back again; what Qt asks of a model holds throughout.
+  void rowsMoveWithoutReset() {
+    Session session;
+    QVERIFY(open(session));
+    Model tree(session);
+    const QAbstractItemModelTester tester(&tree,
+                                          QAbstractItemModelTester::FailureReportingMode::Fatal);
+    QSignalSpy resets(&tree, &QAbstractItemModel::modelReset);
+    const QPersistentModelIndex kidney = tree.indexOf(id(session, "kidney"));
+    const auto moved = [&](const char* name, model::NodeId group, model::NodeId before) {
+      const model::NodeId one[] = {id(session, name)};
+      return session.apply({}, model::moved(session.scene(), one, group, before));
+    };
+    const model::NodeId organs = id(session, "Organs");
+    const model::NodeId bone = id(session, "bone");
+    QVERIFY(moved("bone", model::rootId, organs));
+    QCOMPARE(tree.indexOf(bone).row(), 0);
+    QVERIFY(moved("kidney", model::rootId, model::rootId));
+    QCOMPARE(kidney.row(), 2);
+    QVERIFY(!kidney.parent().isValid());
+    const model::NodeId two[] = {kidney.isValid() ? tree.idOf(kidney) : bone, bone};
+    QVERIFY(session.apply({}, model::grouped(session.scene(), two, "Group").edited));
+    QCOMPARE(kidney.parent().siblingAtColumn(Model::name).data().toString(),
+             QStringLiteral("Group"));
+    const model::NodeId group[] = {id(session, "Group")};
+    QVERIFY(session.apply({}, model::ungrouped(session.scene(), group)));
+    while (session.history().canUndo())
+      session.undo();
+    QCOMPARE(kidney.row(), 0);
+    QVERIFY(tree.idOf(kidney.parent()) == organs);
+    QCOMPARE(resets.count(), 0);
+  }
+
+  void filterFollowsEdits() {
+    Session session;
+    QVERIFY(open(session));
+    Model tree(session);
+    const QAbstractItemModelTester tester(&tree,
+                                          QAbstractItemModelTester::FailureReportingMode::Fatal);
+    tree.setFilter(QStringLiteral("kid"));
+    QCOMPARE(tree.rowCount(), 1);
+    QCOMPARE(tree.rowCount(tree.index(0, 0)), 1);
+    const model::NodeId bone = id(session, "bone");
+    session.apply({}, model::renamed(session.scene(), bone, "kidney bone"));
+    QCOMPARE(tree.rowCount(), 2);
+    QCOMPARE(tree.matches().size(), std::size_t(2));
+    session.undo();
+    QCOMPARE(tree.rowCount(), 1);
+    tree.setFilter({});
+    QCOMPARE(tree.rowCount(), 2);
+    QVERIFY(tree.matches().empty());
+  }
+
+  void namesAreShownAsTheyAreCalled() {
+    Session session;
+    QVERIFY(open(session));
+    Model tree(session);
+    tree.setNames({.shown =
+                       [](const QString& name) {
+                         return name == QLatin1String("kidney") ? QStringLiteral("<b>Niere</b>")
+                                                                : name;
+                       },
+                   .alsoCalled = {}});
+    const QModelIndex kidney = tree.indexOf(id(session, "kidney"));
+    QCOMPARE(kidney.data().toString(), QStringLiteral("<b>Niere</b>"));
+    QCOMPARE(kidney.data(Qt::EditRole).toString(), QStringLiteral("kidney"));
+    QVERIFY2(!kidney.data(Qt::ToolTipRole).toString().contains(QStringLiteral("<b>")),
+             "names are no markup");
+    tree.setFilter(QStringLiteral("niere"));
+    QCOMPARE(tree.matches().size(), std::size_t(1));
+  }
+
+  void lockedRowsStayAndSaySo() {
+    Session session;
+    QVERIFY(open(session));
+    Model tree(session);
+    const model::NodeId organs[] = {id(session, "Organs")};
+    session.apply({}, model::withLocked(session.scene(), organs, true));
+    for (const auto& [name, lock] :
+         {std::pair("Organs", RowLock::own), {"kidney", RowLock::above}, {"bone", RowLock::open}}) {
+      const QModelIndex row = tree.indexOf(id(session, name));
+      const bool free = lock == RowLock::open;
+      QCOMPARE(row.data(Model::lockRole).toInt(), int(lock));
+      QCOMPARE(row.flags().testFlag(Qt::ItemIsEditable), free);
+      QCOMPARE(row.flags().testFlag(Qt::ItemIsDragEnabled), free);
+      QCOMPARE(row.siblingAtColumn(Model::lock)
+                   .data(Qt::AccessibleTextRole)
+                   .toString()
+                   .startsWith(QStringLiteral("Locked")),
+               !free);
+    }
+  }
+
+  void nodesTravelWithinTheirSession() {
+    Session session;
+    Session other;
+    QVERIFY(open(session));
+    QVERIFY(open(other));
+    Model tree(session);
+    const QModelIndex kidney = tree.indexOf(id(session, "kidney"));
+    const std::unique_ptr<QMimeData> data(tree.mimeData({kidney, kidney.siblingAtColumn(0)}));
+    QVERIFY(nodesFromMime(session, *data) == NodeIds{id(session, "kidney")});
+    QVERIFY(!nodesFromMime(other, *data));
+    QMimeData strange;
+    strange.setData(QLatin1String(nodeMimeType), QByteArray("short"));
+    QVERIFY(!nodesFromMime(session, strange));
+    QVERIFY(!nodesFromMime(session, QMimeData()));
   }
 
   void saysWhatIsInherited() {
@@ -116,10 +246,15 @@ class StructureTreeModelTest : public QObject {
         style.colour = Colour{std::uint8_t(i), 0, 0};
       if (i % 5 == 2)
         style.visible = false;
+      if (i % 7 == 3)
+        style.opacity = Opacity::clamped(0.5f);
       const model::NodeId parent = groups[std::size_t(i * 7) % groups.size()];
       const bool group = i % 6 == 0;
-      const model::NodeId id = scene.append(
-          {.parent = parent, .name = "n", .style = style, .mesh = group ? nullptr : ball});
+      const model::NodeId id = scene.append({.parent = parent,
+                                             .name = "n",
+                                             .style = style,
+                                             .locked = i % 11 == 4,
+                                             .mesh = group ? nullptr : ball});
       if (group)
         groups.push_back(id);
     }
@@ -130,7 +265,11 @@ class StructureTreeModelTest : public QObject {
       QCOMPARE(int(state.shown), int(model::shownOf(scene, node.id)));
       QVERIFY(state.gamma == model::gammaRangeOf(scene, node.id));
       QCOMPARE(state.ownGamma, node.style.gamma.has_value());
+      QCOMPARE(state.group, node.isGroup());
+      QCOMPARE(state.lock != RowLock::open, scene.isLocked(node.id));
       QCOMPARE(state.structures, scene.structuresBelow(node.id).size());
+      if (!node.isGroup())
+        QCOMPARE(state.opacity.value(), scene.resolve(node.id).opacity.value());
       if (!node.isGroup())
         QVERIFY(state.colours == std::vector<Colour>{scene.resolve(node.id).colour});
     }

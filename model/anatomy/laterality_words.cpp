@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/anatomy/laterality_words.h"
+
+#include <algorithm>
+#include <array>
+
+namespace sline::model {
+
+namespace {
+
+constexpr std::array<std::string_view, 17> leftWords{
+    "left",     "l",        "lt",                                            // English
+    "links",    "linke",    "linker",    "linkes",   "linken",    "linkse",  // German, Dutch
+    "sinister", "sinistra", "sinistrum", "sinistri", "sinistrae",            // Latin
+    "venstre",  "vänster",  "venstres"};  // Norwegian and neighbours
+
+constexpr std::array<std::string_view, 17> rightWords{
+    "right",  "r",      "rt",                                        // English
+    "rechts", "rechte", "rechter", "rechtes", "rechten", "rechtse",  // German, Dutch
+    "dexter", "dextra", "dextrum", "dextri",  "dextrae",             // Latin
+    "høyre",  "höger",  "høyres"};                                   // Norwegian and neighbours
+
+/// Nominatives: masculine, feminine, neuter; singular, then plural.
+struct LatinForms {
+  std::array<const char*, 3> singular;
+  std::array<const char*, 3> plural;
+};
+constexpr LatinForms latinLeft{{"sinister", "sinistra", "sinistrum"},
+                               {"sinistri", "sinistrae", "sinistra"}};
+constexpr LatinForms latinRight{{"dexter", "dextra", "dextrum"}, {"dextri", "dextrae", "dextra"}};
+
+std::size_t place(const Agreement& agreement) {
+  return agreement.gender == Gender::none ? 0 : std::size_t(agreement.gender) - 1;
+}
+
+std::string latin(Side side, const Agreement& agreement) {
+  const LatinForms& forms = side == Side::left ? latinLeft : latinRight;
+  return (agreement.plural ? forms.plural : forms.singular)[place(agreement)];
+}
+
+/// Without an article: "linker Harnleiter, linke Niere, linkes Schulterblatt, linke Arterien".
+std::string german(Side side, const Agreement& agreement) {
+  constexpr std::array<const char*, 3> endings{"er", "e", "es"};
+  return std::string(side == Side::left ? "link" : "recht") +
+         (agreement.plural ? "e" : endings[place(agreement)]);
+}
+
+}  // namespace
+
+Side sideOfWord(std::string_view word) {
+  const auto among = [word](const auto& words) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  if (among(leftWords))
+    return Side::left;
+  return among(rightWords) ? Side::right : Side::none;
+}
+
+std::string withSide(const std::string& name, Side side, NameLanguage language,
+                     const Agreement& agreement) {
+  if (side == Side::none)
+    return name;
+  const bool left = side == Side::left;
+  switch (language) {
+    case NameLanguage::english:
+      return (left ? "left " : "right ") + name;
+    case NameLanguage::latin:
+      return name + ' ' + latin(side, agreement);
+    case NameLanguage::german:
+      return german(side, agreement) + ' ' + name;
+    case NameLanguage::dutch:
+      return (left ? "linker " : "rechter ") + name;
+    case NameLanguage::norwegian:
+      return (left ? "venstre " : "høyre ") + name;
+  }
+  return name;
+}
+
+}  // namespace sline::model

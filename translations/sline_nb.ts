@@ -1,0 +1,1543 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="nb_NO" sourcelanguage="en">
+<context>
+    <name>main</name>
+    <message>
+        <source>Turns segmented anatomy into focus-and-context line illustrations.</source>
+        <translation>Gjør segmentert anatomi til strekillustrasjoner med fokus og kontekst.</translation>
+    </message>
+    <message>
+        <source>Meshes, label volumes, DICOM segmentations, molecules, folders of them, 3D Slicer scenes, scene files.</source>
+        <translation>Nett, etikettvolumer, DICOM-segmenteringer, molekyler, mapper med slike, 3D Slicer-scener, scenefiler.</translation>
+    </message>
+    <message>
+        <source>Opens a scene that the program models itself: %1.</source>
+        <translation>Åpner en scene som programmet selv modellerer: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets</name>
+    <message>
+        <source>Silhouette</source>
+        <translation>Silhuett</translation>
+    </message>
+    <message>
+        <source>The outer edge alone</source>
+        <translation>Bare ytterkanten</translation>
+    </message>
+    <message>
+        <source>Contours</source>
+        <translation>Konturer</translation>
+    </message>
+    <message>
+        <source>Every edge that faces away</source>
+        <translation>Hver kant som vender bort</translation>
+    </message>
+    <message>
+        <source>Suggestive contours</source>
+        <translation>Suggestive konturer</translation>
+    </message>
+    <message>
+        <source>Lines along folds as well</source>
+        <translation>Også linjer langs folder</translation>
+    </message>
+    <message>
+        <source>Hatching</source>
+        <translation>Skravering</translation>
+    </message>
+    <message>
+        <source>Tone by strokes</source>
+        <translation>Toner av streker</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Skyggelegging</translation>
+    </message>
+    <message>
+        <source>Colour behind lines and strokes</source>
+        <translation>Farge bak linjer og streker</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Overflate</translation>
+    </message>
+    <message>
+        <source>The shaded surface alone</source>
+        <translation>Bare den skyggelagte overflaten</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Utseende</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Tema</translation>
+    </message>
+    <message>
+        <source>Light or dark controls; the picture has a background of its own</source>
+        <translation>Lyse eller mørke kontroller; bildet har sin egen bakgrunn</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Som systemet</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Lyst</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Mørk</translation>
+    </message>
+    <message>
+        <source>Text under the toolbar’s icons</source>
+        <translation>Tekst under ikonene på verktøylinjen</translation>
+    </message>
+    <message>
+        <source>What each button does in a word</source>
+        <translation>Hva hver knapp gjør, med ett ord</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bilde</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Bakgrunn</translation>
+    </message>
+    <message>
+        <source>What the picture is drawn on; on the dark one ink is light</source>
+        <translation>Det bildet tegnes på; på mørk bunn er blekket lyst</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Hvit</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papir</translation>
+    </message>
+    <message>
+        <source>Pelvis of a Woman</source>
+        <translation>Bekken hos en kvinne</translation>
+    </message>
+    <message>
+        <source>Pelvis of a Man</source>
+        <translation>Bekken hos en mann</translation>
+    </message>
+    <message>
+        <source>Abdomen of a Woman</source>
+        <translation>Buk hos en kvinne</translation>
+    </message>
+    <message>
+        <source>Abdomen of a Man</source>
+        <translation>Buk hos en mann</translation>
+    </message>
+    <message>
+        <source>Kidney</source>
+        <translation>Nyre</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fil</translation>
+    </message>
+    <message>
+        <source>&amp;Demo</source>
+        <translation>&amp;Demo</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Rediger</translation>
+    </message>
+    <message>
+        <source>&amp;Structure</source>
+        <translation>&amp;Struktur</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Visning</translation>
+    </message>
+    <message>
+        <source>Saved &amp;Views</source>
+        <translation>Lagrede &amp;visninger</translation>
+    </message>
+    <message>
+        <source>S&amp;ection</source>
+        <translation>&amp;Snitt</translation>
+    </message>
+    <message>
+        <source>&amp;Background</source>
+        <translation>&amp;Bakgrunn</translation>
+    </message>
+    <message>
+        <source>Pa&amp;nels</source>
+        <translation>Pa&amp;neler</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hjelp</translation>
+    </message>
+    <message>
+        <source>Toolbar</source>
+        <translation>Verktøylinje</translation>
+    </message>
+    <message>
+        <source>&amp;Open Files…</source>
+        <translation>&amp;Åpne filer …</translation>
+    </message>
+    <message>
+        <source>Open &amp;Folder…</source>
+        <translation>Åpne &amp;mappe …</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+O</source>
+        <translation>Ctrl+Shift+O</translation>
+    </message>
+    <message>
+        <source>Open all meshes in a folder</source>
+        <translation>Åpne alle nett i en mappe</translation>
+    </message>
+    <message>
+        <source>&amp;Reload from Source</source>
+        <translation>&amp;Last inn på nytt fra kilden</translation>
+    </message>
+    <message>
+        <source>Read meshes again whose files have changed</source>
+        <translation>Les nett på nytt når filene er endret</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Avslutt</translation>
+    </message>
+    <message>
+        <source>Close the program</source>
+        <translation>Lukk programmet</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Angre</translation>
+    </message>
+    <message>
+        <source>Take the last step back</source>
+        <translation>Ta tilbake siste trinn</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Gjør om</translation>
+    </message>
+    <message>
+        <source>Do it again</source>
+        <translation>Gjør trinnet igjen</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Innstillinger …</translation>
+    </message>
+    <message>
+        <source>Theme, background and other habits</source>
+        <translation>Tema, bakgrunn og andre vaner</translation>
+    </message>
+    <message>
+        <source>&amp;Find Structure</source>
+        <translation>&amp;Finn struktur</translation>
+    </message>
+    <message>
+        <source>Type a few letters of a name</source>
+        <translation>Skriv noen bokstaver av et navn</translation>
+    </message>
+    <message>
+        <source>&amp;Focus</source>
+        <translation>&amp;Fokus</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>&amp;Context</source>
+        <translation>&amp;Kontekst</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
+    <message>
+        <source>The selected structures as contours</source>
+        <translation>De valgte strukturene som konturer</translation>
+    </message>
+    <message>
+        <source>&amp;Inherit Γ</source>
+        <translation>A&amp;rv Γ</translation>
+    </message>
+    <message>
+        <source>Take Γ from the group above again</source>
+        <translation>Ta Γ fra gruppen over igjen</translation>
+    </message>
+    <message>
+        <source>Show or &amp;Hide</source>
+        <translation>Vis eller skj&amp;ul</translation>
+    </message>
+    <message>
+        <source>Hide the selected structures, or show them again (Space in the list)</source>
+        <translation>Skjul de valgte strukturene, eller vis dem igjen (mellomrom i listen)</translation>
+    </message>
+    <message>
+        <source>I&amp;solate</source>
+        <translation>I&amp;soler</translation>
+    </message>
+    <message>
+        <source>/</source>
+        <translation>/</translation>
+    </message>
+    <message>
+        <source>Hide everything else</source>
+        <translation>Skjul alt annet</translation>
+    </message>
+    <message>
+        <source>Show &amp;All</source>
+        <translation>Vis &amp;alle</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+H</source>
+        <translation>Ctrl+Shift+H</translation>
+    </message>
+    <message>
+        <source>Hide nothing</source>
+        <translation>Skjul ingenting</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Fjern</translation>
+    </message>
+    <message>
+        <source>Take the selected structures out of the scene</source>
+        <translation>Ta de valgte strukturene ut av scenen</translation>
+    </message>
+    <message>
+        <source>&amp;Anterior</source>
+        <translation>F&amp;orfra</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>Seen from the front</source>
+        <translation>Sett forfra</translation>
+    </message>
+    <message>
+        <source>&amp;Posterior</source>
+        <translation>&amp;Bakfra</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <translation>P</translation>
+    </message>
+    <message>
+        <source>Seen from the back</source>
+        <translation>Sett bakfra</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>Fra &amp;venstre</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>Seen from the patient&apos;s left</source>
+        <translation>Sett fra pasientens venstre side</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>Fra &amp;høyre</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>Seen from the patient&apos;s right</source>
+        <translation>Sett fra pasientens høyre side</translation>
+    </message>
+    <message>
+        <source>&amp;Superior</source>
+        <translation>&amp;Ovenfra</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>Seen from above</source>
+        <translation>Sett ovenfra</translation>
+    </message>
+    <message>
+        <source>&amp;Inferior</source>
+        <translation>&amp;Nedenfra</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>Seen from below</source>
+        <translation>Sett nedenfra</translation>
+    </message>
+    <message>
+        <source>&amp;Fit All</source>
+        <translation>&amp;Tilpass alt</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>Bring all that is shown into the picture</source>
+        <translation>Få alt som vises inn i bildet</translation>
+    </message>
+    <message>
+        <source>&amp;Sagittal</source>
+        <translation>&amp;Sagittalt</translation>
+    </message>
+    <message>
+        <source>Ctrl+1</source>
+        <translation>Ctrl+1</translation>
+    </message>
+    <message>
+        <source>Cut in the plane between left and right; again: whole</source>
+        <translation>Skjær i planet mellom venstre og høyre; en gang til: hel</translation>
+    </message>
+    <message>
+        <source>&amp;Coronal</source>
+        <translation>&amp;Koronalt</translation>
+    </message>
+    <message>
+        <source>Ctrl+2</source>
+        <translation>Ctrl+2</translation>
+    </message>
+    <message>
+        <source>Cut in the plane between front and back; again: whole</source>
+        <translation>Skjær i planet mellom foran og bak; en gang til: hel</translation>
+    </message>
+    <message>
+        <source>&amp;Axial</source>
+        <translation>&amp;Aksialt</translation>
+    </message>
+    <message>
+        <source>Ctrl+3</source>
+        <translation>Ctrl+3</translation>
+    </message>
+    <message>
+        <source>Cut in the plane between upper and lower; again: whole</source>
+        <translation>Skjær i planet mellom øvre og nedre; en gang til: hel</translation>
+    </message>
+    <message>
+        <source>&amp;Flip</source>
+        <translation>&amp;Vend</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Keep the other side of each section</source>
+        <translation>Behold den andre siden av hvert snitt</translation>
+    </message>
+    <message>
+        <source>&amp;Whole Again</source>
+        <translation>&amp;Hel igjen</translation>
+    </message>
+    <message>
+        <source>Ctrl+0</source>
+        <translation>Ctrl+0</translation>
+    </message>
+    <message>
+        <source>Take all sections away</source>
+        <translation>Ta bort alle snitt</translation>
+    </message>
+    <message>
+        <source>&amp;Key Light</source>
+        <translation>H&amp;ovedlys</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>Light from the upper left on what is shaded</source>
+        <translation>Lys ovenfra til venstre på det som er skyggelagt</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and Keys</source>
+        <translation>&amp;Mus og taster</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <translation>H</translation>
+    </message>
+    <message>
+        <source>What the mouse and the keys do</source>
+        <translation>Hva musen og tastene gjør</translation>
+    </message>
+    <message>
+        <source>&amp;About Sline</source>
+        <translation>&amp;Om Sline</translation>
+    </message>
+    <message>
+        <source>What this program is</source>
+        <translation>Hva dette programmet er</translation>
+    </message>
+    <message>
+        <source>Left drag</source>
+        <translation>Dra med venstre</translation>
+    </message>
+    <message>
+        <source>Turn around the pivot</source>
+        <translation>Drei rundt dreiepunktet</translation>
+    </message>
+    <message>
+        <source>Middle drag, Shift + left drag</source>
+        <translation>Dra med midtknappen, Shift + dra med venstre</translation>
+    </message>
+    <message>
+        <source>Move the picture</source>
+        <translation>Flytt bildet</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Hjul</translation>
+    </message>
+    <message>
+        <source>Zoom to the mouse</source>
+        <translation>Zoom mot musen</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Klikk</translation>
+    </message>
+    <message>
+        <source>Select what is seen there; Ctrl adds to the selection</source>
+        <translation>Velg det som ses der; Ctrl legger til utvalget</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Dobbeltklikk</translation>
+    </message>
+    <message>
+        <source>Turn around this place from now on</source>
+        <translation>Drei rundt dette stedet fra nå av</translation>
+    </message>
+    <message>
+        <source>Space in the list</source>
+        <translation>Mellomrom i listen</translation>
+    </message>
+    <message>
+        <source>Show or hide the selected structures</source>
+        <translation>Vis eller skjul de valgte strukturene</translation>
+    </message>
+    <message>
+        <source>Escape during a drag</source>
+        <translation>Esc mens du drar</translation>
+    </message>
+    <message>
+        <source>As it was before</source>
+        <translation>Som det var før</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Språk</translation>
+    </message>
+    <message>
+        <source>Interface</source>
+        <translation>Grensesnitt</translation>
+    </message>
+    <message>
+        <source>The language of menus and texts; takes effect at once</source>
+        <translation>Språket i menyer og tekster; gjelder straks</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Strukturer</translation>
+    </message>
+    <message>
+        <source>What known structures are called on screen; files keep their own names</source>
+        <translation>Hva kjente strukturer heter på skjermen; filer beholder sine egne navn</translation>
+    </message>
+    <message>
+        <source>As in the file</source>
+        <translation>Som i filen</translation>
+    </message>
+    <message>
+        <source>In the interface’s language</source>
+        <translation>På grensesnittets språk</translation>
+    </message>
+    <message>
+        <source>Latin</source>
+        <translation>Latin</translation>
+    </message>
+    <message>
+        <source>English</source>
+        <translation>Engelsk</translation>
+    </message>
+    <message>
+        <source>German</source>
+        <translation>Tysk</translation>
+    </message>
+    <message>
+        <source>Dutch</source>
+        <translation>Nederlandsk</translation>
+    </message>
+    <message>
+        <source>Norwegian</source>
+        <translation>Norsk</translation>
+    </message>
+    <message>
+        <source>hides up to %1 % of it</source>
+        <translation>dekker inntil %1 % av det</translation>
+    </message>
+    <message>
+        <source>%1 mm away</source>
+        <translation>%1 mm unna</translation>
+    </message>
+    <message>
+        <source>Chosen</source>
+        <translation>Valgt</translation>
+    </message>
+    <message>
+        <source>Thin and long, comes to it</source>
+        <translation>Tynn og lang, fører dit</translation>
+    </message>
+    <message>
+        <source>Where %1 comes from</source>
+        <translation>Der %1 kommer fra</translation>
+    </message>
+    <message>
+        <source>Lies against it</source>
+        <translation>Ligger inntil</translation>
+    </message>
+    <message>
+        <source>Lies outside, %1</source>
+        <translation>Ligger utenfor, %1</translation>
+    </message>
+    <message>
+        <source>In focus</source>
+        <translation>I fokus</translation>
+    </message>
+    <message>
+        <source>Vessel or duct</source>
+        <translation>Kar eller gang</translation>
+    </message>
+    <message>
+        <source>Vessels and ducts</source>
+        <translation>Kar og ganger</translation>
+    </message>
+    <message>
+        <source>Neighbour</source>
+        <translation>Nabo</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Naboer</translation>
+    </message>
+    <message>
+        <source>Shell</source>
+        <translation>Skall</translation>
+    </message>
+    <message>
+        <source>Shells around it</source>
+        <translation>Skall rundt</translation>
+    </message>
+    <message>
+        <source>Backdrop</source>
+        <translation>Bakgrunn</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Filer</translation>
+    </message>
+    <message>
+        <source>Keep unsaved work after</source>
+        <translation>Ta vare på ulagret arbeid etter</translation>
+    </message>
+    <message>
+        <source>How long after a change a copy is kept, which is offered after a crash</source>
+        <translation>Hvor lenge etter en endring en kopi lagres, som tilbys etter en krasj</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Never</source>
+        <translation>Aldri</translation>
+    </message>
+    <message>
+        <source>Its rights do not let it be written to</source>
+        <translation>Rettighetene tillater ikke skriving</translation>
+    </message>
+    <message>
+        <source>A newer version of the program has written it; what is unknown here is not shown</source>
+        <translation>En nyere versjon av programmet har skrevet den; det som er ukjent her, vises ikke</translation>
+    </message>
+    <message>
+        <source>It was saved after this copy was made</source>
+        <translation>Den ble lagret etter at denne kopien ble laget</translation>
+    </message>
+    <message>
+        <source>Another program has changed it since</source>
+        <translation>Et annet program har endret den siden</translation>
+    </message>
+    <message>
+        <source>“%1” is there already. Replace it?</source>
+        <translation>«%1» finnes fra før. Vil du erstatte den?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Erstatt</translation>
+    </message>
+    <message>
+        <source>Open Files</source>
+        <translation>Åpne filer</translation>
+    </message>
+    <message>
+        <source>Meshes and scenes (%1);;All files (*)</source>
+        <translation>Nett og scener (%1);;Alle filer (*)</translation>
+    </message>
+    <message>
+        <source>Open Folder</source>
+        <translation>Åpne mappe</translation>
+    </message>
+    <message>
+        <source>Sline scenes (*.sline)</source>
+        <translation>Sline-scener (*.sline)</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>Vil du lagre endringene i «%1»?</translation>
+    </message>
+    <message>
+        <source>Changes that are not saved will be lost.</source>
+        <translation>Endringer som ikke lagres, går tapt.</translation>
+    </message>
+    <message>
+        <source>Go back to “%1” as it was saved last?</source>
+        <translation>Vil du gå tilbake til «%1» slik den sist ble lagret?</translation>
+    </message>
+    <message>
+        <source>Undo brings back what was changed since.</source>
+        <translation>Angre henter tilbake det som er endret siden.</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Tilbakestill</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>Sist &amp;brukte</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Ny</translation>
+    </message>
+    <message>
+        <source>A scene without anything in it</source>
+        <translation>En scene uten noe i</translation>
+    </message>
+    <message>
+        <source>Open scenes, meshes, label volumes and other files</source>
+        <translation>Åpne scener, nett, etikettvolumer og andre filer</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Lagre</translation>
+    </message>
+    <message>
+        <source>Write the scene file</source>
+        <translation>Skriv scenefilen</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Lagre &amp;som …</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>Write another scene file and go on with that</source>
+        <translation>Skriv en annen scenefil og fortsett med den</translation>
+    </message>
+    <message>
+        <source>Save a Cop&amp;y…</source>
+        <translation>Lagre en k&amp;opi …</translation>
+    </message>
+    <message>
+        <source>Write another scene file and go on with this one</source>
+        <translation>Skriv en annen scenefil og fortsett med denne</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert to Saved…</source>
+        <translation>&amp;Tilbake til lagret …</translation>
+    </message>
+    <message>
+        <source>Read the scene file again; what was changed since is undone</source>
+        <translation>Les scenefilen på nytt; det som er endret siden, er borte</translation>
+    </message>
+    <message>
+        <source>Recover &amp;Unsaved Work…</source>
+        <translation>Gjenopprett &amp;ulagret arbeid …</translation>
+    </message>
+    <message>
+        <source>What was kept when the program did not end as it should</source>
+        <translation>Det som ble tatt vare på da programmet ikke avsluttet som det skulle</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>Lu&amp;kk</translation>
+    </message>
+    <message>
+        <source>Close the scene and go to the start page</source>
+        <translation>Lukk scenen og gå til startsiden</translation>
+    </message>
+    <message>
+        <source>The selected structures in detail, everything else by what it is to them</source>
+        <translation>De valgte strukturene i detalj, alt annet etter hva det er for dem</translation>
+    </message>
+    <message>
+        <source>&amp;Help on This</source>
+        <translation>&amp;Hjelp om dette</translation>
+    </message>
+    <message>
+        <source>The page about the panel that has the keyboard</source>
+        <translation>Siden om panelet som har tastaturet</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::AboutDialog</name>
+    <message>
+        <source>About Sline</source>
+        <translation>Om Sline</translation>
+    </message>
+    <message>
+        <source>Turns segmented anatomy into focus-and-context line illustrations. Free software under the Apache License 2.0.</source>
+        <translation>Gjør segmentert anatomi til strekillustrasjoner med fokus og kontekst. Fri programvare under Apache-lisensen 2.0.</translation>
+    </message>
+    <message>
+        <source>After Lichtenberg, Smit, Hansen and Lawonn, “Sline: Seamless Line Illustration for Interactive Biomedical Visualization” (VCBM 2016), and Lawonn, Mönch and Preim, “Streamlines for Illustrative Real-Time Rendering” (EuroVis 2013).</source>
+        <translation>Etter Lichtenberg, Smit, Hansen og Lawonn, «Sline: Seamless Line Illustration for Interactive Biomedical Visualization» (VCBM 2016), og Lawonn, Mönch og Preim, «Streamlines for Illustrative Real-Time Rendering» (EuroVis 2013).</translation>
+    </message>
+    <message>
+        <source>Qt %1 on %2
+OpenGL: %3</source>
+        <translation>Qt %1 på %2
+OpenGL: %3</translation>
+    </message>
+    <message>
+        <source>not started yet</source>
+        <translation>ikke startet ennå</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopier</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ControlsDialog</name>
+    <message>
+        <source>Mouse and Keys</source>
+        <translation>Mus og taster</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtrer</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Mus</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FileActions</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Uten navn</translation>
+    </message>
+    <message>
+        <source>Saving %1…</source>
+        <translation>Lagrer %1 …</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 er lagret</translation>
+    </message>
+    <message>
+        <source>it is no longer there</source>
+        <translation>den er ikke der lenger</translation>
+    </message>
+    <message>
+        <source>Open it from where it is now</source>
+        <translation>Åpne den der den er nå</translation>
+    </message>
+    <message>
+        <source>Save a Copy</source>
+        <translation>Lagre en kopi</translation>
+    </message>
+    <message>
+        <source>Save As</source>
+        <translation>Lagre som</translation>
+    </message>
+    <message>
+        <source>%1 (read-only)</source>
+        <translation>%1 (skrivebeskyttet)</translation>
+    </message>
+    <message>
+        <source>%1[*] – Sline</source>
+        <translation>%1[*] – Sline</translation>
+    </message>
+    <message>
+        <source>Sline</source>
+        <translation>Sline</translation>
+    </message>
+    <message>
+        <source>%1 is open read-only</source>
+        <translation>%1 er åpnet skrivebeskyttet</translation>
+    </message>
+    <message>
+        <source>&amp;Clear List</source>
+        <translation>&amp;Tøm listen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FocusContext</name>
+    <message>
+        <source>Focus</source>
+        <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>Focus from this view</source>
+        <translation>Fokus fra denne visningen</translation>
+    </message>
+    <message>
+        <source>Focus all round</source>
+        <translation>Fokus rundt hele</translation>
+    </message>
+    <message>
+        <source>nothing is left to focus on</source>
+        <translation>det er ingenting igjen å fokusere på</translation>
+    </message>
+    <message>
+        <source>Select something that no section takes away</source>
+        <translation>Velg noe som ikke tas bort av et snitt</translation>
+    </message>
+    <message>
+        <source>Role in the context</source>
+        <translation>Rolle i konteksten</translation>
+    </message>
+    <message>
+        <source>Hidden structures in the context</source>
+        <translation>Skjulte strukturer i konteksten</translation>
+    </message>
+    <message>
+        <source>Context %1 %</source>
+        <translation>Kontekst %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FocusPanel</name>
+    <message>
+        <source>As you said</source>
+        <translation>Som du sa</translation>
+    </message>
+    <message>
+        <source>Focus on Selection</source>
+        <translation>Fokus på utvalget</translation>
+    </message>
+    <message>
+        <source>These in detail, everything else by what it is to them</source>
+        <translation>Disse i detalj, alt annet etter hva det er for dem</translation>
+    </message>
+    <message>
+        <source>How much context</source>
+        <translation>Hvor mye kontekst</translation>
+    </message>
+    <message>
+        <source>Focus alone</source>
+        <translation>Bare fokus</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>All Round</source>
+        <translation>Rundt hele</translation>
+    </message>
+    <message>
+        <source>Nothing hides the focus from whatever side it is seen</source>
+        <translation>Ingenting dekker fokus, uansett hvilken side den ses fra</translation>
+    </message>
+    <message>
+        <source>This View</source>
+        <translation>Denne visningen</translation>
+    </message>
+    <message>
+        <source>Nothing hides the focus as it is seen now; what lies behind it may be solid</source>
+        <translation>Ingenting dekker fokus slik den ses nå; det som ligger bak, kan være dekkende</translation>
+    </message>
+    <message>
+        <source>What each structure is to the focus</source>
+        <translation>Hva hver struktur er for fokus</translation>
+    </message>
+    <message>
+        <source>Treat as</source>
+        <translation>Behandle som</translation>
+    </message>
+    <message>
+        <source>&amp;Treat as</source>
+        <translation>&amp;Behandle som</translation>
+    </message>
+    <message>
+        <source>Nothing in focus</source>
+        <translation>Ingenting i fokus</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures in focus</source>
+        <translation>
+            <numerusform>%n struktur i fokus</numerusform>
+            <numerusform>%n strukturer i fokus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Looking at what surrounds it…</source>
+        <translation>Ser på det som er rundt …</translation>
+    </message>
+    <message>
+        <source>Select a structure in the list or in the picture.</source>
+        <translation>Velg en struktur i listen eller i bildet.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Also what was hidden</source>
+        <translation>Også det som var skjult</translation>
+    </message>
+    <message numerus="yes">
+        <source>Also %n hidden structures</source>
+        <translation>
+            <numerusform>Også %n skjult struktur</numerusform>
+            <numerusform>Også %n skjulte strukturer</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::GammaPanel</name>
+    <message>
+        <source>Nothing selected</source>
+        <translation>Ingenting valgt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n items</source>
+        <translation>
+            <numerusform>%n element</numerusform>
+            <numerusform>%n elementer</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select a structure in the list or in the picture.</source>
+        <translation>Velg en struktur i listen eller i bildet.</translation>
+    </message>
+    <message>
+        <source>Gamma, from silhouette to surface</source>
+        <translation>Gamma, fra silhuett til overflate</translation>
+    </message>
+    <message>
+        <source>Gamma as a number</source>
+        <translation>Gamma som tall</translation>
+    </message>
+    <message>
+        <source>Γ  </source>
+        <translation>Γ  </translation>
+    </message>
+    <message>
+        <source>Inherit</source>
+        <translation>Arv</translation>
+    </message>
+    <message>
+        <source>Take Γ from the group above again</source>
+        <translation>Ta Γ fra gruppen over igjen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Åpen</translation>
+    </message>
+    <message>
+        <source>What is behind shows through</source>
+        <translation>Det som er bak, skinner gjennom</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Dekkende</translation>
+    </message>
+    <message>
+        <source>Hides what is behind</source>
+        <translation>Dekker det som er bak</translation>
+    </message>
+    <message>
+        <source>Veil</source>
+        <translation>Slør</translation>
+    </message>
+    <message>
+        <source>What is behind shows faintly, as through tracing paper</source>
+        <translation>Det som er bak, skimtes som gjennom kalkerpapir</translation>
+    </message>
+    <message>
+        <source>Tint</source>
+        <translation>Tone</translation>
+    </message>
+    <message>
+        <source>A thin wash of the structure&apos;s colour; what is behind shows through</source>
+        <translation>Et tynt lag av strukturens farge; det som er bak, skinner gjennom</translation>
+    </message>
+    <message>
+        <source>Where only lines are drawn</source>
+        <translation>Der bare linjer er tegnet</translation>
+    </message>
+    <message>
+        <source>Emphasis</source>
+        <translation>Fremheving</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>Fokus</translation>
+    </message>
+    <message>
+        <source>These in detail, everything else as contours</source>
+        <translation>Disse i detalj, alt annet som konturer</translation>
+    </message>
+    <message>
+        <source>Context</source>
+        <translation>Kontekst</translation>
+    </message>
+    <message>
+        <source>These as contours</source>
+        <translation>Disse som konturer</translation>
+    </message>
+    <message>
+        <source>Inherit Γ</source>
+        <translation>Arv Γ</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Fylling</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::HelpWindow</name>
+    <message>
+        <source>Help</source>
+        <translation>Hjelp</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Side</translation>
+    </message>
+    <message>
+        <source>Search in help</source>
+        <translation>Søk i hjelpen</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Innhold</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Tilbake</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Fram</translation>
+    </message>
+    <message>
+        <source>Open in the Browser?</source>
+        <translation>Åpne i nettleseren?</translation>
+    </message>
+    <message>
+        <source>This link leads out of the program, to
+%1</source>
+        <translation>Denne lenken fører ut av programmet, til
+%1</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::MainWindow</name>
+    <message>
+        <source>Structures: %1   Triangles: %2</source>
+        <translation>Strukturer: %1   Trekanter: %2</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Strukturer</translation>
+    </message>
+    <message>
+        <source>Line Style</source>
+        <translation>Linjestil</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historikk</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Som åpnet</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Framdrift</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Åpner %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Angre</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Gjør om</translation>
+    </message>
+    <message>
+        <source>Context</source>
+        <translation>Kontekst</translation>
+    </message>
+    <message>
+        <source>Inherit Γ</source>
+        <translation>Arv Γ</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>Isoler</translation>
+    </message>
+    <message>
+        <source>Show All</source>
+        <translation>Vis alle</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Fjern</translation>
+    </message>
+    <message>
+        <source>Turning around this place on %1</source>
+        <translation>Dreier rundt dette stedet på %1</translation>
+    </message>
+    <message>
+        <source>Focus and Context</source>
+        <translation>Fokus og kontekst</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::MessageBar</name>
+    <message>
+        <source>Message</source>
+        <translation>Melding</translation>
+    </message>
+    <message>
+        <source>Close the message</source>
+        <translation>Lukk meldingen</translation>
+    </message>
+    <message>
+        <source>Opened, with remarks</source>
+        <translation>Åpnet, med merknader</translation>
+    </message>
+    <message numerus="yes">
+        <source>Show all %n</source>
+        <translation>
+            <numerusform>Vis %n</numerusform>
+            <numerusform>Vis alle %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What was left out or mended</source>
+        <translation>Hva som ble utelatt eller reparert</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Innstillinger</translation>
+    </message>
+    <message>
+        <source>%1:</source>
+        <translation>%1:</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::RecoveryDialog</name>
+    <message>
+        <source>Recover Unsaved Work</source>
+        <translation>Gjenopprett ulagret arbeid</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Senere</translation>
+    </message>
+    <message>
+        <source>The program did not end as it should. It had kept:</source>
+        <translation>Programmet avsluttet ikke som det skulle. Det hadde tatt vare på:</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::RecoveryList</name>
+    <message>
+        <source>A damaged copy</source>
+        <translation>En skadet kopi</translation>
+    </message>
+    <message>
+        <source>never saved</source>
+        <translation>aldri lagret</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Gjenopprett</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>Delete the unsaved work on “%1”?</source>
+        <translation>Vil du slette det ulagrede arbeidet med «%1»?</translation>
+    </message>
+    <message>
+        <source>It cannot be brought back.</source>
+        <translation>Det kan ikke hentes tilbake.</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SectionActions</name>
+    <message>
+        <source>%1 Section</source>
+        <translation>Snitt: %1</translation>
+    </message>
+    <message>
+        <source>Without %1 Section</source>
+        <translation>Uten snitt: %1</translation>
+    </message>
+    <message>
+        <source>Flip Sections</source>
+        <translation>Vend snitt</translation>
+    </message>
+    <message>
+        <source>Whole Again</source>
+        <translation>Hel igjen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::Session</name>
+    <message>
+        <source>Γ of %1</source>
+        <translation>Γ for %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Γ of %n items</source>
+        <translation>
+            <numerusform>Γ for %n element</numerusform>
+            <numerusform>Γ for %n elementer</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 og %n til</numerusform>
+            <numerusform>%1 og %n til</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No file that could be read again has changed</source>
+        <translation>Ingen fil som kan leses på nytt, er endret</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures were read again</source>
+        <translation>
+            <numerusform>%n struktur ble lest på nytt</numerusform>
+            <numerusform>%n strukturer ble lest på nytt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Reload from source</source>
+        <translation>Last inn på nytt fra kilden</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>Åpne %1</translation>
+    </message>
+    <message>
+        <source>Close %1</source>
+        <translation>Lukk %1</translation>
+    </message>
+    <message>
+        <source>Revert to Saved</source>
+        <translation>Tilbake til lagret</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StartPage</name>
+    <message>
+        <source>Opened Last</source>
+        <translation>Sist åpnet</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Demos, Modelled by the Program</source>
+        <translation>Demoer, modellert av programmet</translation>
+    </message>
+    <message>
+        <source>Sline</source>
+        <translation>Sline</translation>
+    </message>
+    <message>
+        <source>Focus-and-context line drawings of anatomy</source>
+        <translation>Strektegninger av anatomi med fokus og kontekst</translation>
+    </message>
+    <message>
+        <source>Open Files…</source>
+        <translation>Åpne filer …</translation>
+    </message>
+    <message>
+        <source>Open Folder…</source>
+        <translation>Åpne mappe …</translation>
+    </message>
+    <message>
+        <source>or drop files and folders into this window</source>
+        <translation>eller slipp filer og mapper i dette vinduet</translation>
+    </message>
+    <message>
+        <source>The program did not end as it should. It had kept:</source>
+        <translation>Programmet avsluttet ikke som det skulle. Det hadde tatt vare på:</translation>
+    </message>
+    <message>
+        <source>no longer there</source>
+        <translation>ikke der lenger</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StructureTree</name>
+    <message>
+        <source>Filter structures by name</source>
+        <translation>Filtrer strukturer etter navn</translation>
+    </message>
+    <message>
+        <source>Filter by name</source>
+        <translation>Filtrer etter navn</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farge</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StructureTreeModel</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 til %2</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Skjult</translation>
+    </message>
+    <message>
+        <source>Partly shown</source>
+        <translation>Delvis vist</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Vist</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farge</translation>
+    </message>
+    <message>
+        <source>Γ %1</source>
+        <translation>Γ %1</translation>
+    </message>
+    <message>
+        <source>%1, from the group above</source>
+        <translation>%1, fra gruppen over</translation>
+    </message>
+    <message>
+        <source>%1, structures: %2</source>
+        <translation>%1, strukturer: %2</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Gi nytt navn</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>Γ</source>
+        <translation>Γ</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StructureTreeView</name>
+    <message>
+        <source>Structures</source>
+        <translation>Strukturer</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Skjul</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Vis</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ViewActions</name>
+    <message>
+        <source>Key Light</source>
+        <translation>Hovedlys</translation>
+    </message>
+    <message>
+        <source>View “%1”</source>
+        <translation>Visning «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::Viewport</name>
+    <message>
+        <source>Picture</source>
+        <translation>Bilde</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,1543 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="nl_NL" sourcelanguage="en">
+<context>
+    <name>main</name>
+    <message>
+        <source>Turns segmented anatomy into focus-and-context line illustrations.</source>
+        <translation>Maakt van gesegmenteerde anatomie lijnillustraties met focus en context.</translation>
+    </message>
+    <message>
+        <source>Meshes, label volumes, DICOM segmentations, molecules, folders of them, 3D Slicer scenes, scene files.</source>
+        <translation>Meshes, labelvolumes, DICOM-segmentaties, moleculen, mappen daarvan, 3D Slicer-scènes, scènebestanden.</translation>
+    </message>
+    <message>
+        <source>Opens a scene that the program models itself: %1.</source>
+        <translation>Opent een scène die het programma zelf modelleert: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets</name>
+    <message>
+        <source>Silhouette</source>
+        <translation>Silhouet</translation>
+    </message>
+    <message>
+        <source>The outer edge alone</source>
+        <translation>Alleen de buitenrand</translation>
+    </message>
+    <message>
+        <source>Contours</source>
+        <translation>Contouren</translation>
+    </message>
+    <message>
+        <source>Every edge that faces away</source>
+        <translation>Elke rand die zich afwendt</translation>
+    </message>
+    <message>
+        <source>Suggestive contours</source>
+        <translation>Suggestieve contouren</translation>
+    </message>
+    <message>
+        <source>Lines along folds as well</source>
+        <translation>Ook lijnen langs plooien</translation>
+    </message>
+    <message>
+        <source>Hatching</source>
+        <translation>Arcering</translation>
+    </message>
+    <message>
+        <source>Tone by strokes</source>
+        <translation>Toon door streken</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Schaduw</translation>
+    </message>
+    <message>
+        <source>Colour behind lines and strokes</source>
+        <translation>Kleur achter lijnen en streken</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oppervlak</translation>
+    </message>
+    <message>
+        <source>The shaded surface alone</source>
+        <translation>Alleen het oppervlak met schaduw</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Uiterlijk</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Thema</translation>
+    </message>
+    <message>
+        <source>Light or dark controls; the picture has a background of its own</source>
+        <translation>Lichte of donkere bediening; het beeld heeft een eigen achtergrond</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Zoals het systeem</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Donker</translation>
+    </message>
+    <message>
+        <source>Text under the toolbar’s icons</source>
+        <translation>Tekst onder de pictogrammen van de werkbalk</translation>
+    </message>
+    <message>
+        <source>What each button does in a word</source>
+        <translation>Wat elke knop doet, in één woord</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Beeld</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Achtergrond</translation>
+    </message>
+    <message>
+        <source>What the picture is drawn on; on the dark one ink is light</source>
+        <translation>Waarop het beeld getekend wordt; op donker is de inkt licht</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Wit</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Pelvis of a Woman</source>
+        <translation>Bekken van een vrouw</translation>
+    </message>
+    <message>
+        <source>Pelvis of a Man</source>
+        <translation>Bekken van een man</translation>
+    </message>
+    <message>
+        <source>Abdomen of a Woman</source>
+        <translation>Buik van een vrouw</translation>
+    </message>
+    <message>
+        <source>Abdomen of a Man</source>
+        <translation>Buik van een man</translation>
+    </message>
+    <message>
+        <source>Kidney</source>
+        <translation>Nier</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Bestand</translation>
+    </message>
+    <message>
+        <source>&amp;Demo</source>
+        <translation>De&amp;mo</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>Be&amp;werken</translation>
+    </message>
+    <message>
+        <source>&amp;Structure</source>
+        <translation>&amp;Structuur</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>Beel&amp;d</translation>
+    </message>
+    <message>
+        <source>Saved &amp;Views</source>
+        <translation>Op&amp;geslagen aanzichten</translation>
+    </message>
+    <message>
+        <source>S&amp;ection</source>
+        <translation>&amp;Doorsnede</translation>
+    </message>
+    <message>
+        <source>&amp;Background</source>
+        <translation>&amp;Achtergrond</translation>
+    </message>
+    <message>
+        <source>Pa&amp;nels</source>
+        <translation>Pa&amp;nelen</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Help</translation>
+    </message>
+    <message>
+        <source>Toolbar</source>
+        <translation>Werkbalk</translation>
+    </message>
+    <message>
+        <source>&amp;Open Files…</source>
+        <translation>Bestanden &amp;openen…</translation>
+    </message>
+    <message>
+        <source>Open &amp;Folder…</source>
+        <translation>&amp;Map openen…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+O</source>
+        <translation>Ctrl+Shift+O</translation>
+    </message>
+    <message>
+        <source>Open all meshes in a folder</source>
+        <translation>Alle meshes in een map openen</translation>
+    </message>
+    <message>
+        <source>&amp;Reload from Source</source>
+        <translation>&amp;Opnieuw laden van de bron</translation>
+    </message>
+    <message>
+        <source>Read meshes again whose files have changed</source>
+        <translation>Meshes opnieuw lezen waarvan het bestand is gewijzigd</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Afsluiten</translation>
+    </message>
+    <message>
+        <source>Close the program</source>
+        <translation>Het programma sluiten</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Ongedaan maken</translation>
+    </message>
+    <message>
+        <source>Take the last step back</source>
+        <translation>De laatste stap terugnemen</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>Opn&amp;ieuw</translation>
+    </message>
+    <message>
+        <source>Do it again</source>
+        <translation>De stap opnieuw doen</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Voorkeuren…</translation>
+    </message>
+    <message>
+        <source>Theme, background and other habits</source>
+        <translation>Thema, achtergrond en andere gewoonten</translation>
+    </message>
+    <message>
+        <source>&amp;Find Structure</source>
+        <translation>Structuur &amp;zoeken</translation>
+    </message>
+    <message>
+        <source>Type a few letters of a name</source>
+        <translation>Typ een paar letters van een naam</translation>
+    </message>
+    <message>
+        <source>&amp;Focus</source>
+        <translation>&amp;Focus</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>&amp;Context</source>
+        <translation>&amp;Context</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
+    <message>
+        <source>The selected structures as contours</source>
+        <translation>De gekozen structuren als contouren</translation>
+    </message>
+    <message>
+        <source>&amp;Inherit Γ</source>
+        <translation>Γ over&amp;nemen</translation>
+    </message>
+    <message>
+        <source>Take Γ from the group above again</source>
+        <translation>Γ weer van de groep erboven nemen</translation>
+    </message>
+    <message>
+        <source>Show or &amp;Hide</source>
+        <translation>Tonen of &amp;verbergen</translation>
+    </message>
+    <message>
+        <source>Hide the selected structures, or show them again (Space in the list)</source>
+        <translation>De gekozen structuren verbergen of weer tonen (spatie in de lijst)</translation>
+    </message>
+    <message>
+        <source>I&amp;solate</source>
+        <translation>I&amp;soleren</translation>
+    </message>
+    <message>
+        <source>/</source>
+        <translation>/</translation>
+    </message>
+    <message>
+        <source>Hide everything else</source>
+        <translation>Al het andere verbergen</translation>
+    </message>
+    <message>
+        <source>Show &amp;All</source>
+        <translation>&amp;Alles tonen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+H</source>
+        <translation>Ctrl+Shift+H</translation>
+    </message>
+    <message>
+        <source>Hide nothing</source>
+        <translation>Niets verbergen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>Ver&amp;wijderen</translation>
+    </message>
+    <message>
+        <source>Take the selected structures out of the scene</source>
+        <translation>De gekozen structuren uit de scène halen</translation>
+    </message>
+    <message>
+        <source>&amp;Anterior</source>
+        <translation>Van &amp;voren</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>Seen from the front</source>
+        <translation>Van voren gezien</translation>
+    </message>
+    <message>
+        <source>&amp;Posterior</source>
+        <translation>Van &amp;achteren</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <translation>P</translation>
+    </message>
+    <message>
+        <source>Seen from the back</source>
+        <translation>Van achteren gezien</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>Van &amp;links</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>Seen from the patient&apos;s left</source>
+        <translation>Vanaf de linkerkant van de patiënt gezien</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>Van &amp;rechts</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>Seen from the patient&apos;s right</source>
+        <translation>Vanaf de rechterkant van de patiënt gezien</translation>
+    </message>
+    <message>
+        <source>&amp;Superior</source>
+        <translation>Van &amp;boven</translation>
+    </message>
+    <message>
+        <source>S</source>
+        <translation>S</translation>
+    </message>
+    <message>
+        <source>Seen from above</source>
+        <translation>Van boven gezien</translation>
+    </message>
+    <message>
+        <source>&amp;Inferior</source>
+        <translation>Van &amp;onderen</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>Seen from below</source>
+        <translation>Van onderen gezien</translation>
+    </message>
+    <message>
+        <source>&amp;Fit All</source>
+        <translation>Alles &amp;passend</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>Bring all that is shown into the picture</source>
+        <translation>Alles wat getoond wordt in beeld brengen</translation>
+    </message>
+    <message>
+        <source>&amp;Sagittal</source>
+        <translation>&amp;Sagittaal</translation>
+    </message>
+    <message>
+        <source>Ctrl+1</source>
+        <translation>Ctrl+1</translation>
+    </message>
+    <message>
+        <source>Cut in the plane between left and right; again: whole</source>
+        <translation>Snijden in het vlak tussen links en rechts; nogmaals: heel</translation>
+    </message>
+    <message>
+        <source>&amp;Coronal</source>
+        <translation>&amp;Coronaal</translation>
+    </message>
+    <message>
+        <source>Ctrl+2</source>
+        <translation>Ctrl+2</translation>
+    </message>
+    <message>
+        <source>Cut in the plane between front and back; again: whole</source>
+        <translation>Snijden in het vlak tussen voor en achter; nogmaals: heel</translation>
+    </message>
+    <message>
+        <source>&amp;Axial</source>
+        <translation>&amp;Axiaal</translation>
+    </message>
+    <message>
+        <source>Ctrl+3</source>
+        <translation>Ctrl+3</translation>
+    </message>
+    <message>
+        <source>Cut in the plane between upper and lower; again: whole</source>
+        <translation>Snijden in het vlak tussen boven en onder; nogmaals: heel</translation>
+    </message>
+    <message>
+        <source>&amp;Flip</source>
+        <translation>&amp;Omkeren</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Keep the other side of each section</source>
+        <translation>Van elke doorsnede de andere kant houden</translation>
+    </message>
+    <message>
+        <source>&amp;Whole Again</source>
+        <translation>&amp;Weer heel</translation>
+    </message>
+    <message>
+        <source>Ctrl+0</source>
+        <translation>Ctrl+0</translation>
+    </message>
+    <message>
+        <source>Take all sections away</source>
+        <translation>Alle doorsneden weghalen</translation>
+    </message>
+    <message>
+        <source>&amp;Key Light</source>
+        <translation>&amp;Hoofdlicht</translation>
+    </message>
+    <message>
+        <source>K</source>
+        <translation>K</translation>
+    </message>
+    <message>
+        <source>Light from the upper left on what is shaded</source>
+        <translation>Licht van linksboven op alles met schaduw</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse and Keys</source>
+        <translation>&amp;Muis en toetsen</translation>
+    </message>
+    <message>
+        <source>H</source>
+        <translation>H</translation>
+    </message>
+    <message>
+        <source>What the mouse and the keys do</source>
+        <translation>Wat de muis en de toetsen doen</translation>
+    </message>
+    <message>
+        <source>&amp;About Sline</source>
+        <translation>&amp;Over Sline</translation>
+    </message>
+    <message>
+        <source>What this program is</source>
+        <translation>Wat dit programma is</translation>
+    </message>
+    <message>
+        <source>Left drag</source>
+        <translation>Slepen met links</translation>
+    </message>
+    <message>
+        <source>Turn around the pivot</source>
+        <translation>Om het draaipunt draaien</translation>
+    </message>
+    <message>
+        <source>Middle drag, Shift + left drag</source>
+        <translation>Slepen met de middelste knop, Shift + slepen met links</translation>
+    </message>
+    <message>
+        <source>Move the picture</source>
+        <translation>Het beeld verschuiven</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Wiel</translation>
+    </message>
+    <message>
+        <source>Zoom to the mouse</source>
+        <translation>Naar de muis zoomen</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Klik</translation>
+    </message>
+    <message>
+        <source>Select what is seen there; Ctrl adds to the selection</source>
+        <translation>Kies wat daar te zien is; Ctrl voegt toe aan de selectie</translation>
+    </message>
+    <message>
+        <source>Double click</source>
+        <translation>Dubbelklik</translation>
+    </message>
+    <message>
+        <source>Turn around this place from now on</source>
+        <translation>Voortaan om deze plek draaien</translation>
+    </message>
+    <message>
+        <source>Space in the list</source>
+        <translation>Spatie in de lijst</translation>
+    </message>
+    <message>
+        <source>Show or hide the selected structures</source>
+        <translation>De gekozen structuren tonen of verbergen</translation>
+    </message>
+    <message>
+        <source>Escape during a drag</source>
+        <translation>Esc tijdens het slepen</translation>
+    </message>
+    <message>
+        <source>As it was before</source>
+        <translation>Zoals het was</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Taal</translation>
+    </message>
+    <message>
+        <source>Interface</source>
+        <translation>Interface</translation>
+    </message>
+    <message>
+        <source>The language of menus and texts; takes effect at once</source>
+        <translation>De taal van menu’s en teksten; geldt meteen</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Structuren</translation>
+    </message>
+    <message>
+        <source>What known structures are called on screen; files keep their own names</source>
+        <translation>Hoe bekende structuren op het scherm heten; bestanden houden hun eigen namen</translation>
+    </message>
+    <message>
+        <source>As in the file</source>
+        <translation>Zoals in het bestand</translation>
+    </message>
+    <message>
+        <source>In the interface’s language</source>
+        <translation>In de taal van de interface</translation>
+    </message>
+    <message>
+        <source>Latin</source>
+        <translation>Latijn</translation>
+    </message>
+    <message>
+        <source>English</source>
+        <translation>Engels</translation>
+    </message>
+    <message>
+        <source>German</source>
+        <translation>Duits</translation>
+    </message>
+    <message>
+        <source>Dutch</source>
+        <translation>Nederlands</translation>
+    </message>
+    <message>
+        <source>Norwegian</source>
+        <translation>Noors</translation>
+    </message>
+    <message>
+        <source>hides up to %1 % of it</source>
+        <translation>bedekt tot %1 % ervan</translation>
+    </message>
+    <message>
+        <source>%1 mm away</source>
+        <translation>%1 mm ervandaan</translation>
+    </message>
+    <message>
+        <source>Chosen</source>
+        <translation>Gekozen</translation>
+    </message>
+    <message>
+        <source>Thin and long, comes to it</source>
+        <translation>Dun en lang, komt erbij</translation>
+    </message>
+    <message>
+        <source>Where %1 comes from</source>
+        <translation>Waar %1 vandaan komt</translation>
+    </message>
+    <message>
+        <source>Lies against it</source>
+        <translation>Ligt ertegenaan</translation>
+    </message>
+    <message>
+        <source>Lies outside, %1</source>
+        <translation>Ligt erbuiten, %1</translation>
+    </message>
+    <message>
+        <source>In focus</source>
+        <translation>In focus</translation>
+    </message>
+    <message>
+        <source>Vessel or duct</source>
+        <translation>Vat of gang</translation>
+    </message>
+    <message>
+        <source>Vessels and ducts</source>
+        <translation>Vaten en gangen</translation>
+    </message>
+    <message>
+        <source>Neighbour</source>
+        <translation>Buur</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Buren</translation>
+    </message>
+    <message>
+        <source>Shell</source>
+        <translation>Omhulsel</translation>
+    </message>
+    <message>
+        <source>Shells around it</source>
+        <translation>Omhulsels eromheen</translation>
+    </message>
+    <message>
+        <source>Backdrop</source>
+        <translation>Achtergrond</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>Keep unsaved work after</source>
+        <translation>Niet-opgeslagen werk bewaren na</translation>
+    </message>
+    <message>
+        <source>How long after a change a copy is kept, which is offered after a crash</source>
+        <translation>Hoelang na een wijziging een kopie wordt bewaard, die na een crash wordt aangeboden</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Never</source>
+        <translation>Nooit</translation>
+    </message>
+    <message>
+        <source>Its rights do not let it be written to</source>
+        <translation>De rechten staan schrijven niet toe</translation>
+    </message>
+    <message>
+        <source>A newer version of the program has written it; what is unknown here is not shown</source>
+        <translation>Een nieuwere versie van het programma heeft het geschreven; wat hier onbekend is, wordt niet getoond</translation>
+    </message>
+    <message>
+        <source>It was saved after this copy was made</source>
+        <translation>Het is opgeslagen nadat deze kopie gemaakt is</translation>
+    </message>
+    <message>
+        <source>Another program has changed it since</source>
+        <translation>Een ander programma heeft het sindsdien gewijzigd</translation>
+    </message>
+    <message>
+        <source>“%1” is there already. Replace it?</source>
+        <translation>‘%1’ bestaat al. Vervangen?</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Vervangen</translation>
+    </message>
+    <message>
+        <source>Open Files</source>
+        <translation>Bestanden openen</translation>
+    </message>
+    <message>
+        <source>Meshes and scenes (%1);;All files (*)</source>
+        <translation>Meshes en scènes (%1);;Alle bestanden (*)</translation>
+    </message>
+    <message>
+        <source>Open Folder</source>
+        <translation>Map openen</translation>
+    </message>
+    <message>
+        <source>Sline scenes (*.sline)</source>
+        <translation>Sline-scènes (*.sline)</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>Wijzigingen in ‘%1’ opslaan?</translation>
+    </message>
+    <message>
+        <source>Changes that are not saved will be lost.</source>
+        <translation>Niet-opgeslagen wijzigingen gaan verloren.</translation>
+    </message>
+    <message>
+        <source>Go back to “%1” as it was saved last?</source>
+        <translation>Terug naar ‘%1’ zoals het laatst is opgeslagen?</translation>
+    </message>
+    <message>
+        <source>Undo brings back what was changed since.</source>
+        <translation>Ongedaan maken brengt terug wat sindsdien is gewijzigd.</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Terugzetten</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>Onlangs ge&amp;opend</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Nieuw</translation>
+    </message>
+    <message>
+        <source>A scene without anything in it</source>
+        <translation>Een scène zonder iets erin</translation>
+    </message>
+    <message>
+        <source>Open scenes, meshes, label volumes and other files</source>
+        <translation>Scènes, meshes, labelvolumes en andere bestanden openen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>Op&amp;slaan</translation>
+    </message>
+    <message>
+        <source>Write the scene file</source>
+        <translation>Het scènebestand schrijven</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Opslaan &amp;als…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>Write another scene file and go on with that</source>
+        <translation>Een ander scènebestand schrijven en daarmee verdergaan</translation>
+    </message>
+    <message>
+        <source>Save a Cop&amp;y…</source>
+        <translation>&amp;Kopie opslaan…</translation>
+    </message>
+    <message>
+        <source>Write another scene file and go on with this one</source>
+        <translation>Een ander scènebestand schrijven en met dit verdergaan</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert to Saved…</source>
+        <translation>&amp;Terug naar opgeslagen…</translation>
+    </message>
+    <message>
+        <source>Read the scene file again; what was changed since is undone</source>
+        <translation>Het scènebestand opnieuw lezen; wat sindsdien is gewijzigd, vervalt</translation>
+    </message>
+    <message>
+        <source>Recover &amp;Unsaved Work…</source>
+        <translation>Niet-opgeslagen &amp;werk herstellen…</translation>
+    </message>
+    <message>
+        <source>What was kept when the program did not end as it should</source>
+        <translation>Wat bewaard is toen het programma niet goed eindigde</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>Sl&amp;uiten</translation>
+    </message>
+    <message>
+        <source>Close the scene and go to the start page</source>
+        <translation>De scène sluiten en naar de startpagina gaan</translation>
+    </message>
+    <message>
+        <source>The selected structures in detail, everything else by what it is to them</source>
+        <translation>De gekozen structuren in detail, al het andere naar wat het voor ze is</translation>
+    </message>
+    <message>
+        <source>&amp;Help on This</source>
+        <translation>&amp;Hulp hierbij</translation>
+    </message>
+    <message>
+        <source>The page about the panel that has the keyboard</source>
+        <translation>De pagina over het paneel dat het toetsenbord heeft</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::AboutDialog</name>
+    <message>
+        <source>About Sline</source>
+        <translation>Over Sline</translation>
+    </message>
+    <message>
+        <source>Turns segmented anatomy into focus-and-context line illustrations. Free software under the Apache License 2.0.</source>
+        <translation>Maakt van gesegmenteerde anatomie lijnillustraties met focus en context. Vrije software onder de Apache-licentie 2.0.</translation>
+    </message>
+    <message>
+        <source>After Lichtenberg, Smit, Hansen and Lawonn, “Sline: Seamless Line Illustration for Interactive Biomedical Visualization” (VCBM 2016), and Lawonn, Mönch and Preim, “Streamlines for Illustrative Real-Time Rendering” (EuroVis 2013).</source>
+        <translation>Naar Lichtenberg, Smit, Hansen en Lawonn, “Sline: Seamless Line Illustration for Interactive Biomedical Visualization” (VCBM 2016), en Lawonn, Mönch en Preim, “Streamlines for Illustrative Real-Time Rendering” (EuroVis 2013).</translation>
+    </message>
+    <message>
+        <source>Qt %1 on %2
+OpenGL: %3</source>
+        <translation>Qt %1 op %2
+OpenGL: %3</translation>
+    </message>
+    <message>
+        <source>not started yet</source>
+        <translation>nog niet gestart</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopiëren</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ControlsDialog</name>
+    <message>
+        <source>Mouse and Keys</source>
+        <translation>Muis en toetsen</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filteren</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Muis</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FileActions</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Naamloos</translation>
+    </message>
+    <message>
+        <source>Saving %1…</source>
+        <translation>%1 opslaan…</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 opgeslagen</translation>
+    </message>
+    <message>
+        <source>it is no longer there</source>
+        <translation>het is er niet meer</translation>
+    </message>
+    <message>
+        <source>Open it from where it is now</source>
+        <translation>Open het waar het nu is</translation>
+    </message>
+    <message>
+        <source>Save a Copy</source>
+        <translation>Kopie opslaan</translation>
+    </message>
+    <message>
+        <source>Save As</source>
+        <translation>Opslaan als</translation>
+    </message>
+    <message>
+        <source>%1 (read-only)</source>
+        <translation>%1 (alleen-lezen)</translation>
+    </message>
+    <message>
+        <source>%1[*] – Sline</source>
+        <translation>%1[*] – Sline</translation>
+    </message>
+    <message>
+        <source>Sline</source>
+        <translation>Sline</translation>
+    </message>
+    <message>
+        <source>%1 is open read-only</source>
+        <translation>%1 is alleen-lezen geopend</translation>
+    </message>
+    <message>
+        <source>&amp;Clear List</source>
+        <translation>Lijst &amp;wissen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FocusContext</name>
+    <message>
+        <source>Focus</source>
+        <translation>Focus</translation>
+    </message>
+    <message>
+        <source>Focus from this view</source>
+        <translation>Focus vanuit dit aanzicht</translation>
+    </message>
+    <message>
+        <source>Focus all round</source>
+        <translation>Focus rondom</translation>
+    </message>
+    <message>
+        <source>nothing is left to focus on</source>
+        <translation>er blijft niets over voor de focus</translation>
+    </message>
+    <message>
+        <source>Select something that no section takes away</source>
+        <translation>Kies iets wat geen doorsnede weghaalt</translation>
+    </message>
+    <message>
+        <source>Role in the context</source>
+        <translation>Rol in de context</translation>
+    </message>
+    <message>
+        <source>Hidden structures in the context</source>
+        <translation>Verborgen structuren in de context</translation>
+    </message>
+    <message>
+        <source>Context %1 %</source>
+        <translation>Context %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::FocusPanel</name>
+    <message>
+        <source>As you said</source>
+        <translation>Zoals je zei</translation>
+    </message>
+    <message>
+        <source>Focus on Selection</source>
+        <translation>Focus op selectie</translation>
+    </message>
+    <message>
+        <source>These in detail, everything else by what it is to them</source>
+        <translation>Deze in detail, al het andere naar wat het voor ze is</translation>
+    </message>
+    <message>
+        <source>How much context</source>
+        <translation>Hoeveel context</translation>
+    </message>
+    <message>
+        <source>Focus alone</source>
+        <translation>Alleen focus</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>All Round</source>
+        <translation>Rondom</translation>
+    </message>
+    <message>
+        <source>Nothing hides the focus from whatever side it is seen</source>
+        <translation>Niets bedekt de focus, van welke kant ook gezien</translation>
+    </message>
+    <message>
+        <source>This View</source>
+        <translation>Dit aanzicht</translation>
+    </message>
+    <message>
+        <source>Nothing hides the focus as it is seen now; what lies behind it may be solid</source>
+        <translation>Niets bedekt de focus zoals die nu gezien wordt; wat erachter ligt mag dekkend zijn</translation>
+    </message>
+    <message>
+        <source>What each structure is to the focus</source>
+        <translation>Wat elke structuur voor de focus is</translation>
+    </message>
+    <message>
+        <source>Treat as</source>
+        <translation>Behandelen als</translation>
+    </message>
+    <message>
+        <source>&amp;Treat as</source>
+        <translation>&amp;Behandelen als</translation>
+    </message>
+    <message>
+        <source>Nothing in focus</source>
+        <translation>Niets in focus</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures in focus</source>
+        <translation>
+            <numerusform>%n structuur in focus</numerusform>
+            <numerusform>%n structuren in focus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Looking at what surrounds it…</source>
+        <translation>De omgeving wordt bekeken…</translation>
+    </message>
+    <message>
+        <source>Select a structure in the list or in the picture.</source>
+        <translation>Kies een structuur in de lijst of in het beeld.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Also what was hidden</source>
+        <translation>Ook wat verborgen was</translation>
+    </message>
+    <message numerus="yes">
+        <source>Also %n hidden structures</source>
+        <translation>
+            <numerusform>Ook %n verborgen structuur</numerusform>
+            <numerusform>Ook %n verborgen structuren</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::GammaPanel</name>
+    <message>
+        <source>Nothing selected</source>
+        <translation>Niets gekozen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n items</source>
+        <translation>
+            <numerusform>%n onderdeel</numerusform>
+            <numerusform>%n onderdelen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select a structure in the list or in the picture.</source>
+        <translation>Kies een structuur in de lijst of in het beeld.</translation>
+    </message>
+    <message>
+        <source>Gamma, from silhouette to surface</source>
+        <translation>Gamma, van silhouet tot oppervlak</translation>
+    </message>
+    <message>
+        <source>Gamma as a number</source>
+        <translation>Gamma als getal</translation>
+    </message>
+    <message>
+        <source>Γ  </source>
+        <translation>Γ  </translation>
+    </message>
+    <message>
+        <source>Inherit</source>
+        <translation>Overnemen</translation>
+    </message>
+    <message>
+        <source>Take Γ from the group above again</source>
+        <translation>Γ weer van de groep erboven nemen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Open</translation>
+    </message>
+    <message>
+        <source>What is behind shows through</source>
+        <translation>Wat erachter ligt schijnt door</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Dekkend</translation>
+    </message>
+    <message>
+        <source>Hides what is behind</source>
+        <translation>Bedekt wat erachter ligt</translation>
+    </message>
+    <message>
+        <source>Veil</source>
+        <translation>Sluier</translation>
+    </message>
+    <message>
+        <source>What is behind shows faintly, as through tracing paper</source>
+        <translation>Wat erachter ligt schijnt vaag door, als door calqueerpapier</translation>
+    </message>
+    <message>
+        <source>Tint</source>
+        <translation>Tint</translation>
+    </message>
+    <message>
+        <source>A thin wash of the structure&apos;s colour; what is behind shows through</source>
+        <translation>Een dunne laag in de kleur van de structuur; wat erachter ligt schijnt door</translation>
+    </message>
+    <message>
+        <source>Where only lines are drawn</source>
+        <translation>Waar alleen lijnen getekend zijn</translation>
+    </message>
+    <message>
+        <source>Emphasis</source>
+        <translation>Nadruk</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>Focus</translation>
+    </message>
+    <message>
+        <source>These in detail, everything else as contours</source>
+        <translation>Deze in detail, al het andere als contouren</translation>
+    </message>
+    <message>
+        <source>Context</source>
+        <translation>Context</translation>
+    </message>
+    <message>
+        <source>These as contours</source>
+        <translation>Deze als contouren</translation>
+    </message>
+    <message>
+        <source>Inherit Γ</source>
+        <translation>Γ overnemen</translation>
+    </message>
+    <message>
+        <source>Fill</source>
+        <translation>Vulling</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::HelpWindow</name>
+    <message>
+        <source>Help</source>
+        <translation>Help</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Pagina</translation>
+    </message>
+    <message>
+        <source>Search in help</source>
+        <translation>Zoeken in de help</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhoud</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Terug</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vooruit</translation>
+    </message>
+    <message>
+        <source>Open in the Browser?</source>
+        <translation>Openen in de browser?</translation>
+    </message>
+    <message>
+        <source>This link leads out of the program, to
+%1</source>
+        <translation>Deze koppeling leidt buiten het programma, naar
+%1</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::MainWindow</name>
+    <message>
+        <source>Structures: %1   Triangles: %2</source>
+        <translation>Structuren: %1   Driehoeken: %2</translation>
+    </message>
+    <message>
+        <source>Structures</source>
+        <translation>Structuren</translation>
+    </message>
+    <message>
+        <source>Line Style</source>
+        <translation>Lijnstijl</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Geschiedenis</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Zoals geopend</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Voortgang</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 openen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Ongedaan maken</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>Opn&amp;ieuw</translation>
+    </message>
+    <message>
+        <source>Context</source>
+        <translation>Context</translation>
+    </message>
+    <message>
+        <source>Inherit Γ</source>
+        <translation>Γ overnemen</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>Isoleren</translation>
+    </message>
+    <message>
+        <source>Show All</source>
+        <translation>Alles tonen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Verwijderen</translation>
+    </message>
+    <message>
+        <source>Turning around this place on %1</source>
+        <translation>Draait om deze plek op %1</translation>
+    </message>
+    <message>
+        <source>Focus and Context</source>
+        <translation>Focus en context</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::MessageBar</name>
+    <message>
+        <source>Message</source>
+        <translation>Melding</translation>
+    </message>
+    <message>
+        <source>Close the message</source>
+        <translation>De melding sluiten</translation>
+    </message>
+    <message>
+        <source>Opened, with remarks</source>
+        <translation>Geopend, met opmerkingen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Show all %n</source>
+        <translation>
+            <numerusform>%n tonen</numerusform>
+            <numerusform>Alle %n tonen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What was left out or mended</source>
+        <translation>Wat weggelaten of hersteld is</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Voorkeuren</translation>
+    </message>
+    <message>
+        <source>%1:</source>
+        <translation>%1:</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::RecoveryDialog</name>
+    <message>
+        <source>Recover Unsaved Work</source>
+        <translation>Niet-opgeslagen werk herstellen</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Later</translation>
+    </message>
+    <message>
+        <source>The program did not end as it should. It had kept:</source>
+        <translation>Het programma is niet goed geëindigd. Het had bewaard:</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::RecoveryList</name>
+    <message>
+        <source>A damaged copy</source>
+        <translation>Een beschadigde kopie</translation>
+    </message>
+    <message>
+        <source>never saved</source>
+        <translation>nooit opgeslagen</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Herstellen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>Delete the unsaved work on “%1”?</source>
+        <translation>Niet-opgeslagen werk aan ‘%1’ verwijderen?</translation>
+    </message>
+    <message>
+        <source>It cannot be brought back.</source>
+        <translation>Het kan niet worden teruggehaald.</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SectionActions</name>
+    <message>
+        <source>%1 Section</source>
+        <translation>Doorsnede: %1</translation>
+    </message>
+    <message>
+        <source>Without %1 Section</source>
+        <translation>Zonder doorsnede: %1</translation>
+    </message>
+    <message>
+        <source>Flip Sections</source>
+        <translation>Doorsneden omkeren</translation>
+    </message>
+    <message>
+        <source>Whole Again</source>
+        <translation>Weer heel</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::Session</name>
+    <message>
+        <source>Γ of %1</source>
+        <translation>Γ van %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Γ of %n items</source>
+        <translation>
+            <numerusform>Γ van %n onderdeel</numerusform>
+            <numerusform>Γ van %n onderdelen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 en nog %n</numerusform>
+            <numerusform>%1 en nog %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No file that could be read again has changed</source>
+        <translation>Geen bestand dat opnieuw gelezen kan worden is gewijzigd</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures were read again</source>
+        <translation>
+            <numerusform>%n structuur is opnieuw gelezen</numerusform>
+            <numerusform>%n structuren zijn opnieuw gelezen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Reload from source</source>
+        <translation>Opnieuw laden van de bron</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 openen</translation>
+    </message>
+    <message>
+        <source>Close %1</source>
+        <translation>%1 sluiten</translation>
+    </message>
+    <message>
+        <source>Revert to Saved</source>
+        <translation>Terug naar opgeslagen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StartPage</name>
+    <message>
+        <source>Opened Last</source>
+        <translation>Laatst geopend</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Demos, Modelled by the Program</source>
+        <translation>Demo’s, door het programma gemodelleerd</translation>
+    </message>
+    <message>
+        <source>Sline</source>
+        <translation>Sline</translation>
+    </message>
+    <message>
+        <source>Focus-and-context line drawings of anatomy</source>
+        <translation>Lijntekeningen van anatomie met focus en context</translation>
+    </message>
+    <message>
+        <source>Open Files…</source>
+        <translation>Bestanden openen…</translation>
+    </message>
+    <message>
+        <source>Open Folder…</source>
+        <translation>Map openen…</translation>
+    </message>
+    <message>
+        <source>or drop files and folders into this window</source>
+        <translation>of sleep bestanden en mappen naar dit venster</translation>
+    </message>
+    <message>
+        <source>The program did not end as it should. It had kept:</source>
+        <translation>Het programma is niet goed geëindigd. Het had bewaard:</translation>
+    </message>
+    <message>
+        <source>no longer there</source>
+        <translation>niet meer aanwezig</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StructureTree</name>
+    <message>
+        <source>Filter structures by name</source>
+        <translation>Structuren op naam filteren</translation>
+    </message>
+    <message>
+        <source>Filter by name</source>
+        <translation>Op naam filteren</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Kleur</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StructureTreeModel</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 tot %2</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Verborgen</translation>
+    </message>
+    <message>
+        <source>Partly shown</source>
+        <translation>Deels getoond</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Getoond</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Kleur</translation>
+    </message>
+    <message>
+        <source>Γ %1</source>
+        <translation>Γ %1</translation>
+    </message>
+    <message>
+        <source>%1, from the group above</source>
+        <translation>%1, van de groep erboven</translation>
+    </message>
+    <message>
+        <source>%1, structures: %2</source>
+        <translation>%1, structuren: %2</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Hernoemen</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Structuur</translation>
+    </message>
+    <message>
+        <source>Γ</source>
+        <translation>Γ</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StructureTreeView</name>
+    <message>
+        <source>Structures</source>
+        <translation>Structuren</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Verbergen</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Tonen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ViewActions</name>
+    <message>
+        <source>Key Light</source>
+        <translation>Hoofdlicht</translation>
+    </message>
+    <message>
+        <source>View “%1”</source>
+        <translation>Aanzicht ‘%1’</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::Viewport</name>
+    <message>
+        <source>Picture</source>
+        <translation>Beeld</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/structure_tree/structure_edits.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "model/edit/locks.h"
+#include "model/edit/tree.h"
+#include "model/edit/visibility.h"
+
+namespace sline::widgets {
+
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("sline::widgets", text);
+}
+
+std::string newGroupName() {
+  return tr("Group").toStdString();
+}
+
+model::NodeId take(Session& session, const QString& name, model::Grouped grouped) {
+  if (!session.apply(name, std::move(grouped.edited)))
+    return model::rootId;
+  session.select({grouped.group});
+  return grouped.group;
+}
+
+}  // namespace
+
+void toggleShown(Session& session, const NodeIds& ids) {
+  if (ids.empty())
+    return;
+  const model::Scene& scene = session.scene();
+  const bool all = std::all_of(ids.begin(), ids.end(), [&](model::NodeId id) {
+    return model::shownOf(scene, id) == model::Shown::all;
+  });
+  if (all)
+    session.apply(tr("Hide"), model::withHidden(scene, ids));
+  else
+    session.apply(tr("Show"), model::withShown(scene, ids));
+}
+
+void toggleLocked(Session& session, const NodeIds& ids) {
+  const model::Scene& scene = session.scene();
+  const bool all =
+      std::all_of(ids.begin(), ids.end(), [&](model::NodeId id) { return scene.find(id)->locked; });
+  session.apply(all ? tr("Unlock") : tr("Lock"), model::withLocked(scene, ids, !all));
+}
+
+void isolate(Session& session, const NodeIds& ids) {
+  if (!ids.empty() && !session.apply(tr("Isolate"), model::withOnlyVisible(session.scene(), ids)))
+    showAll(session);
+}
+
+void hideOthers(Session& session, const NodeIds& ids) {
+  session.apply(tr("Hide Others"), model::withOthersHidden(session.scene(), ids));
+}
+
+void showAll(Session& session) {
+  NodeIds all;
+  for (const model::Node& node : session.scene().nodes())
+    all.push_back(node.id);
+  session.apply(tr("Show All"), model::withShown(session.scene(), all));
+}
+
+void ghostNodes(Session& session, const NodeIds& ids) {
+  session.apply(tr("Ghost"), model::withGhost(session.scene(), ids));
+}
+
+void inherit(Session& session, const NodeIds& ids, model::Inherited what) {
+  QString name;
+  switch (what) {
+    case model::Inherited::gamma:
+      name = tr("Inherit Γ");
+      break;
+    case model::Inherited::colour:
+      name = tr("Inherit Colour");
+      break;
+    case model::Inherited::opacity:
+      name = tr("Inherit Opacity");
+      break;
+    case model::Inherited::all:
+      name = tr("Inherit All");
+      break;
+  }
+  session.apply(name, model::withInherited(session.scene(), ids, what));
+}
+
+bool saysItself(const model::Scene& scene, const NodeIds& ids, model::Inherited what) {
+  const model::NodeSet meant = model::withAllBelow(scene, model::setOf(ids));
+  return std::any_of(scene.nodes().begin(), scene.nodes().end(), [&](const model::Node& node) {
+    if (!meant.contains(node.id.value))
+      return false;
+    model::Style looks = node.style;
+    looks.visible.reset();
+    switch (what) {
+      case model::Inherited::gamma:
+        return looks.gamma.has_value();
+      case model::Inherited::colour:
+        return looks.colour.has_value();
+      case model::Inherited::opacity:
+        return looks.opacity.has_value();
+      case model::Inherited::all:
+        return looks != model::Style();
+    }
+    return false;
+  });
+}
+
+model::NodeId groupNodes(Session& session, const NodeIds& ids) {
+  return take(session, tr("Group"), model::grouped(session.scene(), ids, newGroupName()));
+}
+
+model::NodeId addGroup(Session& session, const NodeIds& ids) {
+  const model::Node* only = ids.size() == 1 ? session.scene().find(ids.front()) : nullptr;
+  const model::NodeId parent = !only ? model::rootId : only->isGroup() ? only->id : only->parent;
+  return take(session, tr("New Group"), model::withGroup(session.scene(), newGroupName(), parent));
+}
+
+void ungroupNodes(Session& session, const NodeIds& ids) {
+  NodeIds inside;
+  for (const model::NodeId id : ids)
+    for (const model::NodeId child : session.scene().children(id))
+      inside.push_back(child);
+  if (session.apply(tr("Ungroup"), model::ungrouped(session.scene(), ids)))
+    session.select(std::move(inside));
+}
+
+void removeNodes(Session& session, const NodeIds& ids) {
+  session.apply(tr("Remove"), model::removed(session.scene(), ids));
+}
+
+void moveNodes(Session& session, const NodeIds& ids, model::NodeId group, model::NodeId before) {
+  session.apply(tr("Move"), model::moved(session.scene(), ids, group, before));
+}
+
+}  // namespace sline::widgets

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/structure_tree/structure_properties.h"
+
+#include <QClipboard>
+#include <QCoreApplication>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QLocale>
+#include <QPointer>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QThreadPool>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "model/edit/node_sets.h"
+#include "widgets/gamma/stages.h"
+
+namespace sline::widgets {
+
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("sline::widgets", text);
+}
+
+QString number(double value, int digits = 1) {
+  return QLocale().toString(value, 'f', digits);
+}
+
+QString count(std::size_t value) {
+  return QLocale().toString(qulonglong(value));
+}
+
+QString withReason(const QString& text, const std::string& reason) {
+  return reason.empty() ? text
+                        : QStringLiteral("%1 (%2)").arg(text, QString::fromStdString(reason));
+}
+
+QString saidBy(const QString& text, bool own) {
+  return own ? tr("%1, its own").arg(text) : tr("%1, inherited").arg(text);
+}
+
+QString fillName(model::Fill fill) {
+  switch (fill) {
+    case model::Fill::none:
+      return tr("open");
+    case model::Fill::paper:
+      return tr("solid");
+    case model::Fill::tint:
+      return tr("tint");
+    case model::Fill::veil:
+      return tr("veil");
+  }
+  return {};
+}
+
+QString imported(const model::Provenance& p) {
+  QStringList done;
+  if (p.decimatedFrom > 0)
+    done << tr("simplified from %1 triangles, at most %2 mm off")
+                .arg(count(std::size_t(p.decimatedFrom)), number(double(p.decimationMm), 2));
+  if (p.smoothingSteps > 0)
+    done << tr("smoothed in %1 steps, at most %2 mm off")
+                .arg(p.smoothingSteps)
+                .arg(number(double(p.displacementMm), 2));
+  if (p.refinementSteps > 0)
+    done << tr("refined in %1 steps").arg(p.refinementSteps);
+  if (p.repairedFaces > 0)
+    done << tr("%1 faces mended").arg(count(std::size_t(p.repairedFaces)));
+  if (p.transform)
+    done << tr("moved as its scene says");
+  return done.isEmpty() ? tr("as in the file") : done.join(QStringLiteral("; "));
+}
+
+void addOrigin(std::vector<Property>& rows, const model::Provenance& p) {
+  if (p.file.empty()) {
+    rows.push_back({QStringLiteral("file"), tr("File"), tr("made by the program")});
+    return;
+  }
+  rows.push_back({QStringLiteral("file"), tr("File"), QString::fromStdString(p.file)});
+  if (!p.part.empty())
+    rows.push_back(
+        {QStringLiteral("part"), tr("Part of the file"), QString::fromStdString(p.part)});
+  rows.push_back({QStringLiteral("frame"), tr("Coordinates"),
+                  withReason(QString::fromStdString(p.frame), p.frameReason)});
+  rows.push_back(
+      {QStringLiteral("unit"), tr("Unit"),
+       withReason(tr("%1 mm").arg(QLocale().toString(double(p.mmPerUnit), 'g', 6)), p.unitReason)});
+  rows.push_back({QStringLiteral("import"), tr("Import"), imported(p)});
+}
+
+void addLooks(std::vector<Property>& rows, const model::Scene& scene, const model::Node& node) {
+  const model::ResolvedStyle style = scene.resolve(node.id);
+  const model::Style& own = node.style;
+  const QString colour = QStringLiteral("#%1%2%3")
+                             .arg(style.colour.red, 2, 16, QLatin1Char('0'))
+                             .arg(style.colour.green, 2, 16, QLatin1Char('0'))
+                             .arg(style.colour.blue, 2, 16, QLatin1Char('0'));
+  rows.push_back(
+      {QStringLiteral("gamma"), tr("Γ"), saidBy(gammaText(style.gamma), own.gamma.has_value())});
+  rows.push_back({QStringLiteral("colour"), tr("Colour"), saidBy(colour, own.colour.has_value())});
+  rows.push_back({QStringLiteral("opacity"), tr("Opacity"),
+                  saidBy(tr("%1 %").arg(number(100.0 * double(style.opacity.value()), 0)),
+                         own.opacity.has_value())});
+  rows.push_back({QStringLiteral("fill"), tr("Between the lines"),
+                  saidBy(fillName(style.fill), own.fill.has_value())});
+  rows.push_back(
+      {QStringLiteral("pen"), tr("Line width"),
+       saidBy(tr("%1 ×").arg(number(double(style.penWeight), 2)), own.penWeight.has_value())});
+  rows.push_back({QStringLiteral("shown"), tr("Shown"), style.visible ? tr("yes") : tr("no")});
+  rows.push_back({QStringLiteral("locked"), tr("Locked"),
+                  node.locked               ? tr("yes")
+                  : scene.isLocked(node.id) ? tr("by the group above")
+                                            : tr("no")});
+}
+
+NodeIds structuresOf(const model::Scene& scene, const NodeIds& ids) {
+  NodeIds all;
+  for (const model::NodeId id : model::topmost(scene, ids)) {
+    const NodeIds below = scene.structuresBelow(id);
+    all.insert(all.end(), below.begin(), below.end());
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<Property> propertiesOf(const model::Scene& scene, const NodeIds& ids) {
+  std::vector<Property> rows;
+  if (ids.empty())
+    return rows;
+  const model::Node& first = *scene.find(ids.front());
+  const bool one = ids.size() == 1;
+  if (one) {
+    rows.push_back({QStringLiteral("name"), tr("Name"), QString::fromStdString(first.name)});
+    if (const std::string path = scene.groupPath(first.id); !path.empty())
+      rows.push_back({QStringLiteral("group"), tr("In"), QString::fromStdString(path)});
+  }
+  const NodeIds structures = structuresOf(scene, ids);
+  if (!one || first.isGroup())
+    rows.push_back({QStringLiteral("structures"), tr("Structures"), count(structures.size())});
+  std::size_t triangles = 0;
+  model::Box bounds;
+  for (const model::NodeId id : structures) {
+    const model::MeshPtr& mesh = scene.find(id)->mesh;
+    triangles += mesh->triangleCount();
+    if (!mesh->bounds().empty())
+      bounds.add(mesh->bounds());
+  }
+  rows.push_back({QStringLiteral("triangles"), tr("Triangles"), count(triangles)});
+  if (!bounds.empty()) {
+    const glm::vec3 size = bounds.size();
+    rows.push_back(
+        {QStringLiteral("size"), tr("Size"),
+         tr("%1 × %2 × %3 mm (right–left, front–back, foot–head)")
+             .arg(number(double(size.x)), number(double(size.y)), number(double(size.z)))});
+  }
+  if (one && !first.isGroup())
+    addOrigin(rows, first.provenance);
+  if (one)
+    addLooks(rows, scene, first);
+  return rows;
+}
+
+std::vector<Property> extentProperties(const std::vector<model::MeshPtr>& meshes) {
+  double area = 0.0;
+  double volume = 0.0;
+  std::size_t closed = 0;
+  for (const model::MeshPtr& mesh : meshes) {
+    const model::Extent extent = model::extentOf(*mesh);
+    area += extent.area;
+    volume += extent.volume.value_or(0.0);
+    closed += extent.volume ? 1 : 0;
+  }
+  QString inside =
+      closed == 0 ? tr("none: the surface has holes") : tr("%1 ml").arg(number(volume / 1000.0, 2));
+  if (closed > 0 && closed < meshes.size())
+    inside = tr("%1, of %2 closed surfaces").arg(inside, count(closed));
+  return {{QStringLiteral("area"), tr("Surface"), tr("%1 cm²").arg(number(area / 100.0, 2))},
+          {QStringLiteral("volume"), tr("Volume"), inside}};
+}
+
+StructureProperties::StructureProperties(const Session& session, const NodeIds& ids,
+                                         QWidget* parent)
+    : QDialog(parent), m_form(new QFormLayout) {
+  setObjectName(QStringLiteral("propertiesDialog"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  setWindowTitle(tr("Properties"));
+  auto* content = new QWidget;
+  content->setLayout(m_form);
+  m_form->setContentsMargins(16, 16, 16, 16);
+  m_form->setHorizontalSpacing(18);
+  m_form->setVerticalSpacing(7);
+  m_form->setLabelAlignment(Qt::AlignRight | Qt::AlignTop);
+  auto* scroll = new QScrollArea;
+  scroll->setObjectName(QStringLiteral("propertiesScroll"));
+  scroll->setAccessibleName(tr("Properties"));
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setWidget(content);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  QPushButton* copyButton = buttons->addButton(tr("&Copy"), QDialogButtonBox::ActionRole);
+  copyButton->setObjectName(QStringLiteral("propertiesCopy"));
+  buttons->button(QDialogButtonBox::Close)->setObjectName(QStringLiteral("propertiesClose"));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 12);
+  layout->addWidget(scroll, 1);
+  auto* foot = new QVBoxLayout;
+  foot->setContentsMargins(16, 0, 16, 0);
+  foot->addWidget(buttons);
+  layout->addLayout(foot);
+  connect(copyButton, &QPushButton::clicked, this, &StructureProperties::copy);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  resize(540, 480);
+  buttons->button(QDialogButtonBox::Close)->setDefault(true);
+
+  add(propertiesOf(session.scene(), ids));
+  std::vector<model::MeshPtr> meshes;
+  for (const model::NodeId id : structuresOf(session.scene(), ids))
+    meshes.push_back(session.scene().find(id)->mesh);
+  // A million triangles take longer than a window may stand still.
+  QThreadPool::globalInstance()->start([meshes, dialog = QPointer(this)] {
+    const std::vector<Property> rows = extentProperties(meshes);
+    QMetaObject::invokeMethod(QCoreApplication::instance(), [dialog, rows] {
+      if (dialog)
+        dialog->add(rows);
+    });
+  });
+}
+
+void StructureProperties::add(const std::vector<Property>& properties) {
+  for (const Property& property : properties) {
+    auto* text = new QLabel(property.text);
+    text->setObjectName(QStringLiteral("property-") + property.id);
+    text->setAccessibleName(property.label);
+    text->setTextFormat(Qt::PlainText);
+    text->setWordWrap(true);
+    text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    auto* label = new QLabel(property.label);
+    label->setEnabled(false);
+    m_form->addRow(label, text);
+    m_lines << property.label + QLatin1Char('\t') + property.text;
+  }
+}
+
+void StructureProperties::copy() const {
+  QGuiApplication::clipboard()->setText(m_lines.join(QLatin1Char('\n')));
+}
+
+}  // namespace sline::widgets

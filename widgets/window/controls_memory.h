@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the controls know that nobody else does, kept while they are made anew.
+#pragma once
+
+#include <QByteArray>
+#include <QMainWindow>
+#include <QPoint>
+#include <QRect>
+#include <QString>
+#include <map>
+#include <vector>
+
+namespace sline::widgets {
+
+/// Where docks and toolbars lie, what is typed into boxes, how far lists are scrolled, who has the
+/// keyboard, which windows of settings and help are open.
+class ControlsMemory {
+ public:
+  explicit ControlsMemory(const QMainWindow& window);
+  void restore(QMainWindow& window) const;
+
+ private:
+  /// A window that an action opens.
+  struct Opened {
+    QString action;
+    QString name;
+    QRect place;
+    int page = -1;  ///< of its tabs or its list
+    QString focus;
+  };
+  void remember(const QWidget& opened, const char* action);
+  void reopen(QMainWindow& window, const Opened& opened) const;
+
+  QByteArray m_places;
+  QString m_focus;
+  std::map<QString, QString> m_texts;  ///< by the boxes' names
+  std::map<QString, QPoint> m_scrolled;
+  std::vector<Opened> m_opened;
+};
+
+/// Docks, toolbars, menus, the status bar and what actions have opened go.
+void clearControls(QMainWindow& window);
+
+}  // namespace sline::widgets

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/window/structure_actions.h"
+
+#include <QAction>
+#include <algorithm>
+
+#include "model/edit/locks.h"
+#include "widgets/structure_tree/structure_edits.h"
+#include "widgets/structure_tree/structure_tree.h"
+#include "widgets/structure_tree/structure_tree_view.h"
+#include "widgets/viewport/viewport.h"
+
+namespace sline::widgets {
+
+namespace {
+
+/// Which of the nodes and of what is below them say something themselves.
+struct InheritRow {
+  const char* action;
+  model::Inherited what;
+};
+constexpr InheritRow inheritRows[] = {{"inherit", model::Inherited::gamma},
+                                      {"inheritColour", model::Inherited::colour},
+                                      {"inheritOpacity", model::Inherited::opacity},
+                                      {"inheritAll", model::Inherited::all}};
+
+}  // namespace
+
+StructureActions::StructureActions(Session& session, StructureTree& tree, Viewport& viewport,
+                                   const WindowActions& actions, QObject* parent)
+    : QObject(parent), m_session(session), m_tree(tree), m_viewport(viewport), m_actions(actions) {
+  connectLooks();
+  connectTree();
+  connect(&m_session, &Session::documentChanged, this, &StructureActions::showState);
+  connect(&m_session, &Session::selectionChanged, this, &StructureActions::showState);
+  connect(&m_tree.view(), &StructureTreeView::zoomWanted, &m_actions[QStringLiteral("zoomTo")],
+          &QAction::trigger);
+  m_actions[QStringLiteral("lock")].setCheckable(true);
+  showState();
+}
+
+void StructureActions::editSelection(const QString& name, Edit made) {
+  if (!m_session.selection().empty())
+    m_session.apply(name, made(m_session.scene(), m_session.selection()));
+}
+
+void StructureActions::connectLooks() {
+  const auto on = [this](const char* id, auto function) {
+    connect(&m_actions[QLatin1String(id)], &QAction::triggered, this, function);
+  };
+  on("context", [this] { editSelection(tr("Context"), model::withContext); });
+  on("ghost", [this] { ghostNodes(m_session, m_session.selection()); });
+  for (const InheritRow& row : inheritRows)
+    on(row.action, [this, row] { inherit(m_session, m_session.selection(), row.what); });
+  on("toggle", [this] { toggleShown(m_session, m_session.selection()); });
+  on("isolate", [this] { isolate(m_session, m_session.selection()); });
+  on("hideOthers", [this] { hideOthers(m_session, m_session.selection()); });
+  on("showAll", [this] { showAll(m_session); });
+  on("zoomTo", [this] { m_viewport.fitTo(m_session.selection()); });
+  on("colour", [this] { m_tree.chooseColour(m_session.selection()); });
+}
+
+void StructureActions::connectTree() {
+  const auto on = [this](const char* id, auto function) {
+    connect(&m_actions[QLatin1String(id)], &QAction::triggered, this, function);
+  };
+  on("rename", [this] { m_tree.view().renameCurrent(); });
+  on("newGroup", [this] { nameGroup(addGroup(m_session, m_session.selection())); });
+  on("group", [this] { nameGroup(groupNodes(m_session, m_session.selection())); });
+  on("ungroup", [this] { ungroupNodes(m_session, m_session.selection()); });
+  on("lock", [this] {
+    toggleLocked(m_session, m_session.selection());
+    showState();  // the action has checked itself, whatever came of it
+  });
+  on("properties", [this] { m_tree.showProperties(m_session.selection()); });
+  on("remove", [this] { removeNodes(m_session, m_session.selection()); });
+}
+
+void StructureActions::nameGroup(model::NodeId group) {
+  if (group != model::rootId)
+    m_tree.view().rename(group);
+}
+
+void StructureActions::showState() {
+  const model::Scene& scene = m_session.scene();
+  const NodeIds& ids = m_session.selection();
+  // The session forgets what is gone only after the document has changed.
+  const bool any = !ids.empty() && std::all_of(ids.begin(), ids.end(), [&](model::NodeId id) {
+    return scene.find(id) != nullptr;
+  });
+  const bool free = any && !model::editable(scene, ids).empty();
+  for (const char* id :
+       {"toggle", "isolate", "hideOthers", "zoomTo", "lock", "properties", "focus"})
+    m_actions[QLatin1String(id)].setEnabled(any);
+  for (const char* id : {"context", "ghost", "colour", "rename", "group", "remove"})
+    m_actions[QLatin1String(id)].setEnabled(free);
+  for (const InheritRow& row : inheritRows)
+    m_actions[QLatin1String(row.action)].setEnabled(free && saysItself(scene, ids, row.what));
+  m_actions[QStringLiteral("ungroup")].setEnabled(
+      free && std::any_of(ids.begin(), ids.end(),
+                          [&](model::NodeId id) { return scene.find(id)->isGroup(); }));
+  m_actions[QStringLiteral("newGroup")].setEnabled(!scene.nodes().empty());
+  m_actions[QStringLiteral("lock")].setChecked(
+      any && std::all_of(ids.begin(), ids.end(),
+                         [&](model::NodeId id) { return scene.find(id)->locked; }));
+}
+
+}  // namespace sline::widgets
