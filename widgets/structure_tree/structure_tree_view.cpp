@@ -173,7 +173,9 @@ void StructureTreeView::rename(model::NodeId id) {
     return;
   setFocus();
   scrollTo(index);
-  setCurrentIndex(index);
+  // Not by the view, which would toggle the row while Ctrl is down, as with Ctrl+G.
+  selectionModel()->setCurrentIndex(
+      index, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
   edit(index);
 }
 
