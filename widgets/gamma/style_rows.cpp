@@ -8,7 +8,7 @@ namespace sline::widgets {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("StyleRows", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 
 float number(float value) {
