@@ -11,14 +11,12 @@
 #include <QToolButton>
 #include <QWheelEvent>
 #include <QtTest>
-#include <algorithm>
 #include <cmath>
 
 #include "model/edit/look.h"
 #include "model/edit/visibility.h"
 #include "tests/gui/window_fixture.h"
 #include "widgets/gamma/gamma_slider.h"
-#include "widgets/gamma/preset_store.h"
 #include "widgets/gamma/range_box.h"
 #include "widgets/gamma/stage_strip.h"
 #include "widgets/gamma/style_rows.h"
@@ -110,8 +108,8 @@ class GammaPanelTest : public QObject {
   void whatIsOpenStaysOpen();
   void ownPresets_data();
   void ownPresets();
+  void focusTakesItsTime();
   void presetsOfAPerson();
-  void presetsSurviveTheirFile();
 };
 
 void GammaPanelTest::keysAndWheelStep() {
@@ -414,6 +412,15 @@ void GammaPanelTest::ownPresets() {
   QVERIFY(f.session.scene() == before);
 }
 
+void GammaPanelTest::focusTakesItsTime() {
+  Panel f;
+  f.session.select({f.named("bladder")});
+  const int steps = f.steps();
+  f.click(f.control<QPushButton>("focusButton"));
+  QVERIFY(QTest::qWaitFor([&] { return f.steps() == steps + 1; }, minute));
+  QVERIFY(f.gammaOf("bladder") > f.gammaOf("aorta"));
+}
+
 void GammaPanelTest::presetsOfAPerson() {
   Panel f;
   f.session.select({f.named("bladder")});
@@ -458,45 +465,6 @@ void GammaPanelTest::presetsOfAPerson() {
   f.click(f.control<QPushButton>("deletePreset"));
   QCOMPARE(list.count(), 0);
   QVERIFY(!f.presetEntry("managePresets").isEnabled());
-}
-
-void GammaPanelTest::presetsSurviveTheirFile() {
-  QTemporaryDir folder;
-  QSettings settings(folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat);
-  model::Style all = {.colour = Colour{1, 2, 255},
-                      .inkColour = Colour{0, 16, 32},
-                      .gamma = Gamma::clamped(2.75f),
-                      .opacity = Opacity::clamped(0.35f),
-                      .fill = model::Fill::veil,
-                      .penWeight = 1.5f,
-                      .hatchDensity = HatchDensity::clamped(2.0f),
-                      .hatchTone = HatchTone::clamped(0.25f)};
-  {
-    widgets::PresetStore store(settings);
-    QVERIFY(store.save(QStringLiteral(" Zarte Linie "), all));
-    QVERIFY(!store.save(QStringLiteral("  "), all));
-    QVERIFY(!store.save(QStringLiteral("nothing"), {}));
-    QVERIFY(store.save(QStringLiteral("a"), {.gamma = Gamma::clamped(1.0f)}));
-    QVERIFY(!store.rename(QStringLiteral("a"), QStringLiteral("Zarte Linie")));
-  }
-  settings.sync();
-  QSettings again(settings.fileName(), QSettings::IniFormat);
-  {
-    // What is not understood is left out.
-    again.beginWriteArray(QStringLiteral("presets"), 3);
-    again.setArrayIndex(2);
-    again.setValue(QStringLiteral("name"), QStringLiteral("spoiled"));
-    again.setValue(QStringLiteral("gamma"), QStringLiteral("nan"));
-    again.setValue(QStringLiteral("fill"), QStringLiteral("mud"));
-    again.setValue(QStringLiteral("colour"), QStringLiteral("#12"));
-    again.endArray();
-  }
-  const auto presets = widgets::PresetStore(again).presets();
-  QCOMPARE(presets.size(), std::size_t(2));
-  const auto found = std::find_if(presets.begin(), presets.end(),
-                                  [](const auto& preset) { return preset.name == "Zarte Linie"; });
-  QVERIFY(found != presets.end());
-  QVERIFY(found->style == all);
 }
 
 QTEST_MAIN(GammaPanelTest)

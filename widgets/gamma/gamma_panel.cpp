@@ -169,6 +169,11 @@ QWidget* GammaPanel::makeFill() {
     m_fill->addButton(button, int(choice.fill));
   }
   layout->addLayout(buttons);
+  // A sunken button is hardly seen on a dark ground.
+  row->setStyleSheet(
+      QStringLiteral("QPushButton:checked { background: palette(highlight);"
+                     " color: palette(highlighted-text); border: 1px solid palette(highlight);"
+                     " border-radius: 3px; padding: 3px; }"));
   return row;
 }
 

@@ -12,7 +12,7 @@ namespace sline::widgets {
 namespace {
 
 constexpr int unitsPerGamma = 100;
-constexpr double margin = 26.0;  // above and below the groove: half a stage's picture
+constexpr double margin = 33.0;  // above and below the groove: half a stage's picture
 constexpr double grooveX = 16.0;
 constexpr int wide = 40;
 
@@ -41,7 +41,7 @@ QSize GammaSlider::sizeHint() const {
 }
 
 QSize GammaSlider::minimumSizeHint() const {
-  return {wide, 240};
+  return {wide, 280};
 }
 
 QPointF GammaSlider::pointOf(Gamma gamma) const {

@@ -44,9 +44,13 @@ QIcon swatch(const std::optional<QColor>& colour, const QPalette& palette, bool 
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(palette.color(QPalette::Mid), 4.0));
+  QColor frame = palette.color(QPalette::WindowText);
+  frame.setAlpha(110);
+  painter.setPen(QPen(frame, 4.0));
   painter.setBrush(colour ? QBrush(*colour) : QBrush(palette.color(QPalette::Base)));
   painter.drawRoundedRect(QRectF(4.0, 4.0, side - 8.0, side - 8.0), 10.0, 10.0);
+  if (!colour)
+    painter.drawLine(QPointF(12.0, side - 12.0), QPointF(side - 12.0, 12.0));
   if (mixed) {
     // Several colours: half of it left open.
     painter.setPen(Qt::NoPen);

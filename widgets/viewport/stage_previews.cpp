@@ -17,8 +17,8 @@ constexpr std::size_t mostStructures = 24;
 constexpr int samples = 2;
 constexpr int mostStages = 16;
 // What is readable, in pixels of the window; a picture's own units would make hairs of lines.
-constexpr double penWidth = 1.5;
-constexpr double strokeSpacing = 3.5;
+constexpr double penWidth = 1.1;
+constexpr double strokeSpacing = 3.0;
 
 /// λ in a picture of that height is this many pixels.
 double outputUnit(int height) {

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// sline-bench-window: from a move of the Γ slider to the picture on screen, through the whole
+// window, beside a full frame through the same window. Needs a display (xvfb-run).
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QtTest>
+#include <iostream>
+
+#include "tests/bench/measure.h"
+#include "tests/gui/window_fixture.h"
+#include "widgets/gamma/gamma_slider.h"
+
+using namespace sline;
+
+namespace {
+
+/// Milliseconds until the picture shows what was done.
+double shownAfter(test::WindowFixture& f) {
+  constexpr int minute = 60'000;
+  QElapsedTimer clock;
+  clock.start();
+  bool shown = f.viewport().upToDate();
+  QEventLoop loop;
+  const auto look = [&] {
+    if (f.viewport().upToDate()) {
+      shown = true;
+      loop.quit();
+    }
+  };
+  QObject::connect(&f.viewport(), &widgets::Viewport::pictureShown, &loop, look);
+  QTimer::singleShot(minute, &loop, [&loop] { loop.quit(); });
+  if (!shown)
+    loop.exec();
+  return double(clock.nsecsElapsed()) * 1e-6;
+}
+
+struct Times {
+  std::vector<double> steps;
+  std::vector<double> full;
+  int mostLayers = 0;
+};
+
+Times drag(test::WindowFixture& f, model::NodeId id) {
+  f.session.select({id});
+  f.settled();
+  auto& slider = f.control<widgets::GammaSlider>("gammaSlider");
+  const auto at = [&slider](float gamma) { return slider.pointOf(Gamma::clamped(gamma)); };
+  Times times;
+  model::Camera camera = f.viewport().camera();
+  for (const bool counts : {false, true}) {
+    for (int i = 0; i < 4 && counts; ++i) {
+      camera.eye.x += 0.5f;
+      f.viewport().setCamera(camera);
+      times.full.push_back(shownAfter(f));
+    }
+    test::sendMouse(slider, QEvent::MouseButtonPress, at(0.0f));
+    shownAfter(f);
+    for (float gamma = 0.15f; gamma < 5.0f; gamma += 0.15f) {
+      test::sendMouse(slider, QEvent::MouseMove, at(gamma));
+      const double milliseconds = shownAfter(f);
+      if (!counts)
+        continue;  // the first time strokes are laid
+      times.steps.push_back(milliseconds);
+      times.mostLayers = std::max(times.mostLayers, f.viewport().lastLayersDrawn());
+    }
+    test::sendMouse(slider, QEvent::MouseButtonRelease, at(2.0f));
+    shownAfter(f);
+  }
+  return times;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  if (argc < 3) {
+    std::cerr << "usage: sline-bench-window FILE STRUCTURE…\n";
+    return 2;
+  }
+  test::WindowFixture f;
+  f.window.resize(1920, 900);
+  if (!f.drop(QString::fromLocal8Bit(argv[1])) || !f.settled())
+    return 1;
+  std::cout << "viewport " << f.viewport().width() << "x" << f.viewport().height() << '\n';
+  for (int i = 2; i < argc; ++i)
+    for (const model::NodeId id : f.session.scene().named(argv[i])) {
+      const Times times = drag(f, id);
+      const double step = bench::spreadOf(times.steps).median;
+      const double full = bench::spreadOf(times.full).median;
+      std::cout << argv[i] << ": step " << step << " ms, full frame " << full << " ms, ratio "
+                << step / full << ", layers " << times.mostLayers << std::endl;
+    }
+  return 0;
+}
