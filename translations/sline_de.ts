@@ -168,7 +168,7 @@
     </message>
     <message>
         <source>&amp;Background</source>
-        <translation>&amp;Hintergrund</translation>
+        <translation>Hin&amp;tergrund</translation>
     </message>
     <message>
         <source>Pa&amp;nels</source>
@@ -197,10 +197,6 @@
     <message>
         <source>Open all meshes in a folder</source>
         <translation>Alle Netze in einem Ordner öffnen</translation>
-    </message>
-    <message>
-        <source>&amp;Reload from Source</source>
-        <translation>Von der Quelle &amp;neu laden</translation>
     </message>
     <message>
         <source>Read meshes again whose files have changed</source>
@@ -267,16 +263,12 @@
         <translation>Die gewählten Strukturen als Konturen</translation>
     </message>
     <message>
-        <source>&amp;Inherit Γ</source>
-        <translation>Γ er&amp;ben</translation>
-    </message>
-    <message>
         <source>Take Γ from the group above again</source>
         <translation>Γ wieder von der Gruppe darüber nehmen</translation>
     </message>
     <message>
         <source>Show or &amp;Hide</source>
-        <translation>Ein- oder aus&amp;blenden</translation>
+        <translation>Ein- oder &amp;ausblenden</translation>
     </message>
     <message>
         <source>Hide the selected structures, or show them again (Space in the list)</source>
@@ -291,12 +283,8 @@
         <translation>/</translation>
     </message>
     <message>
-        <source>Hide everything else</source>
-        <translation>Alles andere ausblenden</translation>
-    </message>
-    <message>
         <source>Show &amp;All</source>
-        <translation>&amp;Alle zeigen</translation>
+        <translation>A&amp;lle zeigen</translation>
     </message>
     <message>
         <source>Ctrl+Shift+H</source>
@@ -503,10 +491,6 @@
         <translation>Um den Drehpunkt drehen</translation>
     </message>
     <message>
-        <source>Middle drag, Shift + left drag</source>
-        <translation>Ziehen mit der Mitteltaste, Umschalt + Ziehen mit links</translation>
-    </message>
-    <message>
         <source>Move the picture</source>
         <translation>Das Bild verschieben</translation>
     </message>
@@ -523,20 +507,12 @@
         <translation>Klick</translation>
     </message>
     <message>
-        <source>Select what is seen there; Ctrl adds to the selection</source>
-        <translation>Wählen, was dort zu sehen ist; Strg fügt zur Auswahl hinzu</translation>
-    </message>
-    <message>
         <source>Double click</source>
         <translation>Doppelklick</translation>
     </message>
     <message>
         <source>Turn around this place from now on</source>
         <translation>Von nun an um diese Stelle drehen</translation>
-    </message>
-    <message>
-        <source>Space in the list</source>
-        <translation>Leertaste in der Liste</translation>
     </message>
     <message>
         <source>Show or hide the selected structures</source>
@@ -822,6 +798,662 @@
         <source>The page about the panel that has the keyboard</source>
         <translation>Die Seite zu dem Bedienfeld, das die Tastatur hat</translation>
     </message>
+    <message>
+        <source>Cut away</source>
+        <translation>Weggeschnitten</translation>
+    </message>
+    <message>
+        <source>Orientation cube</source>
+        <translation>Orientierungswürfel</translation>
+    </message>
+    <message>
+        <source>The body&apos;s sides in the corner of the picture; a click looks from there</source>
+        <translation>Die Seiten des Körpers in der Ecke des Bildes; ein Klick blickt von dort</translation>
+    </message>
+    <message>
+        <source>Scale bar</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>True at the depth of what the picture turns around</source>
+        <translation>Gilt in der Tiefe dessen, worum sich das Bild dreht</translation>
+    </message>
+    <message>
+        <source>Names under the mouse</source>
+        <translation>Namen unter der Maus</translation>
+    </message>
+    <message>
+        <source>What a structure is called where the mouse rests</source>
+        <translation>Wie eine Struktur heißt, auf der die Maus ruht</translation>
+    </message>
+    <message>
+        <source>Time that a picture takes</source>
+        <translation>Zeit, die ein Bild braucht</translation>
+    </message>
+    <message>
+        <source>In milliseconds, in the corner of the picture</source>
+        <translation>In Millisekunden, in der Ecke des Bildes</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Maus</translation>
+    </message>
+    <message>
+        <source>Mouse buttons as in</source>
+        <translation>Maustasten wie in</translation>
+    </message>
+    <message>
+        <source>Which buttons and keys turn, move and zoom the picture; H shows them</source>
+        <translation>Welche Tasten das Bild drehen, verschieben und zoomen; H zeigt sie</translation>
+    </message>
+    <message>
+        <source>Sline</source>
+        <translation>Sline</translation>
+    </message>
+    <message>
+        <source>3D Slicer</source>
+        <translation>3D Slicer</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>Short flights between views</source>
+        <translation>Kurze Flüge zwischen Ansichten</translation>
+    </message>
+    <message>
+        <source>Off: the picture changes at once</source>
+        <translation>Aus: das Bild wechselt sofort</translation>
+    </message>
+    <message>
+        <source>Sagittal section</source>
+        <translation>Sagittalschnitt</translation>
+    </message>
+    <message>
+        <source>Coronal section</source>
+        <translation>Koronalschnitt</translation>
+    </message>
+    <message>
+        <source>Axial section</source>
+        <translation>Axialschnitt</translation>
+    </message>
+    <message>
+        <source>Oblique section</source>
+        <translation>Schräger Schnitt</translation>
+    </message>
+    <message>
+        <source>Whole scene</source>
+        <translation>Ganze Szene</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Entsperren</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Sperren</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>Isolieren</translation>
+    </message>
+    <message>
+        <source>Hide Others</source>
+        <translation>Andere ausblenden</translation>
+    </message>
+    <message>
+        <source>Show All</source>
+        <translation>Alle zeigen</translation>
+    </message>
+    <message>
+        <source>Ghost</source>
+        <translation>Geist</translation>
+    </message>
+    <message>
+        <source>Inherit Γ</source>
+        <translation>Γ erben</translation>
+    </message>
+    <message>
+        <source>Inherit Colour</source>
+        <translation>Farbe erben</translation>
+    </message>
+    <message>
+        <source>Inherit Opacity</source>
+        <translation>Deckkraft erben</translation>
+    </message>
+    <message>
+        <source>Inherit All</source>
+        <translation>Alles erben</translation>
+    </message>
+    <message>
+        <source>Ungroup</source>
+        <translation>Gruppe auflösen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>%1, its own</source>
+        <translation>%1, eigenes</translation>
+    </message>
+    <message>
+        <source>%1, inherited</source>
+        <translation>%1, geerbt</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>solid</source>
+        <translation>deckend</translation>
+    </message>
+    <message>
+        <source>tint</source>
+        <translation>Tönung</translation>
+    </message>
+    <message>
+        <source>veil</source>
+        <translation>Schleier</translation>
+    </message>
+    <message>
+        <source>simplified from %1 triangles, at most %2 mm off</source>
+        <translation>vereinfacht aus %1 Dreiecken, höchstens %2 mm daneben</translation>
+    </message>
+    <message>
+        <source>smoothed in %1 steps, at most %2 mm off</source>
+        <translation>geglättet in %1 Schritten, höchstens %2 mm daneben</translation>
+    </message>
+    <message>
+        <source>refined in %1 steps</source>
+        <translation>verfeinert in %1 Schritten</translation>
+    </message>
+    <message>
+        <source>%1 faces mended</source>
+        <translation>%1 Flächen ausgebessert</translation>
+    </message>
+    <message>
+        <source>moved as its scene says</source>
+        <translation>verschoben, wie ihre Szene sagt</translation>
+    </message>
+    <message>
+        <source>as in the file</source>
+        <translation>wie in der Datei</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>made by the program</source>
+        <translation>vom Programm erzeugt</translation>
+    </message>
+    <message>
+        <source>Part of the file</source>
+        <translation>Teil der Datei</translation>
+    </message>
+    <message>
+        <source>Coordinates</source>
+        <translation>Koordinaten</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Import</translation>
+    </message>
+    <message>
+        <source>Γ</source>
+        <translation>Γ</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Between the lines</source>
+        <translation>Zwischen den Linien</translation>
+    </message>
+    <message>
+        <source>Line width</source>
+        <translation>Linienstärke</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Gezeigt</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Gesperrt</translation>
+    </message>
+    <message>
+        <source>by the group above</source>
+        <translation>durch die Gruppe darüber</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>In</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm (right–left, front–back, foot–head)</source>
+        <translation>%1 × %2 × %3 mm (rechts–links, vorn–hinten, Fuß–Kopf)</translation>
+    </message>
+    <message>
+        <source>none: the surface has holes</source>
+        <translation>keines: die Oberfläche hat Löcher</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>%1, of %2 closed surfaces</source>
+        <translation>%1, von %2 geschlossenen Oberflächen</translation>
+    </message>
+    <message>
+        <source>%1 cm²</source>
+        <translation>%1 cm²</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Middle drag</source>
+        <translation>Ziehen mit der Mitteltaste</translation>
+    </message>
+    <message>
+        <source>Right drag</source>
+        <translation>Ziehen mit rechts</translation>
+    </message>
+    <message>
+        <source>Zoom: upwards is nearer</source>
+        <translation>Zoomen: nach oben ist näher</translation>
+    </message>
+    <message>
+        <source>Roll the picture around its middle</source>
+        <translation>Das Bild um seine Mitte rollen</translation>
+    </message>
+    <message>
+        <source>Two fingers on a touchpad</source>
+        <translation>Zwei Finger auf dem Touchpad</translation>
+    </message>
+    <message>
+        <source>Move the picture; pinch to zoom</source>
+        <translation>Das Bild verschieben; spreizen zum Zoomen</translation>
+    </message>
+    <message>
+        <source>Select what is seen there</source>
+        <translation>Wählen, was dort zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Add to the selection, or take away from it</source>
+        <translation>Zur Auswahl hinzufügen oder daraus nehmen</translation>
+    </message>
+    <message>
+        <source>Select the next structure behind; after the last the first</source>
+        <translation>Die nächste Struktur dahinter wählen; nach der letzten die erste</translation>
+    </message>
+    <message>
+        <source>Right click</source>
+        <translation>Rechtsklick</translation>
+    </message>
+    <message>
+        <source>What can be done with the structure there</source>
+        <translation>Was sich mit der Struktur dort tun lässt</translation>
+    </message>
+    <message>
+        <source>Drag the arrow of a section</source>
+        <translation>Den Pfeil eines Schnitts ziehen</translation>
+    </message>
+    <message>
+        <source>Move the plane; with Ctrl in whole steps</source>
+        <translation>Die Ebene verschieben; mit Strg in ganzen Schritten</translation>
+    </message>
+    <message>
+        <source>Click on the arrow&apos;s head</source>
+        <translation>Klick auf die Pfeilspitze</translation>
+    </message>
+    <message>
+        <source>Keep the other side of the section</source>
+        <translation>Die andere Seite des Schnitts behalten</translation>
+    </message>
+    <message>
+        <source>Drag a ring of a section</source>
+        <translation>Einen Ring eines Schnitts ziehen</translation>
+    </message>
+    <message>
+        <source>Tilt the plane; with Ctrl in steps of 15°</source>
+        <translation>Die Ebene kippen; mit Strg in Schritten von 15°</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Turn by %1°</source>
+        <translation>Um %1° drehen</translation>
+    </message>
+    <message>
+        <source>Plus, minus</source>
+        <translation>Plus, Minus</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoomen</translation>
+    </message>
+    <message>
+        <source>&amp;Inherit</source>
+        <translation>E&amp;rben</translation>
+    </message>
+    <message>
+        <source>&amp;Over the Picture</source>
+        <translation>Ü&amp;ber dem Bild</translation>
+    </message>
+    <message>
+        <source>Re&amp;load from Source</source>
+        <translation>Von der &amp;Quelle neu laden</translation>
+    </message>
+    <message>
+        <source>&amp;Ghost</source>
+        <translation>&amp;Geist</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>The selected structures as outlines under a veil</source>
+        <translation>Die gewählten Strukturen als Umrisse unter einem Schleier</translation>
+    </message>
+    <message>
+        <source>Co&amp;lour…</source>
+        <translation>Far&amp;be …</translation>
+    </message>
+    <message>
+        <source>Another colour for the selected</source>
+        <translation>Eine andere Farbe für die gewählten</translation>
+    </message>
+    <message>
+        <source>Inherit &amp;Γ</source>
+        <translation>&amp;Γ erben</translation>
+    </message>
+    <message>
+        <source>Inherit &amp;Colour</source>
+        <translation>&amp;Farbe erben</translation>
+    </message>
+    <message>
+        <source>Take the colour from the group above again</source>
+        <translation>Die Farbe wieder von der Gruppe darüber nehmen</translation>
+    </message>
+    <message>
+        <source>Inherit &amp;Opacity</source>
+        <translation>&amp;Deckkraft erben</translation>
+    </message>
+    <message>
+        <source>Take the opacity from the group above again</source>
+        <translation>Die Deckkraft wieder von der Gruppe darüber nehmen</translation>
+    </message>
+    <message>
+        <source>Inherit &amp;All</source>
+        <translation>&amp;Alles erben</translation>
+    </message>
+    <message>
+        <source>Take the whole look from the group above again</source>
+        <translation>Das ganze Aussehen wieder von der Gruppe darüber nehmen</translation>
+    </message>
+    <message>
+        <source>Show the selected structures and nothing else; again: everything</source>
+        <translation>Nur die gewählten Strukturen zeigen; noch einmal: alles</translation>
+    </message>
+    <message>
+        <source>Hide &amp;Others</source>
+        <translation>An&amp;dere ausblenden</translation>
+    </message>
+    <message>
+        <source>Shift+H</source>
+        <translation>Shift+H</translation>
+    </message>
+    <message>
+        <source>Hide all but the selected structures</source>
+        <translation>Alle außer den gewählten Strukturen ausblenden</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom To</source>
+        <translation>&amp;Heranzoomen</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>.</source>
+        <translation>.</translation>
+    </message>
+    <message>
+        <source>Bring the selected structures into the picture, and turn around them</source>
+        <translation>Die gewählten Strukturen ins Bild bringen und um sie drehen</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>Another name</source>
+        <translation>Ein anderer Name</translation>
+    </message>
+    <message>
+        <source>Ne&amp;w Group</source>
+        <translation>&amp;Neue Gruppe</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+N</source>
+        <translation>Ctrl+Shift+N</translation>
+    </message>
+    <message>
+        <source>An empty group</source>
+        <translation>Eine leere Gruppe</translation>
+    </message>
+    <message>
+        <source>Grou&amp;p</source>
+        <translation>Gru&amp;ppieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>The selected structures in a group of their own</source>
+        <translation>Die gewählten Strukturen in einer eigenen Gruppe</translation>
+    </message>
+    <message>
+        <source>&amp;Ungroup</source>
+        <translation>Gruppe auflö&amp;sen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+G</source>
+        <translation>Ctrl+Shift+G</translation>
+    </message>
+    <message>
+        <source>Dissolve the selected groups; what is in them keeps its look</source>
+        <translation>Die gewählten Gruppen auflösen; was in ihnen ist, behält sein Aussehen</translation>
+    </message>
+    <message>
+        <source>Loc&amp;k</source>
+        <translation>Spe&amp;rren</translation>
+    </message>
+    <message>
+        <source>Ctrl+L</source>
+        <translation>Ctrl+L</translation>
+    </message>
+    <message>
+        <source>What is locked keeps its look, name and place and cannot be clicked in the picture</source>
+        <translation>Was gesperrt ist, behält Aussehen, Namen und Platz und lässt sich im Bild nicht anklicken</translation>
+    </message>
+    <message>
+        <source>Propert&amp;ies…</source>
+        <translation>Eigens&amp;chaften …</translation>
+    </message>
+    <message>
+        <source>Alt+Return</source>
+        <translation>Alt+Return</translation>
+    </message>
+    <message>
+        <source>Where it came from, how large it is, how it is drawn</source>
+        <translation>Woher sie kommt, wie groß sie ist, wie sie gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>&amp;Facing the View</source>
+        <translation>&amp;Quer zum Blick</translation>
+    </message>
+    <message>
+        <source>Ctrl+4</source>
+        <translation>Ctrl+4</translation>
+    </message>
+    <message>
+        <source>Cut across the line of sight</source>
+        <translation>Quer zur Blickrichtung schneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Orientation Cube</source>
+        <translation>&amp;Orientierungswürfel</translation>
+    </message>
+    <message>
+        <source>Scale &amp;Bar</source>
+        <translation>&amp;Maßstab</translation>
+    </message>
+    <message>
+        <source>How long a centimetre is</source>
+        <translation>Wie lang ein Zentimeter ist</translation>
+    </message>
+    <message>
+        <source>&amp;Names under the Mouse</source>
+        <translation>&amp;Namen unter der Maus</translation>
+    </message>
+    <message>
+        <source>Picture &amp;Time</source>
+        <translation>Bild&amp;zeit</translation>
+    </message>
+    <message>
+        <source>How long the last picture took to draw</source>
+        <translation>Wie lange das Zeichnen des letzten Bildes gedauert hat</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Bring the selected structures into the picture</source>
+        <translation>Die gewählten Strukturen ins Bild bringen</translation>
+    </message>
+    <message>
+        <source>Drag over eyes or locks</source>
+        <translation>Über Augen oder Schlösser ziehen</translation>
+    </message>
+    <message>
+        <source>Set them all alike</source>
+        <translation>Alle gleich setzen</translation>
+    </message>
+    <message>
+        <source>Alt + click on an eye</source>
+        <translation>Alt + Klick auf ein Auge</translation>
+    </message>
+    <message>
+        <source>Show this and nothing else; again: everything</source>
+        <translation>Nur dies zeigen; noch einmal: alles</translation>
+    </message>
+    <message>
+        <source>Middle click on Γ or colour</source>
+        <translation>Mittelklick auf Γ oder Farbe</translation>
+    </message>
+    <message>
+        <source>Take it from the group above again</source>
+        <translation>Es wieder von der Gruppe darüber nehmen</translation>
+    </message>
+    <message>
+        <source>Drag rows</source>
+        <translation>Zeilen ziehen</translation>
+    </message>
+    <message>
+        <source>Put them elsewhere, or into another group</source>
+        <translation>An eine andere Stelle oder in eine andere Gruppe legen</translation>
+    </message>
+    <message>
+        <source>Double click on a name</source>
+        <translation>Doppelklick auf einen Namen</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>New Group</source>
+        <translation>Neue Gruppe</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -865,6 +1497,21 @@ OpenGL: %3</translation>
     <message>
         <source>Mouse</source>
         <translation>Maus</translation>
+    </message>
+    <message>
+        <source>List of structures</source>
+        <translation>Liste der Strukturen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::CubeMark</name>
+    <message>
+        <source>Orientation cube</source>
+        <translation>Orientierungswürfel</translation>
+    </message>
+    <message>
+        <source>The keys A, P, L, R, S and I look from the same sides.</source>
+        <translation>Die Tasten A, P, L, R, S und I blicken von denselben Seiten.</translation>
     </message>
 </context>
 <context>
@@ -1224,32 +1871,16 @@ OpenGL: %3</translation>
         <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
-        <source>Context</source>
-        <translation>Kontext</translation>
-    </message>
-    <message>
-        <source>Inherit Γ</source>
-        <translation>Γ erben</translation>
-    </message>
-    <message>
-        <source>Isolate</source>
-        <translation>Isolieren</translation>
-    </message>
-    <message>
-        <source>Show All</source>
-        <translation>Alle zeigen</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
         <source>Turning around this place on %1</source>
         <translation>Dreht um diese Stelle an %1</translation>
     </message>
     <message>
         <source>Focus and Context</source>
         <translation>Fokus und Kontext</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>Schnitte</translation>
     </message>
 </context>
 <context>
@@ -1276,6 +1907,39 @@ OpenGL: %3</translation>
     <message>
         <source>What was left out or mended</source>
         <translation>Was weggelassen oder ausgebessert wurde</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PictureMarks</name>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 at %2 % size</source>
+        <translation>%1 bei %2 % Größe</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PictureMenu</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 und %n weitere</numerusform>
+            <numerusform>%1 und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Section &amp;Here</source>
+        <translation>Schnitt &amp;hier</translation>
+    </message>
+    <message>
+        <source>Section Here, of &amp;This Alone</source>
+        <translation>Schnitt hier, nur von &amp;diesem</translation>
+    </message>
+    <message>
+        <source>Turn &amp;Around This Place</source>
+        <translation>&amp;Um diese Stelle drehen</translation>
     </message>
 </context>
 <context>
@@ -1336,11 +2000,26 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
-    <name>sline::widgets::SectionActions</name>
+    <name>sline::widgets::ScaleBarMark</name>
     <message>
-        <source>%1 Section</source>
-        <translation>Schnitt: %1</translation>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
     </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Scale: %1</source>
+        <translation>Maßstab: %1</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SectionActions</name>
     <message>
         <source>Without %1 Section</source>
         <translation>Ohne Schnitt: %1</translation>
@@ -1352,6 +2031,155 @@ OpenGL: %3</translation>
     <message>
         <source>Whole Again</source>
         <translation>Wieder ganz</translation>
+    </message>
+    <message>
+        <source>&amp;Sagittal</source>
+        <translation>&amp;Sagittal</translation>
+    </message>
+    <message>
+        <source>&amp;Coronal</source>
+        <translation>&amp;Koronal</translation>
+    </message>
+    <message>
+        <source>&amp;Axial</source>
+        <translation>&amp;Axial</translation>
+    </message>
+    <message>
+        <source>&amp;Facing the View</source>
+        <translation>&amp;Quer zum Blick</translation>
+    </message>
+    <message>
+        <source>%1 cannot be added: a structure can have %2 sections at most</source>
+        <translation>%1 lässt sich nicht hinzufügen: eine Struktur kann höchstens %2 Schnitte haben</translation>
+    </message>
+    <message>
+        <source>Take another section away first</source>
+        <translation>Nimm zuerst einen anderen Schnitt weg</translation>
+    </message>
+    <message>
+        <source>Of %1 alone</source>
+        <translation>Nur von %1</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SectionList</name>
+    <message>
+        <source>Section</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Cuts</source>
+        <translation>Schneidet</translation>
+    </message>
+    <message>
+        <source>Rename Section</source>
+        <translation>Schnitt umbenennen</translation>
+    </message>
+    <message>
+        <source>Section On</source>
+        <translation>Schnitt ein</translation>
+    </message>
+    <message>
+        <source>Section Off</source>
+        <translation>Schnitt aus</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SectionTool</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Flip Section</source>
+        <translation>Schnitt umdrehen</translation>
+    </message>
+    <message>
+        <source>Tilt Section</source>
+        <translation>Schnitt kippen</translation>
+    </message>
+    <message>
+        <source>Move Section</source>
+        <translation>Schnitt verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SectionsPanel</name>
+    <message>
+        <source>Sections</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Add a section plane</source>
+        <translation>Eine Schnittebene hinzufügen</translation>
+    </message>
+    <message>
+        <source>Flip</source>
+        <translation>Umdrehen</translation>
+    </message>
+    <message>
+        <source>Keep the other side of this section</source>
+        <translation>Die andere Seite dieses Schnitts behalten</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>Take this section away</source>
+        <translation>Diesen Schnitt wegnehmen</translation>
+    </message>
+    <message>
+        <source>Flip Section</source>
+        <translation>Schnitt umdrehen</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Towards the left, the back or the head; of an oblique section along its normal</source>
+        <translation>Nach links, hinten oder zum Kopf; bei einem schrägen Schnitt entlang seiner Normalen</translation>
+    </message>
+    <message>
+        <source>Hatched cut faces</source>
+        <translation>Schraffierte Schnittflächen</translation>
+    </message>
+    <message>
+        <source>Move Section</source>
+        <translation>Schnitt verschieben</translation>
+    </message>
+    <message>
+        <source>Hatched Cut Faces</source>
+        <translation>Schraffierte Schnittflächen</translation>
+    </message>
+    <message>
+        <source>&amp;Position</source>
+        <translation>&amp;Lage</translation>
+    </message>
+    <message>
+        <source>&amp;Cuts</source>
+        <translation>Schn&amp;eidet</translation>
+    </message>
+    <message>
+        <source>Delete Section</source>
+        <translation>Schnitt löschen</translation>
+    </message>
+    <message>
+        <source>Selected: %1</source>
+        <translation>Gewählt: %1</translation>
+    </message>
+    <message>
+        <source>What a Section Cuts</source>
+        <translation>Was ein Schnitt schneidet</translation>
     </message>
 </context>
 <context>
@@ -1401,6 +2229,22 @@ OpenGL: %3</translation>
         <source>Revert to Saved</source>
         <translation>Zum Gespeicherten zurück</translation>
     </message>
+    <message>
+        <source>Lock</source>
+        <translation>Sperren</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Entsperren</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StartPage</name>
@@ -1446,6 +2290,31 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::StructureActions</name>
+    <message>
+        <source>Context</source>
+        <translation>Kontext</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StructureDelegate</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StructureProperties</name>
+    <message>
+        <source>Properties</source>
+        <translation>Eigenschaften</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::StructureTree</name>
     <message>
         <source>Filter structures by name</source>
@@ -1459,13 +2328,24 @@ OpenGL: %3</translation>
         <source>Colour</source>
         <translation>Farbe</translation>
     </message>
+    <message>
+        <source>Words in any order. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
+        <translation>Wörter in beliebiger Reihenfolge. Eingabe wählt alle passenden, Pfeil ab führt in die Liste, Esc zeigt wieder alle.</translation>
+    </message>
+    <message>
+        <source>No structure is called so</source>
+        <translation>Keine Struktur heißt so</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures – Enter selects them</source>
+        <translation>
+            <numerusform>%n Struktur – Eingabe wählt sie</numerusform>
+            <numerusform>%n Strukturen – Eingabe wählt sie</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StructureTreeModel</name>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 bis %2</translation>
-    </message>
     <message>
         <source>Hidden</source>
         <translation>Ausgeblendet</translation>
@@ -1477,10 +2357,6 @@ OpenGL: %3</translation>
     <message>
         <source>Shown</source>
         <translation>Gezeigt</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>Farbe</translation>
     </message>
     <message>
         <source>Γ %1</source>
@@ -1506,6 +2382,46 @@ OpenGL: %3</translation>
         <source>Γ</source>
         <translation>Γ</translation>
     </message>
+    <message>
+        <source>%1, its own</source>
+        <translation>%1, eigenes</translation>
+    </message>
+    <message>
+        <source>Colour, its own</source>
+        <translation>Farbe, eigene</translation>
+    </message>
+    <message>
+        <source>Colours of what is in it</source>
+        <translation>Farben dessen, was darin ist</translation>
+    </message>
+    <message>
+        <source>Colour, from the group above</source>
+        <translation>Farbe, von der Gruppe darüber</translation>
+    </message>
+    <message>
+        <source>opacity %1 %, its own</source>
+        <translation>Deckkraft %1 %, eigene</translation>
+    </message>
+    <message>
+        <source>opacity %1 %</source>
+        <translation>Deckkraft %1 %</translation>
+    </message>
+    <message>
+        <source>Not locked</source>
+        <translation>Nicht gesperrt</translation>
+    </message>
+    <message>
+        <source>Locked by the group above: keeps its look, name and place and cannot be clicked in the picture</source>
+        <translation>Durch die Gruppe darüber gesperrt: behält Aussehen, Namen und Platz und lässt sich im Bild nicht anklicken</translation>
+    </message>
+    <message>
+        <source>Locked: keeps its look, name and place and cannot be clicked in the picture</source>
+        <translation>Gesperrt: behält Aussehen, Namen und Platz und lässt sich im Bild nicht anklicken</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StructureTreeView</name>
@@ -1514,12 +2430,8 @@ OpenGL: %3</translation>
         <translation>Strukturen</translation>
     </message>
     <message>
-        <source>Hide</source>
-        <translation>Ausblenden</translation>
-    </message>
-    <message>
-        <source>Show</source>
-        <translation>Zeigen</translation>
+        <source>Locked</source>
+        <translation>Gesperrt</translation>
     </message>
 </context>
 <context>

@@ -39,6 +39,16 @@
     </message>
 </context>
 <context>
+    <name>sline::widgets::PictureMenu</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 and %n more</numerusform>
+            <numerusform>%1 and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::Session</name>
     <message numerus="yes">
         <source>Γ of %n items</source>
@@ -59,6 +69,16 @@
         <translation>
             <numerusform>%n structure was read again</numerusform>
             <numerusform>%n structures were read again</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StructureTree</name>
+    <message numerus="yes">
+        <source>%n structures – Enter selects them</source>
+        <translation>
+            <numerusform>%n structure – Enter selects it</numerusform>
+            <numerusform>%n structures – Enter selects them</numerusform>
         </translation>
     </message>
 </context>

@@ -160,7 +160,7 @@
     </message>
     <message>
         <source>Saved &amp;Views</source>
-        <translation>Lagrede &amp;visninger</translation>
+        <translation>&amp;Lagrede visninger</translation>
     </message>
     <message>
         <source>S&amp;ection</source>
@@ -168,11 +168,11 @@
     </message>
     <message>
         <source>&amp;Background</source>
-        <translation>&amp;Bakgrunn</translation>
+        <translation>Bak&amp;grunn</translation>
     </message>
     <message>
         <source>Pa&amp;nels</source>
-        <translation>Pa&amp;neler</translation>
+        <translation>&amp;Paneler</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -197,10 +197,6 @@
     <message>
         <source>Open all meshes in a folder</source>
         <translation>Åpne alle nett i en mappe</translation>
-    </message>
-    <message>
-        <source>&amp;Reload from Source</source>
-        <translation>&amp;Last inn på nytt fra kilden</translation>
     </message>
     <message>
         <source>Read meshes again whose files have changed</source>
@@ -267,10 +263,6 @@
         <translation>De valgte strukturene som konturer</translation>
     </message>
     <message>
-        <source>&amp;Inherit Γ</source>
-        <translation>A&amp;rv Γ</translation>
-    </message>
-    <message>
         <source>Take Γ from the group above again</source>
         <translation>Ta Γ fra gruppen over igjen</translation>
     </message>
@@ -291,10 +283,6 @@
         <translation>/</translation>
     </message>
     <message>
-        <source>Hide everything else</source>
-        <translation>Skjul alt annet</translation>
-    </message>
-    <message>
         <source>Show &amp;All</source>
         <translation>Vis &amp;alle</translation>
     </message>
@@ -308,7 +296,7 @@
     </message>
     <message>
         <source>&amp;Remove</source>
-        <translation>&amp;Fjern</translation>
+        <translation>Fj&amp;ern</translation>
     </message>
     <message>
         <source>Take the selected structures out of the scene</source>
@@ -316,7 +304,7 @@
     </message>
     <message>
         <source>&amp;Anterior</source>
-        <translation>F&amp;orfra</translation>
+        <translation>&amp;Forfra</translation>
     </message>
     <message>
         <source>A</source>
@@ -464,7 +452,7 @@
     </message>
     <message>
         <source>&amp;Key Light</source>
-        <translation>H&amp;ovedlys</translation>
+        <translation>Hove&amp;dlys</translation>
     </message>
     <message>
         <source>K</source>
@@ -503,10 +491,6 @@
         <translation>Drei rundt dreiepunktet</translation>
     </message>
     <message>
-        <source>Middle drag, Shift + left drag</source>
-        <translation>Dra med midtknappen, Shift + dra med venstre</translation>
-    </message>
-    <message>
         <source>Move the picture</source>
         <translation>Flytt bildet</translation>
     </message>
@@ -523,20 +507,12 @@
         <translation>Klikk</translation>
     </message>
     <message>
-        <source>Select what is seen there; Ctrl adds to the selection</source>
-        <translation>Velg det som ses der; Ctrl legger til utvalget</translation>
-    </message>
-    <message>
         <source>Double click</source>
         <translation>Dobbeltklikk</translation>
     </message>
     <message>
         <source>Turn around this place from now on</source>
         <translation>Drei rundt dette stedet fra nå av</translation>
-    </message>
-    <message>
-        <source>Space in the list</source>
-        <translation>Mellomrom i listen</translation>
     </message>
     <message>
         <source>Show or hide the selected structures</source>
@@ -822,6 +798,662 @@
         <source>The page about the panel that has the keyboard</source>
         <translation>Siden om panelet som har tastaturet</translation>
     </message>
+    <message>
+        <source>Cut away</source>
+        <translation>Skåret bort</translation>
+    </message>
+    <message>
+        <source>Orientation cube</source>
+        <translation>Orienteringskube</translation>
+    </message>
+    <message>
+        <source>The body&apos;s sides in the corner of the picture; a click looks from there</source>
+        <translation>Kroppens sider i hjørnet av bildet; et klikk ser derfra</translation>
+    </message>
+    <message>
+        <source>Scale bar</source>
+        <translation>Målestokk</translation>
+    </message>
+    <message>
+        <source>True at the depth of what the picture turns around</source>
+        <translation>Gjelder i dybden der bildet dreier</translation>
+    </message>
+    <message>
+        <source>Names under the mouse</source>
+        <translation>Navn under musen</translation>
+    </message>
+    <message>
+        <source>What a structure is called where the mouse rests</source>
+        <translation>Hva en struktur heter der musen hviler</translation>
+    </message>
+    <message>
+        <source>Time that a picture takes</source>
+        <translation>Tiden et bilde tar</translation>
+    </message>
+    <message>
+        <source>In milliseconds, in the corner of the picture</source>
+        <translation>I millisekunder, i hjørnet av bildet</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Mus</translation>
+    </message>
+    <message>
+        <source>Mouse buttons as in</source>
+        <translation>Museknapper som i</translation>
+    </message>
+    <message>
+        <source>Which buttons and keys turn, move and zoom the picture; H shows them</source>
+        <translation>Hvilke knapper og taster som dreier, flytter og zoomer bildet; H viser dem</translation>
+    </message>
+    <message>
+        <source>Sline</source>
+        <translation>Sline</translation>
+    </message>
+    <message>
+        <source>3D Slicer</source>
+        <translation>3D Slicer</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>Short flights between views</source>
+        <translation>Korte overganger mellom visninger</translation>
+    </message>
+    <message>
+        <source>Off: the picture changes at once</source>
+        <translation>Av: bildet skifter straks</translation>
+    </message>
+    <message>
+        <source>Sagittal section</source>
+        <translation>Sagittalt snitt</translation>
+    </message>
+    <message>
+        <source>Coronal section</source>
+        <translation>Koronalt snitt</translation>
+    </message>
+    <message>
+        <source>Axial section</source>
+        <translation>Aksialt snitt</translation>
+    </message>
+    <message>
+        <source>Oblique section</source>
+        <translation>Skrått snitt</translation>
+    </message>
+    <message>
+        <source>Whole scene</source>
+        <translation>Hele scenen</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Skjul</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Vis</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Lås opp</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Lås</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>Isoler</translation>
+    </message>
+    <message>
+        <source>Hide Others</source>
+        <translation>Skjul andre</translation>
+    </message>
+    <message>
+        <source>Show All</source>
+        <translation>Vis alle</translation>
+    </message>
+    <message>
+        <source>Ghost</source>
+        <translation>Skygge</translation>
+    </message>
+    <message>
+        <source>Inherit Γ</source>
+        <translation>Arv Γ</translation>
+    </message>
+    <message>
+        <source>Inherit Colour</source>
+        <translation>Arv farge</translation>
+    </message>
+    <message>
+        <source>Inherit Opacity</source>
+        <translation>Arv dekkevne</translation>
+    </message>
+    <message>
+        <source>Inherit All</source>
+        <translation>Arv alt</translation>
+    </message>
+    <message>
+        <source>Ungroup</source>
+        <translation>Løs opp gruppe</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Fjern</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Flytt</translation>
+    </message>
+    <message>
+        <source>%1, its own</source>
+        <translation>%1, egen</translation>
+    </message>
+    <message>
+        <source>%1, inherited</source>
+        <translation>%1, arvet</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>åpen</translation>
+    </message>
+    <message>
+        <source>solid</source>
+        <translation>dekkende</translation>
+    </message>
+    <message>
+        <source>tint</source>
+        <translation>tone</translation>
+    </message>
+    <message>
+        <source>veil</source>
+        <translation>slør</translation>
+    </message>
+    <message>
+        <source>simplified from %1 triangles, at most %2 mm off</source>
+        <translation>forenklet fra %1 trekanter, høyst %2 mm feil</translation>
+    </message>
+    <message>
+        <source>smoothed in %1 steps, at most %2 mm off</source>
+        <translation>glattet i %1 trinn, høyst %2 mm feil</translation>
+    </message>
+    <message>
+        <source>refined in %1 steps</source>
+        <translation>forfinet i %1 trinn</translation>
+    </message>
+    <message>
+        <source>%1 faces mended</source>
+        <translation>%1 flater reparert</translation>
+    </message>
+    <message>
+        <source>moved as its scene says</source>
+        <translation>flyttet slik scenen sier</translation>
+    </message>
+    <message>
+        <source>as in the file</source>
+        <translation>som i filen</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>made by the program</source>
+        <translation>laget av programmet</translation>
+    </message>
+    <message>
+        <source>Part of the file</source>
+        <translation>Del av filen</translation>
+    </message>
+    <message>
+        <source>Coordinates</source>
+        <translation>Koordinater</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Enhet</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Import</translation>
+    </message>
+    <message>
+        <source>Γ</source>
+        <translation>Γ</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farge</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Dekkevne</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Between the lines</source>
+        <translation>Mellom linjene</translation>
+    </message>
+    <message>
+        <source>Line width</source>
+        <translation>Linjebredde</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Vist</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nei</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Låst</translation>
+    </message>
+    <message>
+        <source>by the group above</source>
+        <translation>av gruppen over</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Trekanter</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Størrelse</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm (right–left, front–back, foot–head)</source>
+        <translation>%1 × %2 × %3 mm (høyre–venstre, foran–bak, fot–hode)</translation>
+    </message>
+    <message>
+        <source>none: the surface has holes</source>
+        <translation>ingen: overflaten har hull</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>%1, of %2 closed surfaces</source>
+        <translation>%1, av %2 lukkede overflater</translation>
+    </message>
+    <message>
+        <source>%1 cm²</source>
+        <translation>%1 cm²</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volum</translation>
+    </message>
+    <message>
+        <source>Middle drag</source>
+        <translation>Dra med midtknappen</translation>
+    </message>
+    <message>
+        <source>Right drag</source>
+        <translation>Dra med høyre</translation>
+    </message>
+    <message>
+        <source>Zoom: upwards is nearer</source>
+        <translation>Zoom: oppover er nærmere</translation>
+    </message>
+    <message>
+        <source>Roll the picture around its middle</source>
+        <translation>Rull bildet rundt midten</translation>
+    </message>
+    <message>
+        <source>Two fingers on a touchpad</source>
+        <translation>To fingre på en styreplate</translation>
+    </message>
+    <message>
+        <source>Move the picture; pinch to zoom</source>
+        <translation>Flytt bildet; klyp for å zoome</translation>
+    </message>
+    <message>
+        <source>Select what is seen there</source>
+        <translation>Velg det som ses der</translation>
+    </message>
+    <message>
+        <source>Add to the selection, or take away from it</source>
+        <translation>Legg til utvalget, eller ta bort fra det</translation>
+    </message>
+    <message>
+        <source>Select the next structure behind; after the last the first</source>
+        <translation>Velg neste struktur bak; etter den siste den første</translation>
+    </message>
+    <message>
+        <source>Right click</source>
+        <translation>Høyreklikk</translation>
+    </message>
+    <message>
+        <source>What can be done with the structure there</source>
+        <translation>Hva som kan gjøres med strukturen der</translation>
+    </message>
+    <message>
+        <source>Drag the arrow of a section</source>
+        <translation>Dra pilen til et snitt</translation>
+    </message>
+    <message>
+        <source>Move the plane; with Ctrl in whole steps</source>
+        <translation>Flytt planet; med Ctrl i hele trinn</translation>
+    </message>
+    <message>
+        <source>Click on the arrow&apos;s head</source>
+        <translation>Klikk på pilspissen</translation>
+    </message>
+    <message>
+        <source>Keep the other side of the section</source>
+        <translation>Behold den andre siden av snittet</translation>
+    </message>
+    <message>
+        <source>Drag a ring of a section</source>
+        <translation>Dra en ring på et snitt</translation>
+    </message>
+    <message>
+        <source>Tilt the plane; with Ctrl in steps of 15°</source>
+        <translation>Vipp planet; med Ctrl i trinn på 15°</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Piltaster</translation>
+    </message>
+    <message>
+        <source>Turn by %1°</source>
+        <translation>Drei %1°</translation>
+    </message>
+    <message>
+        <source>Plus, minus</source>
+        <translation>Pluss, minus</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>&amp;Inherit</source>
+        <translation>A&amp;rv</translation>
+    </message>
+    <message>
+        <source>&amp;Over the Picture</source>
+        <translation>&amp;Over bildet</translation>
+    </message>
+    <message>
+        <source>Re&amp;load from Source</source>
+        <translation>Last &amp;inn på nytt fra kilden</translation>
+    </message>
+    <message>
+        <source>&amp;Ghost</source>
+        <translation>Sk&amp;ygge</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>The selected structures as outlines under a veil</source>
+        <translation>De valgte strukturene som omriss under et slør</translation>
+    </message>
+    <message>
+        <source>Co&amp;lour…</source>
+        <translation>Far&amp;ge …</translation>
+    </message>
+    <message>
+        <source>Another colour for the selected</source>
+        <translation>En annen farge for de valgte</translation>
+    </message>
+    <message>
+        <source>Inherit &amp;Γ</source>
+        <translation>Arv &amp;Γ</translation>
+    </message>
+    <message>
+        <source>Inherit &amp;Colour</source>
+        <translation>Arv &amp;farge</translation>
+    </message>
+    <message>
+        <source>Take the colour from the group above again</source>
+        <translation>Ta fargen fra gruppen over igjen</translation>
+    </message>
+    <message>
+        <source>Inherit &amp;Opacity</source>
+        <translation>Arv &amp;dekkevne</translation>
+    </message>
+    <message>
+        <source>Take the opacity from the group above again</source>
+        <translation>Ta dekkevnen fra gruppen over igjen</translation>
+    </message>
+    <message>
+        <source>Inherit &amp;All</source>
+        <translation>Arv &amp;alt</translation>
+    </message>
+    <message>
+        <source>Take the whole look from the group above again</source>
+        <translation>Ta hele utseendet fra gruppen over igjen</translation>
+    </message>
+    <message>
+        <source>Show the selected structures and nothing else; again: everything</source>
+        <translation>Vis de valgte strukturene og ikke noe annet; en gang til: alt</translation>
+    </message>
+    <message>
+        <source>Hide &amp;Others</source>
+        <translation>Skjul an&amp;dre</translation>
+    </message>
+    <message>
+        <source>Shift+H</source>
+        <translation>Shift+H</translation>
+    </message>
+    <message>
+        <source>Hide all but the selected structures</source>
+        <translation>Skjul alle andre enn de valgte strukturene</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom To</source>
+        <translation>&amp;Zoom til</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>.</source>
+        <translation>.</translation>
+    </message>
+    <message>
+        <source>Bring the selected structures into the picture, and turn around them</source>
+        <translation>Få de valgte strukturene inn i bildet, og drei rundt dem</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>Gi &amp;nytt navn</translation>
+    </message>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>Another name</source>
+        <translation>Et annet navn</translation>
+    </message>
+    <message>
+        <source>Ne&amp;w Group</source>
+        <translation>Ny gru&amp;ppe</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+N</source>
+        <translation>Ctrl+Shift+N</translation>
+    </message>
+    <message>
+        <source>An empty group</source>
+        <translation>En tom gruppe</translation>
+    </message>
+    <message>
+        <source>Grou&amp;p</source>
+        <translation>&amp;Grupper</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>The selected structures in a group of their own</source>
+        <translation>De valgte strukturene i en egen gruppe</translation>
+    </message>
+    <message>
+        <source>&amp;Ungroup</source>
+        <translation>&amp;Løs opp gruppe</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+G</source>
+        <translation>Ctrl+Shift+G</translation>
+    </message>
+    <message>
+        <source>Dissolve the selected groups; what is in them keeps its look</source>
+        <translation>Løs opp de valgte gruppene; det som er i dem, beholder utseendet</translation>
+    </message>
+    <message>
+        <source>Loc&amp;k</source>
+        <translation>L&amp;ås</translation>
+    </message>
+    <message>
+        <source>Ctrl+L</source>
+        <translation>Ctrl+L</translation>
+    </message>
+    <message>
+        <source>What is locked keeps its look, name and place and cannot be clicked in the picture</source>
+        <translation>Det som er låst, beholder utseende, navn og plass og kan ikke klikkes i bildet</translation>
+    </message>
+    <message>
+        <source>Propert&amp;ies…</source>
+        <translation>&amp;Egenskaper …</translation>
+    </message>
+    <message>
+        <source>Alt+Return</source>
+        <translation>Alt+Return</translation>
+    </message>
+    <message>
+        <source>Where it came from, how large it is, how it is drawn</source>
+        <translation>Hvor den kom fra, hvor stor den er, hvordan den tegnes</translation>
+    </message>
+    <message>
+        <source>&amp;Facing the View</source>
+        <translation>På &amp;tvers av blikket</translation>
+    </message>
+    <message>
+        <source>Ctrl+4</source>
+        <translation>Ctrl+4</translation>
+    </message>
+    <message>
+        <source>Cut across the line of sight</source>
+        <translation>Skjær på tvers av synslinjen</translation>
+    </message>
+    <message>
+        <source>&amp;Orientation Cube</source>
+        <translation>&amp;Orienteringskube</translation>
+    </message>
+    <message>
+        <source>Scale &amp;Bar</source>
+        <translation>&amp;Målestokk</translation>
+    </message>
+    <message>
+        <source>How long a centimetre is</source>
+        <translation>Hvor lang en centimeter er</translation>
+    </message>
+    <message>
+        <source>&amp;Names under the Mouse</source>
+        <translation>&amp;Navn under musen</translation>
+    </message>
+    <message>
+        <source>Picture &amp;Time</source>
+        <translation>Bilde&amp;tid</translation>
+    </message>
+    <message>
+        <source>How long the last picture took to draw</source>
+        <translation>Hvor lang tid det tok å tegne det siste bildet</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Mellomrom</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Bring the selected structures into the picture</source>
+        <translation>Få de valgte strukturene inn i bildet</translation>
+    </message>
+    <message>
+        <source>Drag over eyes or locks</source>
+        <translation>Dra over øyne eller låser</translation>
+    </message>
+    <message>
+        <source>Set them all alike</source>
+        <translation>Sett alle likt</translation>
+    </message>
+    <message>
+        <source>Alt + click on an eye</source>
+        <translation>Alt + klikk på et øye</translation>
+    </message>
+    <message>
+        <source>Show this and nothing else; again: everything</source>
+        <translation>Vis dette og ikke noe annet; en gang til: alt</translation>
+    </message>
+    <message>
+        <source>Middle click on Γ or colour</source>
+        <translation>Midtklikk på Γ eller farge</translation>
+    </message>
+    <message>
+        <source>Take it from the group above again</source>
+        <translation>Ta det fra gruppen over igjen</translation>
+    </message>
+    <message>
+        <source>Drag rows</source>
+        <translation>Dra rader</translation>
+    </message>
+    <message>
+        <source>Put them elsewhere, or into another group</source>
+        <translation>Legg dem et annet sted, eller i en annen gruppe</translation>
+    </message>
+    <message>
+        <source>Double click on a name</source>
+        <translation>Dobbeltklikk på et navn</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>New Group</source>
+        <translation>Ny gruppe</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -865,6 +1497,21 @@ OpenGL: %3</translation>
     <message>
         <source>Mouse</source>
         <translation>Mus</translation>
+    </message>
+    <message>
+        <source>List of structures</source>
+        <translation>Liste over strukturer</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::CubeMark</name>
+    <message>
+        <source>Orientation cube</source>
+        <translation>Orienteringskube</translation>
+    </message>
+    <message>
+        <source>The keys A, P, L, R, S and I look from the same sides.</source>
+        <translation>Tastene A, P, L, R, S og I ser fra de samme sidene.</translation>
     </message>
 </context>
 <context>
@@ -1224,32 +1871,16 @@ OpenGL: %3</translation>
         <translation>&amp;Gjør om</translation>
     </message>
     <message>
-        <source>Context</source>
-        <translation>Kontekst</translation>
-    </message>
-    <message>
-        <source>Inherit Γ</source>
-        <translation>Arv Γ</translation>
-    </message>
-    <message>
-        <source>Isolate</source>
-        <translation>Isoler</translation>
-    </message>
-    <message>
-        <source>Show All</source>
-        <translation>Vis alle</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Fjern</translation>
-    </message>
-    <message>
         <source>Turning around this place on %1</source>
         <translation>Dreier rundt dette stedet på %1</translation>
     </message>
     <message>
         <source>Focus and Context</source>
         <translation>Fokus og kontekst</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>Snitt</translation>
     </message>
 </context>
 <context>
@@ -1276,6 +1907,39 @@ OpenGL: %3</translation>
     <message>
         <source>What was left out or mended</source>
         <translation>Hva som ble utelatt eller reparert</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PictureMarks</name>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 at %2 % size</source>
+        <translation>%1 ved %2 % størrelse</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PictureMenu</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 og %n til</numerusform>
+            <numerusform>%1 og %n til</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Section &amp;Here</source>
+        <translation>Snitt &amp;her</translation>
+    </message>
+    <message>
+        <source>Section Here, of &amp;This Alone</source>
+        <translation>Snitt her, bare av &amp;dette</translation>
+    </message>
+    <message>
+        <source>Turn &amp;Around This Place</source>
+        <translation>D&amp;rei rundt dette stedet</translation>
     </message>
 </context>
 <context>
@@ -1336,11 +2000,26 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
-    <name>sline::widgets::SectionActions</name>
+    <name>sline::widgets::ScaleBarMark</name>
     <message>
-        <source>%1 Section</source>
-        <translation>Snitt: %1</translation>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
     </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Scale: %1</source>
+        <translation>Målestokk: %1</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SectionActions</name>
     <message>
         <source>Without %1 Section</source>
         <translation>Uten snitt: %1</translation>
@@ -1352,6 +2031,155 @@ OpenGL: %3</translation>
     <message>
         <source>Whole Again</source>
         <translation>Hel igjen</translation>
+    </message>
+    <message>
+        <source>&amp;Sagittal</source>
+        <translation>&amp;Sagittalt</translation>
+    </message>
+    <message>
+        <source>&amp;Coronal</source>
+        <translation>&amp;Koronalt</translation>
+    </message>
+    <message>
+        <source>&amp;Axial</source>
+        <translation>&amp;Aksialt</translation>
+    </message>
+    <message>
+        <source>&amp;Facing the View</source>
+        <translation>På &amp;tvers av blikket</translation>
+    </message>
+    <message>
+        <source>%1 cannot be added: a structure can have %2 sections at most</source>
+        <translation>%1 kan ikke legges til: en struktur kan ha høyst %2 snitt</translation>
+    </message>
+    <message>
+        <source>Take another section away first</source>
+        <translation>Ta først bort et annet snitt</translation>
+    </message>
+    <message>
+        <source>Of %1 alone</source>
+        <translation>Bare av %1</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SectionList</name>
+    <message>
+        <source>Section</source>
+        <translation>Snitt</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Posisjon</translation>
+    </message>
+    <message>
+        <source>Cuts</source>
+        <translation>Skjærer</translation>
+    </message>
+    <message>
+        <source>Rename Section</source>
+        <translation>Gi snittet nytt navn</translation>
+    </message>
+    <message>
+        <source>Section On</source>
+        <translation>Snitt på</translation>
+    </message>
+    <message>
+        <source>Section Off</source>
+        <translation>Snitt av</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SectionTool</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Flip Section</source>
+        <translation>Vend snittet</translation>
+    </message>
+    <message>
+        <source>Tilt Section</source>
+        <translation>Vipp snittet</translation>
+    </message>
+    <message>
+        <source>Move Section</source>
+        <translation>Flytt snittet</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SectionsPanel</name>
+    <message>
+        <source>Sections</source>
+        <translation>Snitt</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ny</translation>
+    </message>
+    <message>
+        <source>Add a section plane</source>
+        <translation>Legg til et snittplan</translation>
+    </message>
+    <message>
+        <source>Flip</source>
+        <translation>Vend</translation>
+    </message>
+    <message>
+        <source>Keep the other side of this section</source>
+        <translation>Behold den andre siden av dette snittet</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>Take this section away</source>
+        <translation>Ta bort dette snittet</translation>
+    </message>
+    <message>
+        <source>Flip Section</source>
+        <translation>Vend snittet</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Towards the left, the back or the head; of an oblique section along its normal</source>
+        <translation>Mot venstre, ryggen eller hodet; for et skrått snitt langs normalen</translation>
+    </message>
+    <message>
+        <source>Hatched cut faces</source>
+        <translation>Skraverte snittflater</translation>
+    </message>
+    <message>
+        <source>Move Section</source>
+        <translation>Flytt snittet</translation>
+    </message>
+    <message>
+        <source>Hatched Cut Faces</source>
+        <translation>Skraverte snittflater</translation>
+    </message>
+    <message>
+        <source>&amp;Position</source>
+        <translation>&amp;Posisjon</translation>
+    </message>
+    <message>
+        <source>&amp;Cuts</source>
+        <translation>S&amp;kjærer</translation>
+    </message>
+    <message>
+        <source>Delete Section</source>
+        <translation>Slett snittet</translation>
+    </message>
+    <message>
+        <source>Selected: %1</source>
+        <translation>Valgt: %1</translation>
+    </message>
+    <message>
+        <source>What a Section Cuts</source>
+        <translation>Hva et snitt skjærer</translation>
     </message>
 </context>
 <context>
@@ -1401,6 +2229,22 @@ OpenGL: %3</translation>
         <source>Revert to Saved</source>
         <translation>Tilbake til lagret</translation>
     </message>
+    <message>
+        <source>Lock</source>
+        <translation>Lås</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Lås opp</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Vis</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Skjul</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StartPage</name>
@@ -1446,6 +2290,31 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::StructureActions</name>
+    <message>
+        <source>Context</source>
+        <translation>Kontekst</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StructureDelegate</name>
+    <message>
+        <source>Name</source>
+        <translation>Navn</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StructureProperties</name>
+    <message>
+        <source>Properties</source>
+        <translation>Egenskaper</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopier</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::StructureTree</name>
     <message>
         <source>Filter structures by name</source>
@@ -1459,13 +2328,24 @@ OpenGL: %3</translation>
         <source>Colour</source>
         <translation>Farge</translation>
     </message>
+    <message>
+        <source>Words in any order. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
+        <translation>Ord i vilkårlig rekkefølge. Enter velger alle som passer, pil ned går til listen, Esc viser alle igjen.</translation>
+    </message>
+    <message>
+        <source>No structure is called so</source>
+        <translation>Ingen struktur heter det</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures – Enter selects them</source>
+        <translation>
+            <numerusform>%n struktur – Enter velger den</numerusform>
+            <numerusform>%n strukturer – Enter velger dem</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StructureTreeModel</name>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 til %2</translation>
-    </message>
     <message>
         <source>Hidden</source>
         <translation>Skjult</translation>
@@ -1477,10 +2357,6 @@ OpenGL: %3</translation>
     <message>
         <source>Shown</source>
         <translation>Vist</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>Farge</translation>
     </message>
     <message>
         <source>Γ %1</source>
@@ -1506,6 +2382,46 @@ OpenGL: %3</translation>
         <source>Γ</source>
         <translation>Γ</translation>
     </message>
+    <message>
+        <source>%1, its own</source>
+        <translation>%1, egen</translation>
+    </message>
+    <message>
+        <source>Colour, its own</source>
+        <translation>Farge, egen</translation>
+    </message>
+    <message>
+        <source>Colours of what is in it</source>
+        <translation>Fargene til det som er i den</translation>
+    </message>
+    <message>
+        <source>Colour, from the group above</source>
+        <translation>Farge, fra gruppen over</translation>
+    </message>
+    <message>
+        <source>opacity %1 %, its own</source>
+        <translation>dekkevne %1 %, egen</translation>
+    </message>
+    <message>
+        <source>opacity %1 %</source>
+        <translation>dekkevne %1 %</translation>
+    </message>
+    <message>
+        <source>Not locked</source>
+        <translation>Ikke låst</translation>
+    </message>
+    <message>
+        <source>Locked by the group above: keeps its look, name and place and cannot be clicked in the picture</source>
+        <translation>Låst av gruppen over: beholder utseende, navn og plass og kan ikke klikkes i bildet</translation>
+    </message>
+    <message>
+        <source>Locked: keeps its look, name and place and cannot be clicked in the picture</source>
+        <translation>Låst: beholder utseende, navn og plass og kan ikke klikkes i bildet</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 til %2</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StructureTreeView</name>
@@ -1514,12 +2430,8 @@ OpenGL: %3</translation>
         <translation>Strukturer</translation>
     </message>
     <message>
-        <source>Hide</source>
-        <translation>Skjul</translation>
-    </message>
-    <message>
-        <source>Show</source>
-        <translation>Vis</translation>
+        <source>Locked</source>
+        <translation>Låst</translation>
     </message>
 </context>
 <context>

@@ -144,7 +144,7 @@
     </message>
     <message>
         <source>&amp;Demo</source>
-        <translation>De&amp;mo</translation>
+        <translation>&amp;Demo</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -168,7 +168,7 @@
     </message>
     <message>
         <source>&amp;Background</source>
-        <translation>&amp;Achtergrond</translation>
+        <translation>A&amp;chtergrond</translation>
     </message>
     <message>
         <source>Pa&amp;nels</source>
@@ -199,16 +199,12 @@
         <translation>Alle meshes in een map openen</translation>
     </message>
     <message>
-        <source>&amp;Reload from Source</source>
-        <translation>&amp;Opnieuw laden van de bron</translation>
-    </message>
-    <message>
         <source>Read meshes again whose files have changed</source>
         <translation>Meshes opnieuw lezen waarvan het bestand is gewijzigd</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation>&amp;Afsluiten</translation>
+        <translation>A&amp;fsluiten</translation>
     </message>
     <message>
         <source>Close the program</source>
@@ -267,10 +263,6 @@
         <translation>De gekozen structuren als contouren</translation>
     </message>
     <message>
-        <source>&amp;Inherit Γ</source>
-        <translation>Γ over&amp;nemen</translation>
-    </message>
-    <message>
         <source>Take Γ from the group above again</source>
         <translation>Γ weer van de groep erboven nemen</translation>
     </message>
@@ -289,10 +281,6 @@
     <message>
         <source>/</source>
         <translation>/</translation>
-    </message>
-    <message>
-        <source>Hide everything else</source>
-        <translation>Al het andere verbergen</translation>
     </message>
     <message>
         <source>Show &amp;All</source>
@@ -503,10 +491,6 @@
         <translation>Om het draaipunt draaien</translation>
     </message>
     <message>
-        <source>Middle drag, Shift + left drag</source>
-        <translation>Slepen met de middelste knop, Shift + slepen met links</translation>
-    </message>
-    <message>
         <source>Move the picture</source>
         <translation>Het beeld verschuiven</translation>
     </message>
@@ -523,20 +507,12 @@
         <translation>Klik</translation>
     </message>
     <message>
-        <source>Select what is seen there; Ctrl adds to the selection</source>
-        <translation>Kies wat daar te zien is; Ctrl voegt toe aan de selectie</translation>
-    </message>
-    <message>
         <source>Double click</source>
         <translation>Dubbelklik</translation>
     </message>
     <message>
         <source>Turn around this place from now on</source>
         <translation>Voortaan om deze plek draaien</translation>
-    </message>
-    <message>
-        <source>Space in the list</source>
-        <translation>Spatie in de lijst</translation>
     </message>
     <message>
         <source>Show or hide the selected structures</source>
@@ -744,7 +720,7 @@
     </message>
     <message>
         <source>Open &amp;Recent</source>
-        <translation>Onlangs ge&amp;opend</translation>
+        <translation>Onlangs g&amp;eopend</translation>
     </message>
     <message>
         <source>&amp;New</source>
@@ -822,6 +798,662 @@
         <source>The page about the panel that has the keyboard</source>
         <translation>De pagina over het paneel dat het toetsenbord heeft</translation>
     </message>
+    <message>
+        <source>Cut away</source>
+        <translation>Weggesneden</translation>
+    </message>
+    <message>
+        <source>Orientation cube</source>
+        <translation>Oriëntatiekubus</translation>
+    </message>
+    <message>
+        <source>The body&apos;s sides in the corner of the picture; a click looks from there</source>
+        <translation>De kanten van het lichaam in de hoek van het beeld; een klik kijkt van daar</translation>
+    </message>
+    <message>
+        <source>Scale bar</source>
+        <translation>Schaalbalk</translation>
+    </message>
+    <message>
+        <source>True at the depth of what the picture turns around</source>
+        <translation>Klopt op de diepte van dat waar het beeld om draait</translation>
+    </message>
+    <message>
+        <source>Names under the mouse</source>
+        <translation>Namen onder de muis</translation>
+    </message>
+    <message>
+        <source>What a structure is called where the mouse rests</source>
+        <translation>Hoe een structuur heet waar de muis rust</translation>
+    </message>
+    <message>
+        <source>Time that a picture takes</source>
+        <translation>Tijd die een beeld kost</translation>
+    </message>
+    <message>
+        <source>In milliseconds, in the corner of the picture</source>
+        <translation>In milliseconden, in de hoek van het beeld</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Muis</translation>
+    </message>
+    <message>
+        <source>Mouse buttons as in</source>
+        <translation>Muisknoppen zoals in</translation>
+    </message>
+    <message>
+        <source>Which buttons and keys turn, move and zoom the picture; H shows them</source>
+        <translation>Welke knoppen en toetsen het beeld draaien, verschuiven en zoomen; H toont ze</translation>
+    </message>
+    <message>
+        <source>Sline</source>
+        <translation>Sline</translation>
+    </message>
+    <message>
+        <source>3D Slicer</source>
+        <translation>3D Slicer</translation>
+    </message>
+    <message>
+        <source>Blender</source>
+        <translation>Blender</translation>
+    </message>
+    <message>
+        <source>Short flights between views</source>
+        <translation>Korte vluchten tussen aanzichten</translation>
+    </message>
+    <message>
+        <source>Off: the picture changes at once</source>
+        <translation>Uit: het beeld verandert meteen</translation>
+    </message>
+    <message>
+        <source>Sagittal section</source>
+        <translation>Sagittale doorsnede</translation>
+    </message>
+    <message>
+        <source>Coronal section</source>
+        <translation>Coronale doorsnede</translation>
+    </message>
+    <message>
+        <source>Axial section</source>
+        <translation>Axiale doorsnede</translation>
+    </message>
+    <message>
+        <source>Oblique section</source>
+        <translation>Schuine doorsnede</translation>
+    </message>
+    <message>
+        <source>Whole scene</source>
+        <translation>Hele scène</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Verbergen</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Tonen</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Ontgrendelen</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Vergrendelen</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>Isoleren</translation>
+    </message>
+    <message>
+        <source>Hide Others</source>
+        <translation>Andere verbergen</translation>
+    </message>
+    <message>
+        <source>Show All</source>
+        <translation>Alles tonen</translation>
+    </message>
+    <message>
+        <source>Ghost</source>
+        <translation>Schim</translation>
+    </message>
+    <message>
+        <source>Inherit Γ</source>
+        <translation>Γ overnemen</translation>
+    </message>
+    <message>
+        <source>Inherit Colour</source>
+        <translation>Kleur overnemen</translation>
+    </message>
+    <message>
+        <source>Inherit Opacity</source>
+        <translation>Dekking overnemen</translation>
+    </message>
+    <message>
+        <source>Inherit All</source>
+        <translation>Alles overnemen</translation>
+    </message>
+    <message>
+        <source>Ungroup</source>
+        <translation>Groep opheffen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Verwijderen</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verplaatsen</translation>
+    </message>
+    <message>
+        <source>%1, its own</source>
+        <translation>%1, eigen</translation>
+    </message>
+    <message>
+        <source>%1, inherited</source>
+        <translation>%1, overgenomen</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>open</translation>
+    </message>
+    <message>
+        <source>solid</source>
+        <translation>dekkend</translation>
+    </message>
+    <message>
+        <source>tint</source>
+        <translation>tint</translation>
+    </message>
+    <message>
+        <source>veil</source>
+        <translation>sluier</translation>
+    </message>
+    <message>
+        <source>simplified from %1 triangles, at most %2 mm off</source>
+        <translation>vereenvoudigd uit %1 driehoeken, hoogstens %2 mm ernaast</translation>
+    </message>
+    <message>
+        <source>smoothed in %1 steps, at most %2 mm off</source>
+        <translation>gladgemaakt in %1 stappen, hoogstens %2 mm ernaast</translation>
+    </message>
+    <message>
+        <source>refined in %1 steps</source>
+        <translation>verfijnd in %1 stappen</translation>
+    </message>
+    <message>
+        <source>%1 faces mended</source>
+        <translation>%1 vlakken hersteld</translation>
+    </message>
+    <message>
+        <source>moved as its scene says</source>
+        <translation>verplaatst zoals de scène zegt</translation>
+    </message>
+    <message>
+        <source>as in the file</source>
+        <translation>zoals in het bestand</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Bestand</translation>
+    </message>
+    <message>
+        <source>made by the program</source>
+        <translation>door het programma gemaakt</translation>
+    </message>
+    <message>
+        <source>Part of the file</source>
+        <translation>Deel van het bestand</translation>
+    </message>
+    <message>
+        <source>Coordinates</source>
+        <translation>Coördinaten</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Eenheid</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Import</translation>
+    </message>
+    <message>
+        <source>Γ</source>
+        <translation>Γ</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Kleur</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Dekking</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Between the lines</source>
+        <translation>Tussen de lijnen</translation>
+    </message>
+    <message>
+        <source>Line width</source>
+        <translation>Lijndikte</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Getoond</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nee</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Vergrendeld</translation>
+    </message>
+    <message>
+        <source>by the group above</source>
+        <translation>door de groep erboven</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Naam</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>In</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Driehoeken</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Grootte</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm (right–left, front–back, foot–head)</source>
+        <translation>%1 × %2 × %3 mm (rechts–links, voor–achter, voet–hoofd)</translation>
+    </message>
+    <message>
+        <source>none: the surface has holes</source>
+        <translation>geen: het oppervlak heeft gaten</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>%1, of %2 closed surfaces</source>
+        <translation>%1, van %2 gesloten oppervlakken</translation>
+    </message>
+    <message>
+        <source>%1 cm²</source>
+        <translation>%1 cm²</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>Middle drag</source>
+        <translation>Slepen met de middelste knop</translation>
+    </message>
+    <message>
+        <source>Right drag</source>
+        <translation>Slepen met rechts</translation>
+    </message>
+    <message>
+        <source>Zoom: upwards is nearer</source>
+        <translation>Zoomen: omhoog is dichterbij</translation>
+    </message>
+    <message>
+        <source>Roll the picture around its middle</source>
+        <translation>Het beeld om zijn midden rollen</translation>
+    </message>
+    <message>
+        <source>Two fingers on a touchpad</source>
+        <translation>Twee vingers op een touchpad</translation>
+    </message>
+    <message>
+        <source>Move the picture; pinch to zoom</source>
+        <translation>Het beeld verschuiven; knijpen om te zoomen</translation>
+    </message>
+    <message>
+        <source>Select what is seen there</source>
+        <translation>Kies wat daar te zien is</translation>
+    </message>
+    <message>
+        <source>Add to the selection, or take away from it</source>
+        <translation>Aan de selectie toevoegen of eruit halen</translation>
+    </message>
+    <message>
+        <source>Select the next structure behind; after the last the first</source>
+        <translation>Kies de volgende structuur erachter; na de laatste de eerste</translation>
+    </message>
+    <message>
+        <source>Right click</source>
+        <translation>Rechtsklik</translation>
+    </message>
+    <message>
+        <source>What can be done with the structure there</source>
+        <translation>Wat met de structuur daar gedaan kan worden</translation>
+    </message>
+    <message>
+        <source>Drag the arrow of a section</source>
+        <translation>De pijl van een doorsnede slepen</translation>
+    </message>
+    <message>
+        <source>Move the plane; with Ctrl in whole steps</source>
+        <translation>Het vlak verschuiven; met Ctrl in hele stappen</translation>
+    </message>
+    <message>
+        <source>Click on the arrow&apos;s head</source>
+        <translation>Klik op de pijlpunt</translation>
+    </message>
+    <message>
+        <source>Keep the other side of the section</source>
+        <translation>De andere kant van de doorsnede houden</translation>
+    </message>
+    <message>
+        <source>Drag a ring of a section</source>
+        <translation>Een ring van een doorsnede slepen</translation>
+    </message>
+    <message>
+        <source>Tilt the plane; with Ctrl in steps of 15°</source>
+        <translation>Het vlak kantelen; met Ctrl in stappen van 15°</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Pijltoetsen</translation>
+    </message>
+    <message>
+        <source>Turn by %1°</source>
+        <translation>%1° draaien</translation>
+    </message>
+    <message>
+        <source>Plus, minus</source>
+        <translation>Plus, min</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoomen</translation>
+    </message>
+    <message>
+        <source>&amp;Inherit</source>
+        <translation>Over&amp;nemen</translation>
+    </message>
+    <message>
+        <source>&amp;Over the Picture</source>
+        <translation>&amp;Over het beeld</translation>
+    </message>
+    <message>
+        <source>Re&amp;load from Source</source>
+        <translation>Opnieuw &amp;laden van de bron</translation>
+    </message>
+    <message>
+        <source>&amp;Ghost</source>
+        <translation>S&amp;chim</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>The selected structures as outlines under a veil</source>
+        <translation>De gekozen structuren als omtrekken onder een sluier</translation>
+    </message>
+    <message>
+        <source>Co&amp;lour…</source>
+        <translation>Kle&amp;ur…</translation>
+    </message>
+    <message>
+        <source>Another colour for the selected</source>
+        <translation>Een andere kleur voor de gekozen</translation>
+    </message>
+    <message>
+        <source>Inherit &amp;Γ</source>
+        <translation>&amp;Γ overnemen</translation>
+    </message>
+    <message>
+        <source>Inherit &amp;Colour</source>
+        <translation>&amp;Kleur overnemen</translation>
+    </message>
+    <message>
+        <source>Take the colour from the group above again</source>
+        <translation>De kleur weer van de groep erboven nemen</translation>
+    </message>
+    <message>
+        <source>Inherit &amp;Opacity</source>
+        <translation>&amp;Dekking overnemen</translation>
+    </message>
+    <message>
+        <source>Take the opacity from the group above again</source>
+        <translation>De dekking weer van de groep erboven nemen</translation>
+    </message>
+    <message>
+        <source>Inherit &amp;All</source>
+        <translation>&amp;Alles overnemen</translation>
+    </message>
+    <message>
+        <source>Take the whole look from the group above again</source>
+        <translation>Het hele uiterlijk weer van de groep erboven nemen</translation>
+    </message>
+    <message>
+        <source>Show the selected structures and nothing else; again: everything</source>
+        <translation>Alleen de gekozen structuren tonen; nogmaals: alles</translation>
+    </message>
+    <message>
+        <source>Hide &amp;Others</source>
+        <translation>An&amp;dere verbergen</translation>
+    </message>
+    <message>
+        <source>Shift+H</source>
+        <translation>Shift+H</translation>
+    </message>
+    <message>
+        <source>Hide all but the selected structures</source>
+        <translation>Alles behalve de gekozen structuren verbergen</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom To</source>
+        <translation>Inzoo&amp;men</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>.</source>
+        <translation>.</translation>
+    </message>
+    <message>
+        <source>Bring the selected structures into the picture, and turn around them</source>
+        <translation>De gekozen structuren in beeld brengen en eromheen draaien</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>&amp;Hernoemen</translation>
+    </message>
+    <message>
+        <source>F2</source>
+        <translation>F2</translation>
+    </message>
+    <message>
+        <source>Another name</source>
+        <translation>Een andere naam</translation>
+    </message>
+    <message>
+        <source>Ne&amp;w Group</source>
+        <translation>Nieuwe &amp;groep</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+N</source>
+        <translation>Ctrl+Shift+N</translation>
+    </message>
+    <message>
+        <source>An empty group</source>
+        <translation>Een lege groep</translation>
+    </message>
+    <message>
+        <source>Grou&amp;p</source>
+        <translation>Groe&amp;peren</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>The selected structures in a group of their own</source>
+        <translation>De gekozen structuren in een eigen groep</translation>
+    </message>
+    <message>
+        <source>&amp;Ungroup</source>
+        <translation>Groep opheffe&amp;n</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+G</source>
+        <translation>Ctrl+Shift+G</translation>
+    </message>
+    <message>
+        <source>Dissolve the selected groups; what is in them keeps its look</source>
+        <translation>De gekozen groepen opheffen; wat erin zit houdt zijn uiterlijk</translation>
+    </message>
+    <message>
+        <source>Loc&amp;k</source>
+        <translation>&amp;Vergrendelen</translation>
+    </message>
+    <message>
+        <source>Ctrl+L</source>
+        <translation>Ctrl+L</translation>
+    </message>
+    <message>
+        <source>What is locked keeps its look, name and place and cannot be clicked in the picture</source>
+        <translation>Wat vergrendeld is, houdt uiterlijk, naam en plaats en kan in het beeld niet aangeklikt worden</translation>
+    </message>
+    <message>
+        <source>Propert&amp;ies…</source>
+        <translation>Eigensch&amp;appen…</translation>
+    </message>
+    <message>
+        <source>Alt+Return</source>
+        <translation>Alt+Return</translation>
+    </message>
+    <message>
+        <source>Where it came from, how large it is, how it is drawn</source>
+        <translation>Waar het vandaan komt, hoe groot het is, hoe het getekend wordt</translation>
+    </message>
+    <message>
+        <source>&amp;Facing the View</source>
+        <translation>&amp;Dwars op de blik</translation>
+    </message>
+    <message>
+        <source>Ctrl+4</source>
+        <translation>Ctrl+4</translation>
+    </message>
+    <message>
+        <source>Cut across the line of sight</source>
+        <translation>Dwars op de kijkrichting snijden</translation>
+    </message>
+    <message>
+        <source>&amp;Orientation Cube</source>
+        <translation>&amp;Oriëntatiekubus</translation>
+    </message>
+    <message>
+        <source>Scale &amp;Bar</source>
+        <translation>&amp;Schaalbalk</translation>
+    </message>
+    <message>
+        <source>How long a centimetre is</source>
+        <translation>Hoe lang een centimeter is</translation>
+    </message>
+    <message>
+        <source>&amp;Names under the Mouse</source>
+        <translation>&amp;Namen onder de muis</translation>
+    </message>
+    <message>
+        <source>Picture &amp;Time</source>
+        <translation>Beeld&amp;tijd</translation>
+    </message>
+    <message>
+        <source>How long the last picture took to draw</source>
+        <translation>Hoe lang het tekenen van het laatste beeld duurde</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Spatie</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Bring the selected structures into the picture</source>
+        <translation>De gekozen structuren in beeld brengen</translation>
+    </message>
+    <message>
+        <source>Drag over eyes or locks</source>
+        <translation>Over ogen of sloten slepen</translation>
+    </message>
+    <message>
+        <source>Set them all alike</source>
+        <translation>Alle gelijk zetten</translation>
+    </message>
+    <message>
+        <source>Alt + click on an eye</source>
+        <translation>Alt + klik op een oog</translation>
+    </message>
+    <message>
+        <source>Show this and nothing else; again: everything</source>
+        <translation>Alleen dit tonen; nogmaals: alles</translation>
+    </message>
+    <message>
+        <source>Middle click on Γ or colour</source>
+        <translation>Middelklik op Γ of kleur</translation>
+    </message>
+    <message>
+        <source>Take it from the group above again</source>
+        <translation>Het weer van de groep erboven nemen</translation>
+    </message>
+    <message>
+        <source>Drag rows</source>
+        <translation>Rijen slepen</translation>
+    </message>
+    <message>
+        <source>Put them elsewhere, or into another group</source>
+        <translation>Ergens anders of in een andere groep zetten</translation>
+    </message>
+    <message>
+        <source>Double click on a name</source>
+        <translation>Dubbelklik op een naam</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Groep</translation>
+    </message>
+    <message>
+        <source>New Group</source>
+        <translation>Nieuwe groep</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -865,6 +1497,21 @@ OpenGL: %3</translation>
     <message>
         <source>Mouse</source>
         <translation>Muis</translation>
+    </message>
+    <message>
+        <source>List of structures</source>
+        <translation>Lijst van structuren</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::CubeMark</name>
+    <message>
+        <source>Orientation cube</source>
+        <translation>Oriëntatiekubus</translation>
+    </message>
+    <message>
+        <source>The keys A, P, L, R, S and I look from the same sides.</source>
+        <translation>De toetsen A, P, L, R, S en I kijken van dezelfde kanten.</translation>
     </message>
 </context>
 <context>
@@ -1224,32 +1871,16 @@ OpenGL: %3</translation>
         <translation>Opn&amp;ieuw</translation>
     </message>
     <message>
-        <source>Context</source>
-        <translation>Context</translation>
-    </message>
-    <message>
-        <source>Inherit Γ</source>
-        <translation>Γ overnemen</translation>
-    </message>
-    <message>
-        <source>Isolate</source>
-        <translation>Isoleren</translation>
-    </message>
-    <message>
-        <source>Show All</source>
-        <translation>Alles tonen</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Verwijderen</translation>
-    </message>
-    <message>
         <source>Turning around this place on %1</source>
         <translation>Draait om deze plek op %1</translation>
     </message>
     <message>
         <source>Focus and Context</source>
         <translation>Focus en context</translation>
+    </message>
+    <message>
+        <source>Sections</source>
+        <translation>Doorsneden</translation>
     </message>
 </context>
 <context>
@@ -1276,6 +1907,39 @@ OpenGL: %3</translation>
     <message>
         <source>What was left out or mended</source>
         <translation>Wat weggelaten of hersteld is</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PictureMarks</name>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 at %2 % size</source>
+        <translation>%1 bij %2 % grootte</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PictureMenu</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 en nog %n</numerusform>
+            <numerusform>%1 en nog %n</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Section &amp;Here</source>
+        <translation>&amp;Doorsnede hier</translation>
+    </message>
+    <message>
+        <source>Section Here, of &amp;This Alone</source>
+        <translation>Doorsnede hier, &amp;alleen hiervan</translation>
+    </message>
+    <message>
+        <source>Turn &amp;Around This Place</source>
+        <translation>&amp;Om deze plek draaien</translation>
     </message>
 </context>
 <context>
@@ -1336,11 +2000,26 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
-    <name>sline::widgets::SectionActions</name>
+    <name>sline::widgets::ScaleBarMark</name>
     <message>
-        <source>%1 Section</source>
-        <translation>Doorsnede: %1</translation>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
     </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Scale: %1</source>
+        <translation>Schaal: %1</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SectionActions</name>
     <message>
         <source>Without %1 Section</source>
         <translation>Zonder doorsnede: %1</translation>
@@ -1352,6 +2031,155 @@ OpenGL: %3</translation>
     <message>
         <source>Whole Again</source>
         <translation>Weer heel</translation>
+    </message>
+    <message>
+        <source>&amp;Sagittal</source>
+        <translation>&amp;Sagittaal</translation>
+    </message>
+    <message>
+        <source>&amp;Coronal</source>
+        <translation>&amp;Coronaal</translation>
+    </message>
+    <message>
+        <source>&amp;Axial</source>
+        <translation>&amp;Axiaal</translation>
+    </message>
+    <message>
+        <source>&amp;Facing the View</source>
+        <translation>&amp;Dwars op de blik</translation>
+    </message>
+    <message>
+        <source>%1 cannot be added: a structure can have %2 sections at most</source>
+        <translation>%1 kan niet worden toegevoegd: een structuur kan hoogstens %2 doorsneden hebben</translation>
+    </message>
+    <message>
+        <source>Take another section away first</source>
+        <translation>Haal eerst een andere doorsnede weg</translation>
+    </message>
+    <message>
+        <source>Of %1 alone</source>
+        <translation>Alleen van %1</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SectionList</name>
+    <message>
+        <source>Section</source>
+        <translation>Doorsnede</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Positie</translation>
+    </message>
+    <message>
+        <source>Cuts</source>
+        <translation>Snijdt</translation>
+    </message>
+    <message>
+        <source>Rename Section</source>
+        <translation>Doorsnede hernoemen</translation>
+    </message>
+    <message>
+        <source>Section On</source>
+        <translation>Doorsnede aan</translation>
+    </message>
+    <message>
+        <source>Section Off</source>
+        <translation>Doorsnede uit</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SectionTool</name>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Flip Section</source>
+        <translation>Doorsnede omkeren</translation>
+    </message>
+    <message>
+        <source>Tilt Section</source>
+        <translation>Doorsnede kantelen</translation>
+    </message>
+    <message>
+        <source>Move Section</source>
+        <translation>Doorsnede verschuiven</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::SectionsPanel</name>
+    <message>
+        <source>Sections</source>
+        <translation>Doorsneden</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Nieuw</translation>
+    </message>
+    <message>
+        <source>Add a section plane</source>
+        <translation>Een snijvlak toevoegen</translation>
+    </message>
+    <message>
+        <source>Flip</source>
+        <translation>Omkeren</translation>
+    </message>
+    <message>
+        <source>Keep the other side of this section</source>
+        <translation>De andere kant van deze doorsnede houden</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>Take this section away</source>
+        <translation>Deze doorsnede weghalen</translation>
+    </message>
+    <message>
+        <source>Flip Section</source>
+        <translation>Doorsnede omkeren</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Towards the left, the back or the head; of an oblique section along its normal</source>
+        <translation>Naar links, achteren of het hoofd; bij een schuine doorsnede langs de normaal</translation>
+    </message>
+    <message>
+        <source>Hatched cut faces</source>
+        <translation>Gearceerde snijvlakken</translation>
+    </message>
+    <message>
+        <source>Move Section</source>
+        <translation>Doorsnede verschuiven</translation>
+    </message>
+    <message>
+        <source>Hatched Cut Faces</source>
+        <translation>Gearceerde snijvlakken</translation>
+    </message>
+    <message>
+        <source>&amp;Position</source>
+        <translation>&amp;Positie</translation>
+    </message>
+    <message>
+        <source>&amp;Cuts</source>
+        <translation>Sn&amp;ijdt</translation>
+    </message>
+    <message>
+        <source>Delete Section</source>
+        <translation>Doorsnede verwijderen</translation>
+    </message>
+    <message>
+        <source>Selected: %1</source>
+        <translation>Gekozen: %1</translation>
+    </message>
+    <message>
+        <source>What a Section Cuts</source>
+        <translation>Wat een doorsnede snijdt</translation>
     </message>
 </context>
 <context>
@@ -1401,6 +2229,22 @@ OpenGL: %3</translation>
         <source>Revert to Saved</source>
         <translation>Terug naar opgeslagen</translation>
     </message>
+    <message>
+        <source>Lock</source>
+        <translation>Vergrendelen</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Ontgrendelen</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Tonen</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Verbergen</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StartPage</name>
@@ -1446,6 +2290,31 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::StructureActions</name>
+    <message>
+        <source>Context</source>
+        <translation>Context</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StructureDelegate</name>
+    <message>
+        <source>Name</source>
+        <translation>Naam</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::StructureProperties</name>
+    <message>
+        <source>Properties</source>
+        <translation>Eigenschappen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopiëren</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::StructureTree</name>
     <message>
         <source>Filter structures by name</source>
@@ -1459,13 +2328,24 @@ OpenGL: %3</translation>
         <source>Colour</source>
         <translation>Kleur</translation>
     </message>
+    <message>
+        <source>Words in any order. Enter selects all that match, Down goes to the list, Escape shows all again.</source>
+        <translation>Woorden in willekeurige volgorde. Enter kiest alles wat past, Omlaag gaat naar de lijst, Esc toont alles weer.</translation>
+    </message>
+    <message>
+        <source>No structure is called so</source>
+        <translation>Geen structuur heet zo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures – Enter selects them</source>
+        <translation>
+            <numerusform>%n structuur – Enter kiest hem</numerusform>
+            <numerusform>%n structuren – Enter kiest ze</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StructureTreeModel</name>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 tot %2</translation>
-    </message>
     <message>
         <source>Hidden</source>
         <translation>Verborgen</translation>
@@ -1477,10 +2357,6 @@ OpenGL: %3</translation>
     <message>
         <source>Shown</source>
         <translation>Getoond</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>Kleur</translation>
     </message>
     <message>
         <source>Γ %1</source>
@@ -1506,6 +2382,46 @@ OpenGL: %3</translation>
         <source>Γ</source>
         <translation>Γ</translation>
     </message>
+    <message>
+        <source>%1, its own</source>
+        <translation>%1, eigen</translation>
+    </message>
+    <message>
+        <source>Colour, its own</source>
+        <translation>Kleur, eigen</translation>
+    </message>
+    <message>
+        <source>Colours of what is in it</source>
+        <translation>Kleuren van wat erin zit</translation>
+    </message>
+    <message>
+        <source>Colour, from the group above</source>
+        <translation>Kleur, van de groep erboven</translation>
+    </message>
+    <message>
+        <source>opacity %1 %, its own</source>
+        <translation>dekking %1 %, eigen</translation>
+    </message>
+    <message>
+        <source>opacity %1 %</source>
+        <translation>dekking %1 %</translation>
+    </message>
+    <message>
+        <source>Not locked</source>
+        <translation>Niet vergrendeld</translation>
+    </message>
+    <message>
+        <source>Locked by the group above: keeps its look, name and place and cannot be clicked in the picture</source>
+        <translation>Vergrendeld door de groep erboven: houdt uiterlijk, naam en plaats en kan in het beeld niet aangeklikt worden</translation>
+    </message>
+    <message>
+        <source>Locked: keeps its look, name and place and cannot be clicked in the picture</source>
+        <translation>Vergrendeld: houdt uiterlijk, naam en plaats en kan in het beeld niet aangeklikt worden</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 tot %2</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::StructureTreeView</name>
@@ -1514,12 +2430,8 @@ OpenGL: %3</translation>
         <translation>Structuren</translation>
     </message>
     <message>
-        <source>Hide</source>
-        <translation>Verbergen</translation>
-    </message>
-    <message>
-        <source>Show</source>
-        <translation>Tonen</translation>
+        <source>Locked</source>
+        <translation>Vergrendeld</translation>
     </message>
 </context>
 <context>

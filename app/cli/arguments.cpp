@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/arguments.h"
 
+#include <set>
+
 namespace sline::cli {
 
 namespace {
@@ -27,7 +29,9 @@ std::vector<std::string> withInputsFirst(const std::vector<std::string>& argumen
       others.push_back(argument);
       continue;
     }
-    const bool assigns = option == "--gamma" || option == "--color" || option == "--colour";
+    static const std::set<std::string> assigning{"--gamma", "--pen",        "--hatch-density",
+                                                 "--color", "--hatch-tone", "--colour"};
+    const bool assigns = assigning.contains(option);
     const bool isInput = (assigns && values > 0 && argument.find('=') == std::string::npos) ||
                          (option == "--only" && values > 0 && exists(argument));
     ++values;

@@ -37,7 +37,8 @@ bool isFolderName(const std::string& output) {
 
 /// Meshes have no style: what was said of it would be lost.
 bool saysHowToDraw(const PictureFlags& flags) {
-  return !flags.gammas.empty() || !flags.colours.empty() || !flags.only.empty() ||
+  return !flags.gammas.empty() || !flags.pens.empty() || !flags.hatchDensities.empty() ||
+         !flags.hatchTones.empty() || !flags.colours.empty() || !flags.only.empty() ||
          !flags.fill.empty() || !flags.cameraFile.empty() || flags.view != firstView;
 }
 

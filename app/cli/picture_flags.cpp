@@ -47,24 +47,41 @@ struct Patch {
   model::Style style;
 };
 
-template <class T>
-Status collect(const model::Scene& scene, const std::vector<Assignment<T>>& assignments,
-               std::optional<T> model::Style::*field, std::vector<Patch>& patches) {
-  for (const Assignment<T>& assignment : assignments) {
-    model::Style style;
-    style.*field = assignment.value;
+Status collect(const model::Scene& scene, const std::vector<Assignment<model::Style>>& assignments,
+               std::vector<Patch>& patches) {
+  for (const Assignment<model::Style>& assignment : assignments) {
     if (!assignment.name) {
-      patches.push_back({model::rootId, 0, style});
+      patches.push_back({model::rootId, 0, assignment.value});
       continue;
     }
     const auto ids = nodesNamed(scene, *assignment.name);
     if (!ids.ok())
       return ids.error();
     for (const model::NodeId id : *ids)
-      patches.push_back({id, depthOf(scene, id), style});
+      patches.push_back({id, depthOf(scene, id), assignment.value});
   }
   return Unit{};
 }
+
+template <class T>
+Status collect(const model::Scene& scene, const std::vector<Assignment<T>>& assignments,
+               std::optional<T> model::Style::*field, std::vector<Patch>& patches) {
+  std::vector<Assignment<model::Style>> styles;
+  for (const Assignment<T>& assignment : assignments) {
+    styles.push_back({assignment.name, {}});
+    styles.back().value.*field = assignment.value;
+  }
+  return collect(scene, styles, patches);
+}
+
+/// Flags that set one field of a style each.
+struct LookFlag {
+  std::vector<std::string> PictureFlags::*typed;
+  Result<model::Style> (*parse)(std::string_view);
+};
+constexpr std::array<LookFlag, 3> lookFlags{{{&PictureFlags::pens, parsePen},
+                                             {&PictureFlags::hatchDensities, parseHatchDensity},
+                                             {&PictureFlags::hatchTones, parseHatchTone}}};
 
 std::vector<model::NodeId> allBelow(const model::Scene& scene, model::NodeId id) {
   std::vector<model::NodeId> ids;
@@ -192,6 +209,9 @@ Result<PictureOrder> understood(const PictureFlags& flags) {
   if (Status parsed = parseAssignments(flags.inkColours, parseColour, order.inkColours);
       !parsed.ok())
     return parsed.error();
+  for (const LookFlag& flag : lookFlags)
+    if (Status parsed = parseAssignments(flags.*flag.typed, flag.parse, order.looks); !parsed.ok())
+      return parsed.error();
   for (const Assignment<Colour>& assignment : order.colours)
     if (!assignment.name)
       return Error{.reason = "a colour is given without the name of a structure or group",
@@ -237,6 +257,8 @@ Result<model::Scene> styled(const model::Scene& scene, const PictureOrder& order
   if (Status ok = collect(scene, order.colours, &model::Style::colour, patches); !ok.ok())
     return ok.error();
   if (Status ok = collect(scene, order.inkColours, &model::Style::inkColour, patches); !ok.ok())
+    return ok.error();
+  if (Status ok = collect(scene, order.looks, patches); !ok.ok())
     return ok.error();
   std::stable_sort(patches.begin(), patches.end(),
                    [](const Patch& a, const Patch& b) { return a.depth < b.depth; });

@@ -32,6 +32,9 @@ struct PictureFlags {
   std::vector<std::string> gammas;
   std::vector<std::string> colours;
   std::vector<std::string> inkColours;
+  std::vector<std::string> pens;
+  std::vector<std::string> hatchDensities;
+  std::vector<std::string> hatchTones;
   std::vector<std::string> only;
   SectionFlags sections;
   FocusFlags focus;
@@ -60,6 +63,7 @@ struct PictureOrder {
   std::vector<Assignment<Gamma>> gammas;
   std::vector<Assignment<Colour>> colours;
   std::vector<Assignment<Colour>> inkColours;
+  std::vector<Assignment<model::Style>> looks;  ///< each of one field
   std::vector<std::string> only;
   SectionsOrder sections;
   FocusOrder focus;

@@ -123,6 +123,47 @@ Result<Gamma> parseGamma(std::string_view text) {
   return *gamma;
 }
 
+namespace {
+
+template <class T>
+Result<T> withinRange(std::string_view what, std::string_view text) {
+  const std::string right = "a number from 0 to " + std::to_string(int(T::clamped(1e6f).value())) +
+                            " (1 is the usual), or NAME=NUMBER for one structure or group";
+  const auto value = number<float>(text);
+  if (!value)
+    return wrong(what, text, right);
+  const auto bounded = T::from(*value);
+  if (!bounded)
+    return Error{.reason = std::string(what) + " " + std::string(text) + " is out of range",
+                 .remedy = "Give " + right};
+  return *bounded;
+}
+
+using PenWeight = Bounded<struct PenWeightTag, 0, 10>;
+
+}  // namespace
+
+Result<model::Style> parsePen(std::string_view text) {
+  const Result<PenWeight> pen = withinRange<PenWeight>("pen", text);
+  if (!pen)
+    return pen.error();
+  return model::Style{.penWeight = pen->value()};
+}
+
+Result<model::Style> parseHatchDensity(std::string_view text) {
+  const Result<HatchDensity> density = withinRange<HatchDensity>("hatch density", text);
+  if (!density)
+    return density.error();
+  return model::Style{.hatchDensity = *density};
+}
+
+Result<model::Style> parseHatchTone(std::string_view text) {
+  const Result<HatchTone> tone = withinRange<HatchTone>("hatch tone", text);
+  if (!tone)
+    return tone.error();
+  return model::Style{.hatchTone = *tone};
+}
+
 Result<Colour> parseColour(std::string_view text) {
   constexpr std::string_view right = "NAME=#rrggbb, such as liver=#a0523c";
   if (text.size() != 7 || text.front() != '#')

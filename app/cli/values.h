@@ -31,6 +31,10 @@ Result<Size> parseSize(std::string_view text);
 Result<std::optional<int>> parseSamples(std::string_view text);
 /// "2.5", within [0, 5].
 Result<Gamma> parseGamma(std::string_view text);
+/// Styles that say this one thing: a number within its range.
+Result<model::Style> parsePen(std::string_view text);
+Result<model::Style> parseHatchDensity(std::string_view text);
+Result<model::Style> parseHatchTone(std::string_view text);
 /// "#rrggbb".
 Result<Colour> parseColour(std::string_view text);
 /// "LPS", "RAS" or "file"; case is ignored.

@@ -297,7 +297,9 @@ class Builder {
         node.style.opacity = part.raw.opacity;
       node.style.visible = part.raw.visible;
     }
-    m_built.nodesOfFile[part.file].push_back(m_built.scene.append(std::move(node)));
+    const NodeId id = m_built.scene.append(std::move(node));
+    m_built.nodesOfFile[part.file].push_back(id);
+    m_built.numbers[id] = part.number;
   }
 
   /// The table knows best; a colour in the file counts where the name is unknown and the colour is

@@ -15,6 +15,7 @@ struct BuiltScene {
   Scene scene;
   std::map<std::pair<std::size_t, std::size_t>, NodeId> groups;  ///< by source and group in it
   std::vector<std::vector<NodeId>> nodesOfFile;                  ///< as Sources::files
+  std::map<NodeId, std::size_t> numbers;                         ///< Part::number of each structure
 };
 
 /// A scene keeps its own groups. A folder's groups are its sub-folders, else those of a part-of

@@ -34,6 +34,10 @@ struct FrameVote {
 /// below 1 % of the scene's width say nothing.
 FrameVote voteOnFrame(std::span<const NamedPlace> places);
 
+/// Those of the places, in order, whose names say the other side than where they are if +x is the
+/// patient's left, by the same comparisons; both of a pair.
+std::vector<std::size_t> onTheOtherSide(std::span<const NamedPlace> places);
+
 /// glTF (y up, +x the patient's left, +z to the front) to LPS axes, a rotation: (x, −z, y).
 inline glm::vec3 uprightToLps(const glm::vec3& p) {
   return {p.x, -p.z, p.y};

@@ -79,63 +79,6 @@ std::map<std::string, FileFacts> factsOf(const SourceFile& source,
   return facts;
 }
 
-Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& options,
-                ProgressMeter& meter) {
-  Loaded loaded;
-  const SourceFile& source = sources.files[index];
-  const std::string shown = source.file.filename().string();
-  const ReadOptions how{options.limits, options.smoothing, [&] { return meter.goesOn(shown); }};
-  Result<RawMeshes> read =
-      source.together.empty() ? readSurfaces(source.file, how) : readTogether(source, how);
-  if (!read) {
-    Error error = read.error();
-    error.file.clear();
-    loaded.warnings.push_back({shown, error.text()});
-    return loaded;
-  }
-  loaded.warnings = std::move(read->warnings);
-  std::vector<RawMesh>& meshes = read->meshes;
-  std::map<std::string, FileFacts> facts = factsOf(source, meshes);
-  const std::vector<std::string> names = partNames(meshes);
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    RawMesh& raw = meshes[i];
-    if (!meter.goesOn(shown))
-      break;
-    Part part;
-    part.file = index;
-    part.name = raw.molecule ? raw.name : nameInFile(raw.name);
-    if (part.name.empty())
-      part.name = readableName(stemOf(source.file));
-    if (source.model) {
-      const SlicerModel& model = sources.sources[source.source].scene->models[*source.model];
-      if (!model.segments)
-        part.name = meshes.size() == 1 ? model.name : model.name + " " + part.name;
-    }
-    part.raw = std::move(raw);
-    const std::string& file = part.raw.file.empty() ? shown : part.raw.file;
-    part.provenance.file = part.raw.origin.empty() ? file : part.raw.origin;
-    // Without its file's name there is nothing to read again by.
-    if (part.raw.origin.empty())
-      part.provenance.fingerprint = facts[file].fingerprint;
-    if (facts[file].surfaces > 1)
-      part.provenance.part = names[i];
-    if (options.repair)
-      mend(part, shown, loaded.warnings);
-    if (!meter.goesOn(shown))
-      break;
-    if (part.raw.triangles.empty()) {
-      loaded.warnings.push_back({shown, "\"" + part.name + "\" has no face with area; left out"});
-      continue;
-    }
-    part.raw.positions.shrink_to_fit();
-    part.raw.triangles.shrink_to_fit();
-    if (options.smoothing.mode == Smoothing::Mode::automatic && !part.raw.smooth)
-      part.measure = measureSurface(part.raw.positions, part.raw.triangles);
-    loaded.parts.push_back(std::move(part));
-  }
-  return loaded;
-}
-
 std::optional<glm::dmat4> matrixOf(const Provenance& as) {
   if (!as.transform)
     return std::nullopt;
@@ -185,6 +128,36 @@ void leaveOutTwins(std::vector<Part>& parts, const Sources& sources,
                                     " left out that the folder also holds as surfaces"});
 }
 
+/// What the smoothing of itself asks to know of each, where it was not asked while reading.
+void measureParts(std::vector<Part>& parts, ProgressMeter& meter) {
+  std::vector<std::size_t> unknown;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (!parts[i].raw.smooth && parts[i].measure.vertices == 0)
+      unknown.push_back(i);
+  forFewAtATime(unknown, meter, [&](std::size_t i) {
+    parts[i].measure = measureSurface(parts[i].raw.positions, parts[i].raw.triangles);
+    meter.goesOn(parts[i].name);
+  });
+}
+
+/// Each part's own voxel grid, or the one it shares with the parts of its source.
+std::vector<VoxelGrid> gridsOf(const std::vector<Part>& parts, const Sources& sources) {
+  std::vector<VoxelGrid> grids(parts.size());
+  for (std::size_t source = 0; source < sources.sources.size(); ++source) {
+    std::vector<std::size_t> members;
+    std::vector<SurfaceMeasure> measures;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (sources.files[parts[i].file].source == source) {
+        members.push_back(i);
+        measures.push_back(parts[i].measure);
+      }
+    const std::vector<VoxelGrid> common = commonGrids(measures);
+    for (std::size_t k = 0; k < members.size(); ++k)
+      grids[members[k]] = common[k];
+  }
+  return grids;
+}
+
 /// File coordinates → millimetres LPS.
 glm::vec3 placed(const glm::vec3& p, const Provenance& as, bool yUp,
                  const std::optional<glm::dmat4>& toWorld) {
@@ -217,6 +190,64 @@ void forFewAtATime(const std::vector<std::size_t>& order, const ProgressMeter& m
   });
 }
 
+std::vector<Part> loadFile(const Sources& sources, std::size_t index, const ImportOptions& options,
+                           ProgressMeter& meter, std::vector<ImportWarning>& warnings) {
+  std::vector<Part> parts;
+  const SourceFile& source = sources.files[index];
+  const std::string shown = source.file.filename().string();
+  const ReadOptions how{options.limits, options.smoothing, [&] { return meter.goesOn(shown); }};
+  Result<RawMeshes> read =
+      source.together.empty() ? readSurfaces(source.file, how) : readTogether(source, how);
+  if (!read) {
+    Error error = read.error();
+    error.file.clear();
+    warnings.push_back({shown, error.text()});
+    return parts;
+  }
+  std::move(read->warnings.begin(), read->warnings.end(), std::back_inserter(warnings));
+  std::vector<RawMesh>& meshes = read->meshes;
+  std::map<std::string, FileFacts> facts = factsOf(source, meshes);
+  const std::vector<std::string> names = partNames(meshes);
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    RawMesh& raw = meshes[i];
+    if (!meter.goesOn(shown))
+      break;
+    Part part;
+    part.file = index;
+    part.surface = names[i];
+    part.name = raw.molecule ? raw.name : nameInFile(raw.name);
+    if (part.name.empty())
+      part.name = readableName(stemOf(source.file));
+    if (source.model) {
+      const SlicerModel& model = sources.sources[source.source].scene->models[*source.model];
+      if (!model.segments)
+        part.name = meshes.size() == 1 ? model.name : model.name + " " + part.name;
+    }
+    part.raw = std::move(raw);
+    const std::string& file = part.raw.file.empty() ? shown : part.raw.file;
+    part.provenance.file = part.raw.origin.empty() ? file : part.raw.origin;
+    // Without its file's name there is nothing to read again by.
+    if (part.raw.origin.empty())
+      part.provenance.fingerprint = facts[file].fingerprint;
+    if (facts[file].surfaces > 1)
+      part.provenance.part = names[i];
+    if (options.repair)
+      mend(part, shown, warnings);
+    if (!meter.goesOn(shown))
+      break;
+    if (part.raw.triangles.empty()) {
+      warnings.push_back({shown, "\"" + part.name + "\" has no face with area; left out"});
+      continue;
+    }
+    part.raw.positions.shrink_to_fit();
+    part.raw.triangles.shrink_to_fit();
+    if (options.smoothing.mode == Smoothing::Mode::automatic && !part.raw.smooth)
+      part.measure = measureSurface(part.raw.positions, part.raw.triangles);
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
 std::vector<Part> loadParts(const Sources& sources, const ImportOptions& options,
                             ProgressMeter& meter, std::vector<ImportWarning>& warnings) {
   std::vector<std::size_t> order(sources.files.size());
@@ -227,7 +258,7 @@ std::vector<Part> loadParts(const Sources& sources, const ImportOptions& options
   });
   std::vector<Loaded> loaded(sources.files.size());
   forFewAtATime(order, meter, [&](std::size_t i) {
-    loaded[i] = loadFile(sources, i, options, meter);
+    loaded[i].parts = loadFile(sources, i, options, meter, loaded[i].warnings);
     meter.add(double(sources.files[i].bytes) + 1.0, sources.files[i].file.filename().string());
   });
   std::vector<Part> parts;
@@ -236,30 +267,29 @@ std::vector<Part> loadParts(const Sources& sources, const ImportOptions& options
     std::move(one.warnings.begin(), one.warnings.end(), std::back_inserter(warnings));
   }
   leaveOutTwins(parts, sources, warnings);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    parts[i].number = i;
   return parts;
 }
 
 void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothing& smoothing,
                  ProgressMeter& meter) {
-  if (smoothing.mode == Smoothing::Mode::off)
+  const auto asked = [&](const Part& part) { return part.choice.smoothing.value_or(smoothing); };
+  const auto isAsked = [&](const Part& part) {
+    return !part.choice.skipped && asked(part).mode != Smoothing::Mode::off;
+  };
+  if (std::none_of(parts.begin(), parts.end(), isAsked))
     return;
-  std::vector<VoxelGrid> grids(parts.size());
-  for (std::size_t source = 0; source < sources.sources.size(); ++source) {
-    std::vector<std::size_t> members;
-    std::vector<SurfaceMeasure> measures;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      if (sources.files[parts[i].file].source == source) {
-        members.push_back(i);
-        measures.push_back(parts[i].measure);
-      }
-    const std::vector<VoxelGrid> common = commonGrids(measures);
-    for (std::size_t k = 0; k < members.size(); ++k)
-      grids[members[k]] = common[k];
-  }
+  const auto automatic = [&](const Part& part) {
+    return isAsked(part) && asked(part).mode == Smoothing::Mode::automatic;
+  };
+  if (std::any_of(parts.begin(), parts.end(), automatic))
+    measureParts(parts, meter);
+  const std::vector<VoxelGrid> grids = gridsOf(parts, sources);
   std::vector<SurfaceMeasure> all;
   all.reserve(parts.size());
   for (const Part& part : parts)
-    all.push_back(part.measure);
+    all.push_back(part.choice.skipped ? SurfaceMeasure() : part.measure);
   const std::vector<int> allowed = refinementAllowances(all);
   std::vector<std::size_t> order(parts.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
@@ -268,19 +298,21 @@ void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothi
   });
   forFewAtATime(order, meter, [&](std::size_t i) {
     Part& part = parts[i];
+    if (!isAsked(part))
+      return;
+    const Smoothing how = asked(part);
     if (part.raw.smooth) {
       part.provenance.displacementMm = part.raw.displacement * part.unit;
-      if (smoothing.mode == Smoothing::Mode::steps)
-        part.provenance.smoothingSteps = smoothing.steps;
+      if (how.mode == Smoothing::Mode::steps)
+        part.provenance.smoothingSteps = how.steps;
       return;
     }
-    const double bytes = double(part.raw.triangles.size()) * 6.0;
-    const Smoothed done =
-        smooth(part.raw.positions, part.raw.triangles, grids[i], smoothing, allowed[i]);
+    const double work = double(part.raw.triangles.size()) * workPerTriangle;
+    const Smoothed done = smooth(part.raw.positions, part.raw.triangles, grids[i], how, allowed[i]);
     part.provenance.smoothingSteps = done.smoothingSteps;
     part.provenance.refinementSteps = done.refinementSteps;
     part.provenance.displacementMm = done.displacement * part.unit;
-    meter.add(bytes, part.name);
+    meter.add(work, part.name);
   });
 }
 
@@ -343,8 +375,12 @@ void decimateParts(std::vector<Part>& parts, float bound, ProgressMeter& meter) 
   });
   forFewAtATime(order, meter, [&](std::size_t i) {
     Part& part = parts[i];
+    const float own = part.choice.decimateMm.value_or(bound);
+    if (!(own > 0.0f) || part.choice.skipped)
+      return;
     const std::size_t before = part.mesh->triangleCount();
-    Simplified fewer = simplified(part.mesh, bound, [&] { return meter.goesOn(part.name); });
+    Simplified fewer = simplified(part.mesh, own, [&] { return meter.goesOn(part.name); });
+    meter.add(double(before) * workPerTriangle, part.name);
     if (fewer.mesh == part.mesh)
       return;
     part.mesh = std::move(fewer.mesh);

@@ -15,9 +15,20 @@
 
 namespace sline::model {
 
+/// What was decided by hand for one surface; what is open is as for all.
+struct PartChoice {
+  std::optional<Frame> frame;
+  std::optional<float> unit;
+  std::optional<Smoothing> smoothing;
+  std::optional<float> decimateMm;
+  bool skipped = false;  ///< it is neither smoothed nor decimated, but tells of the others' grid
+};
+
 /// One surface. `raw` holds positions and triangles until `mesh` takes them.
 struct Part {
-  std::size_t file = 0;  ///< in Sources::files
+  std::size_t file = 0;    ///< in Sources::files
+  std::size_t number = 0;  ///< among all that were read
+  std::string surface;     ///< which of its file's, as partNames has it
   std::string name;
   RawMesh raw;
   SurfaceMeasure measure;
@@ -25,7 +36,11 @@ struct Part {
   float unit = 1.0f;  ///< millimetres per unit, a guessed one included
   Provenance provenance;
   MeshPtr mesh;
+  PartChoice choice;
 };
+
+/// What smoothing or decimating a triangle takes, where reading a byte takes 1.
+inline constexpr double workPerTriangle = 6.0;
 
 /// Counts what is done and asks the user's function whether to go on; any thread may call it.
 class ProgressMeter {
@@ -57,7 +72,12 @@ void forFewAtATime(const std::vector<std::size_t>& order, const ProgressMeter& m
 std::vector<Part> loadParts(const Sources& sources, const ImportOptions& options,
                             ProgressMeter& meter, std::vector<ImportWarning>& warnings);
 
-/// Smooths and refines each part by the grid it shares with the parts of its source.
+/// Reads one file, or those that are read together with it; `number` is not set.
+std::vector<Part> loadFile(const Sources& sources, std::size_t file, const ImportOptions& options,
+                           ProgressMeter& meter, std::vector<ImportWarning>& warnings);
+
+/// Smooths and refines each part by the grid it shares with the parts of its source, as `smoothing`
+/// asks or its own choice.
 void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothing& smoothing,
                  ProgressMeter& meter);
 
@@ -72,7 +92,7 @@ Result<MeshPtr> placedMesh(RawMesh raw, Provenance& as);
 void placeParts(std::vector<Part>& parts, const Sources& sources,
                 std::vector<ImportWarning>& warnings);
 
-/// Fewer triangles within `bound` mm (geometry/simplification.h).
+/// Fewer triangles within `bound` mm or the part's own bound (geometry/simplification.h); 0: all.
 void decimateParts(std::vector<Part>& parts, float bound, ProgressMeter& meter);
 
 }  // namespace sline::model

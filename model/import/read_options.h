@@ -19,6 +19,7 @@ struct ReadLimits {
 struct Smoothing {
   enum class Mode { automatic, off, steps } mode = Mode::automatic;
   int steps = 0;
+  bool operator==(const Smoothing&) const = default;
 };
 
 struct ReadOptions {

@@ -2,23 +2,12 @@
 #include "model/import/scene_inputs.h"
 
 #include <algorithm>
-#include <map>
 
 #include "model/files/scene_file.h"
 
 namespace sline::model {
 
 namespace {
-void warnOfOptions(const ImportOptions& options, std::vector<ImportWarning>& warnings) {
-  if (options.frame || options.unit)
-    warnings.push_back({"",
-                        "a scene file is in millimetres of the patient's frame; the frame and "
-                        "the unit that were chosen do not apply to it"});
-  if (options.decimateMm > 0.0f)
-    warnings.push_back({"",
-                        "surfaces of a scene file keep their triangles; only what is imported "
-                        "is decimated"});
-}
 
 /// What decided the frame when its first structure was imported.
 std::string frameReasonOf(const Scene& scene) {
@@ -28,8 +17,6 @@ std::string frameReasonOf(const Scene& scene) {
   });
   return found == nodes.end() ? "scene file" : found->provenance.frameReason;
 }
-
-using NewIds = std::map<NodeId, NodeId>;
 
 /// Sections get fresh ids in the scene; those of a view keep theirs, which are its own.
 Section moved(Section section, const NewIds& ids) {
@@ -70,13 +57,35 @@ View moved(View view, const NewIds& ids, const std::map<AnnotationId, Annotation
   return view;
 }
 
-void append(Scene& to, const Scene& added) {
+}  // namespace
+
+void warnOfOptions(const ImportOptions& options, std::vector<ImportWarning>& warnings) {
+  if (options.frame || options.unit)
+    warnings.push_back({"",
+                        "a scene file is in millimetres of the patient's frame; the frame and "
+                        "the unit that were chosen do not apply to it"});
+  if (options.decimateMm > 0.0f)
+    warnings.push_back({"",
+                        "surfaces of a scene file keep their triangles; only what is imported "
+                        "is decimated"});
+}
+
+NewIds append(Scene& to, const Scene& added) {
   NewIds ids{{rootId, rootId}};
+  // All at once: to append them one by one would look through the whole scene for each.
+  std::vector<Node> nodes = to.nodes();
   for (Node node : added.nodes()) {
     const NodeId old = node.id;
     node.parent = ids.at(node.parent);
-    ids[old] = to.append(std::move(node));
+    if (ids.size() == 1) {
+      node.id = to.append(node);
+    } else {
+      node.id = {nodes.back().id.value + 1};
+    }
+    ids[old] = node.id;
+    nodes.push_back(std::move(node));
   }
+  to.setNodes(std::move(nodes));
   for (const Section& section : added.sections())
     to.appendSection(moved(section, ids));
   std::map<AnnotationId, AnnotationId> noteIds;
@@ -90,16 +99,17 @@ void append(Scene& to, const Scene& added) {
     to.setKeyLight(added.keyLight());
   if (to.unread().empty())
     to.setUnread(added.unread());
+  return ids;
 }
-}  // namespace
 
-void append(Imported& to, Imported added) {
-  append(to.scene, added.scene);
+NewIds append(Imported& to, Imported added) {
+  NewIds ids = append(to.scene, added.scene);
   const auto take = [](auto& all, auto& more) {
     std::move(more.begin(), more.end(), std::back_inserter(all));
   };
   take(to.report.warnings, added.report.warnings);
   take(to.others, added.others);
+  return ids;
 }
 
 Result<Imported> openScenes(std::span<const std::filesystem::path> files,

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <span>
+#include <vector>
 
 #include "model/import/import.h"
 
@@ -14,8 +16,16 @@ namespace sline::model {
 Result<Imported> openScenes(std::span<const std::filesystem::path> files,
                             const ImportOptions& options);
 
+/// Tells of options that do not apply to scene files.
+void warnOfOptions(const ImportOptions& options, std::vector<ImportWarning>& warnings);
+
+/// Which id a node of what was added has now.
+using NewIds = std::map<NodeId, NodeId>;
+
 /// Adds nodes, sections, annotations and views under ids that are free in `to`; its own keep
 /// theirs. Its key light goes before the other's.
-void append(Imported& to, Imported added);
+NewIds append(Scene& to, const Scene& added);
+/// The same with reports and further files.
+NewIds append(Imported& to, Imported added);
 
 }  // namespace sline::model

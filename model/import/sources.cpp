@@ -240,4 +240,22 @@ Sources collectSources(std::span<const fs::path> inputs, const ReadLimits& limit
   return std::move(collector).take();
 }
 
+double bytesOf(const Sources& sources) {
+  double bytes = 1.0;
+  for (const SourceFile& file : sources.files)
+    bytes += double(file.bytes) + 1.0;
+  return bytes;
+}
+
+Error nothingRead(const Sources& sources, const std::vector<ImportWarning>& warnings) {
+  if (sources.firstError)
+    return *sources.firstError;
+  if (warnings.empty())
+    return {.reason = "there is nothing to read", .remedy = "Name a mesh, a folder or a scene"};
+  const ImportWarning& first = warnings.front();
+  return {.file = first.file,
+          .reason = first.reason,
+          .remedy = sources.files.size() > 1 ? "None of the files could be read" : ""};
+}
+
 }  // namespace sline::model

@@ -47,4 +47,10 @@ bool haveFiducials(const Sources& sources);
 /// Inputs that cannot be used become warnings; `firstError` tells about the first of them.
 Sources collectSources(std::span<const std::filesystem::path> inputs, const ReadLimits& limits);
 
+/// A measure of how much there is to read; never 0.
+double bytesOf(const Sources& sources);
+
+/// The error to give where no surface came of them.
+Error nothingRead(const Sources& sources, const std::vector<ImportWarning>& warnings);
+
 }  // namespace sline::model

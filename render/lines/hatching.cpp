@@ -17,9 +17,12 @@
 namespace sline::render {
 
 namespace {
-// A stroke narrower than this half width (λ) ends rather than become a grey hair.
+// A stroke narrower than this half width (λ) ends rather than become a grey hair. Where all are to
+// be thinner than usual this one may be as much: hatching ends in the same places.
 constexpr float hair = 0.36f;
 constexpr float pen = 0.52f;  // half width at and above which it is drawn as it is
+// Of the space between strokes ink takes no more, however dark it is to be.
+constexpr float mostInk = 0.9f;
 // A pen's point opens by no more than this half width per length.
 constexpr float opening = 0.14f;
 constexpr float halfHeight = 360.0f;  // of the picture, λ, by definition
@@ -28,11 +31,6 @@ constexpr float margin = 24.0f;
 // Across themselves strokes that are seen with less than this share of their distance thin out.
 constexpr float narrow = 0.2f;
 constexpr float halfPi = 1.5707963f;
-
-/// The thinnest strokes taper off quickly instead of fading.
-float definite(float halfWidth) {
-  return halfWidth >= pen ? halfWidth : std::max(halfWidth - hair, 0.0f) * pen / (pen - hair);
-}
 
 /// Of the share that strokes are seen apart, what counts for which levels show: its root, half as
 /// fast in powers of two, but in the depth of a tunnel, where that would turn black, all of it.
@@ -143,12 +141,24 @@ class Hatcher {
         std::clamp(seenLevel + 1.0f - float(level), 0.0f, 1.0f) * std::min(1.0f, across / narrow);
   }
 
+  /// The thinnest strokes taper off quickly instead of fading. `usual`: how much thinner or wider
+  /// than usual all are.
+  static float definite(float halfWidth, float usual) {
+    const float least = hair * usual;
+    const float whole = pen * usual;
+    return halfWidth >= whole ? halfWidth
+                              : std::max(halfWidth - least, 0.0f) * whole / (whole - least);
+  }
+
   float halfWidth(const Sample& s, float entered) const {
-    const float share = hatchWidth(hatchOpacity(s.weight, s.angle, entered)) * m_request.tone;
+    const float share =
+        std::min(hatchWidth(hatchOpacity(s.weight, s.angle, entered)) * m_request.tone, mostInk);
+    const float closer = m_request.spacing / hatchSpacing;
     if (m_layout.length() > 0.0f)
-      return definite(0.5f * m_request.spacing * share * s.presence);
+      return definite(0.5f * m_request.spacing * share * s.presence, closer * m_request.tone);
     // A disc of radius r in a square of the spacing's side covers πr² of it.
-    return definite(m_request.spacing * std::sqrt(share / 3.14159265f) * s.presence);
+    return definite(m_request.spacing * std::sqrt(share / 3.14159265f) * s.presence,
+                    std::sqrt(m_request.tone));
   }
 
   /// θ_c is re-timed (METHOD §7 ▲) so that the amount of ink grows evenly with T_H: the value of
@@ -264,9 +274,14 @@ class Hatcher {
 
 }  // namespace
 
+float spacingOf(HatchDensity density) {
+  return hatchSpacing * std::pow(density.value(), -2.0f / 3.0f);
+}
+
 Hatching extractHatching(StrokeLayout& layout, const model::Camera& camera,
                          const HatchingRequest& request) {
-  if (!(request.entered > 0.0f) || !(request.tone > 0.0f) || !(request.spacing > 0.0f))
+  if (!(request.entered > 0.0f) || !(request.tone > 0.0f) || !(request.spacing > 0.0f) ||
+      !std::isfinite(request.spacing))
     return {};
   return Hatcher(layout, camera, request).hatch();
 }

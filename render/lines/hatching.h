@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "model/base/units.h"
 #include "model/scene/camera.h"
 #include "model/scene/light.h"
 #include "render/lines/stroke_layout.h"
@@ -42,10 +43,16 @@ inline constexpr float longestHatchStroke = 140.0f;
 
 using model::upperLeftLight;
 
+/// λ between strokes of that density. Were strokes as long as the places that they hatch, their
+/// number would grow as fast as they come closer; were they as short as their layout lets them,
+/// with its square; they are between both. Levels of the layout grow in one after the other, so
+/// that density varies as evenly as zoom does, and costs what a view from as much nearer would.
+float spacingOf(HatchDensity density);
+
 struct HatchingRequest {
   float entered = 1.0f;              ///< T_H, 0 … 1; the amount of ink grows with it evenly
   float spacing = hatchSpacing;      ///< λ between strokes
-  float tone = 1.0f;                 ///< times the strokes' width
+  float tone = 1.0f;                 ///< times the strokes' width; some white stays
   glm::vec3 light = upperLeftLight;  ///< towards what leaves form shadows, in the camera's frame
   float aspect = 16.0f / 9.0f;       ///< of the picture: strokes outside of it are left out
   bool twoSided = false;             ///< see LineRequest

@@ -20,7 +20,9 @@ model::Scene alone(const model::Scene& scene, model::NodeId structure) {
                 .opacity = Opacity::clamped(1.0f),
                 .fill = model::Fill::none,
                 .visible = true,
-                .penWeight = style.penWeight};
+                .penWeight = style.penWeight,
+                .hatchDensity = style.hatchDensity,
+                .hatchTone = style.hatchTone};
   model::Scene result;
   result.append(std::move(node));
   return result;

@@ -141,12 +141,10 @@ void appendRange(const model::Cluster& cluster, std::vector<gpu::DrawRange>& ran
     ranges.push_back(range);
 }
 
-}  // namespace
-
-Coverage coverage(const Shown& shown, const PictureView& view, const gpu::Rect& region) {
-  Coverage found;
-  if (takenAway(shown, shown.mesh->bounds()))
-    return found;
+/// The clusters that may show within the region, each with the pixels it can touch.
+template <class Body>
+void forEachSeen(const Shown& shown, const PictureView& view, const gpu::Rect& region,
+                 const Body& body) {
   const bool cull = cullsBack(shown, view);
   const int around = margin(shown, view);
   const int aside = shown.printedHatching ? std::max(around, printedHatchingReach(view)) : around;
@@ -157,18 +155,43 @@ Coverage coverage(const Shown& shown, const PictureView& view, const gpu::Rect& 
       continue;
     const gpu::Rect seen =
         gpu::intersection(gpu::grown(view.bounds(cluster.bounds), around), within);
-    if (seen.empty())
-      continue;
-    found.area = unite(found.area, seen);
-    if (cull)
-      appendFacing(shown.surface(), cluster, view.eye(), found.visible);
-    else
-      appendRange(cluster, found.ranges);
+    if (!seen.empty())
+      body(cluster, seen);
   }
-  if (shown.cut)
-    found.area =
-        unite(found.area, gpu::intersection(gpu::grown(sectionArea(shown, view), around), within));
+}
+
+}  // namespace
+
+Coverage coverage(const Shown& shown, const PictureView& view, const gpu::Rect& region) {
+  Coverage found;
+  if (takenAway(shown, shown.mesh->bounds()))
+    return found;
+  const bool cull = cullsBack(shown, view);
+  forEachSeen(shown, view, region, [&](const model::Cluster& cluster, const gpu::Rect& seen) {
+    found.area = unite(found.area, seen);
+    if (!cull)
+      appendRange(cluster, found.ranges);
+  });
+  if (shown.cut) {
+    const int around = margin(shown, view);
+    const int aside = shown.printedHatching ? std::max(around, printedHatchingReach(view)) : around;
+    found.area = unite(found.area, gpu::intersection(gpu::grown(sectionArea(shown, view), around),
+                                                     gpu::grown(region, aside)));
+  }
   return found;
+}
+
+void findVisible(Layer& layer, const PictureView& view, const gpu::Rect& region) {
+  for (std::size_t i = 0; i < layer.members.size(); ++i) {
+    const Shown& shown = layer.members[i];
+    if (!cullsBack(shown, view) || takenAway(shown, shown.mesh->bounds()))
+      continue;
+    std::vector<std::uint32_t>& visible = layer.coverage[i].visible;
+    visible.clear();
+    forEachSeen(shown, view, region, [&](const model::Cluster& cluster, const gpu::Rect&) {
+      appendFacing(shown.surface(), cluster, view.eye(), visible);
+    });
+  }
 }
 
 std::vector<Layer> planLayers(std::span<const Shown> shown, const PictureView& view,

@@ -36,8 +36,7 @@ struct Shown {
 struct Coverage {
   gpu::Rect area;  ///< pixels of the whole picture that the surface or its strokes can touch
   std::vector<gpu::DrawRange> ranges;  ///< of a surface with two sides
-  std::vector<std::uint32_t> visible;  ///< of one with an outside only: the triangles that face the
-                                       ///< eye, as indices; dropped once drawn
+  std::vector<std::uint32_t> visible;  ///< of one with an outside only: see `findVisible`
 };
 
 struct Layer {
@@ -69,13 +68,16 @@ bool isOpaque(const model::ResolvedStyle& style);
 bool hasFill(const model::ResolvedStyle& style);
 passes::SurfaceFill surfaceFill(const Shown& shown, const PictureView& view, Background background);
 
-/// Finds which parts of the surface show within `region`.
+/// Finds which parts of the surface show within `region`, but for single triangles.
 Coverage coverage(const Shown& shown, const PictureView& view, const gpu::Rect& region);
 
 /// Layers of the structures (sorted by id) within the region, those outside of it left out: areas
 /// and ranges are known, strokes and masks are not yet. Only `parts` of them will show.
 std::vector<Layer> planLayers(std::span<const Shown> shown, const PictureView& view,
                               const gpu::Rect& region, const PictureParts& parts);
+/// Finds the triangles that face the eye, as indices, where members have an outside only. They are
+/// many: only layers about to be drawn need them, and only until they are.
+void findVisible(Layer& layer, const PictureView& view, const gpu::Rect& region);
 /// Makes the layer's strokes and edges and finds its tiles. `lines` has an entry for each member
 /// that shows any.
 void completeLayer(Layer& layer, const PictureView& view, const gpu::Rect& region,

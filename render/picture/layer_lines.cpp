@@ -227,7 +227,8 @@ bool showsLines(const model::ResolvedStyle& style) {
 }
 
 bool showsHatching(const model::ResolvedStyle& style) {
-  return showsLines(style) && transitions(style.gamma).hatching > 0.0f;
+  return showsLines(style) && transitions(style.gamma).hatching > 0.0f &&
+         style.hatchDensity.value() > 0.0f && style.hatchTone.value() > 0.0f;
 }
 
 bool showsEdges(const model::ResolvedStyle& style) {
@@ -254,6 +255,8 @@ Hatching styledHatching(StrokeLayout& layout, const PictureView& view,
                         const model::ResolvedStyle& style, const glm::vec3& light) {
   return extractHatching(layout, view.camera(),
                          {.entered = transitions(style.gamma).hatching,
+                          .spacing = spacingOf(style.hatchDensity),
+                          .tone = style.hatchTone.value(),
                           .light = light,
                           .aspect = view.size().x / view.size().y,
                           .twoSided = needsTwoSides(layout.surface(), view.camera())});

@@ -104,11 +104,21 @@ Result<std::unique_ptr<LayerPainter>> LayerPainter::create(const gpu::Device& de
   return painter;
 }
 
+std::unique_ptr<LayerPainter> LayerPainter::another(const AtlasLimits& limits) const {
+  std::unique_ptr<LayerPainter> painter(new LayerPainter(limits));
+  painter->m_surfacePass = m_surfacePass;
+  painter->m_capPass = m_capPass;
+  painter->m_inkPass = m_inkPass;
+  painter->m_resolvePass = m_resolvePass;
+  return painter;
+}
+
 std::vector<std::size_t> LayerPainter::reuse(std::vector<Layer>& layers, const Key& key) {
   std::vector<std::size_t> changed;
   if (key != m_key)
     m_kept.clear();
   m_key = key;
+  std::vector<bool> gone(m_kept.size(), true);
   for (std::size_t i = 0; i < layers.size(); ++i) {
     Layer& layer = layers[i];
     const auto same = std::find_if(m_kept.begin(), m_kept.end(),
@@ -116,6 +126,7 @@ std::vector<std::size_t> LayerPainter::reuse(std::vector<Layer>& layers, const K
     if (same != m_kept.end()) {
       // What can be seen is known anew; a new layout may yet ask for it.
       std::vector<Coverage> coverage = std::move(layer.coverage);
+      gone[std::size_t(same - m_kept.begin())] = false;
       layer = std::move(*same);
       layer.coverage = std::move(coverage);
       continue;
@@ -130,6 +141,10 @@ std::vector<std::size_t> LayerPainter::reuse(std::vector<Layer>& layers, const K
       layer.slot = before->slot;
   }
   m_freshAtlas = changed.size() == layers.size();
+  m_left = TileMask(key.region);
+  for (std::size_t i = 0; i < m_kept.size(); ++i)
+    if (gone[i])
+      m_left.mark(m_kept[i].mask);
   m_kept.clear();
   return changed;
 }
@@ -299,7 +314,18 @@ void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
 }
 
 void LayerPainter::resolve(gpu::Device& device, const PictureInput& input, const gpu::Rect& region,
-                           const gpu::Target& target, std::span<const Layer> layers) {
+                           const gpu::Target& target, std::span<const Layer> layers,
+                           std::span<const std::size_t> changed) {
+  // A target that was resized is another region's; one that another paint had is not ours any more.
+  const bool keeps = !m_freshAtlas && &target == m_target;
+  TileMask wanted = keeps ? m_left : TileMask(region);
+  if (keeps)
+    for (const std::size_t i : changed)
+      wanted.mark(layers[i].mask);
+  else
+    for (const Layer& layer : layers)
+      wanted.mark(layer.mask);
+  m_target = &target;
   std::vector<ListedLayer> listed;
   for (const Layer& layer : layers) {
     const gpu::Rect seen = gpu::intersection(layer.area, region);
@@ -314,13 +340,14 @@ void LayerPainter::resolve(gpu::Device& device, const PictureInput& input, const
                    .filled = layer.filled,
                    .inked = layer.inked}});
   }
-  const TileLists lists = tileLists(listed);
+  const TileLists lists = tileLists(listed, wanted);
   m_resolvePass->upload(lists.tiles, lists.entries);
   m_resolvePass->draw(device, target,
                       {.colours = m_atlas.colours(),
                        .inks = m_atlas.inks(),
                        .depths = m_atlas.layerDepths(),
-                       .background = backgroundColour(input.background)});
+                       .background = backgroundColour(input.background),
+                       .keepOthers = keeps});
 }
 
 /// Draws a little from other textures, to and fro. Drivers hold on to what they last drew with, a
@@ -350,6 +377,14 @@ void LayerPainter::letGo(gpu::Device& device) {
   device.finish();
 }
 
+Status LayerPainter::makeRoom(gpu::Device& device) {
+  if (!m_atlas.outgrown())
+    return Unit{};
+  if (m_atlas.release())
+    letGo(device);
+  return m_atlas.allocate();
+}
+
 Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const PictureInput& input,
                                                   const gpu::Rect& region,
                                                   const gpu::Target& target, Stopwatch& stopwatch) {
@@ -359,12 +394,10 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
                      input.light, input.keyLight, input.parts, region});
   if (!place(layers, changed))
     return Outcome::tooLarge;
-  if (m_atlas.outgrown()) {
-    if (m_atlas.release())
-      letGo(device);
-    if (Status s = m_atlas.allocate(); !s)
-      return s.error();
-  }
+  if (Status s = makeRoom(device); !s)
+    return s.error();
+  parallelFor(changed.size(), 1,
+              [&](std::size_t i) { findVisible(layers[changed[i]], input.view, region); });
   completeSurfaces(input, layers, changed);
   stopwatch.pass(device, "plan");
   if (input.isUnwanted())
@@ -390,7 +423,7 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
     return s.error();
   drawInk(device, input, layers, changed);
   stopwatch.pass(device, "ink");
-  resolve(device, input, region, target, layers);
+  resolve(device, input, region, target, layers, changed);
   stopwatch.pass(device, "resolve");
   for (Layer& layer : layers)
     for (Coverage& drawn : layer.coverage)

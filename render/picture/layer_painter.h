@@ -39,8 +39,13 @@ class LayerPainter {
   static Result<std::unique_ptr<LayerPainter>> create(const gpu::Device& device,
                                                       const AtlasLimits& limits);
 
+  /// Another with the same programs, which neither shares nor spoils what this one keeps.
+  std::unique_ptr<LayerPainter> another(const AtlasLimits& limits) const;
+
   enum class Outcome { painted, tooLarge, givenUp };
-  /// Draws the region (in picture pixels) so that it fills the target. `tooLarge`, with nothing
+  /// Draws the region (in picture pixels) so that it fills the target; where that still has what
+  /// the last `paint` drew, only squares are drawn anew that a changed layer touches or touched.
+  /// `tooLarge`, with nothing
   /// drawn, where its layers exceed the atlas: a smaller region may do. `givenUp` where the input
   /// said so on the way: the target's contents are undefined.
   Result<Outcome> paint(gpu::Device& device, const PictureInput& input, const gpu::Rect& region,
@@ -65,6 +70,7 @@ class LayerPainter {
 
   explicit LayerPainter(const AtlasLimits& limits) : m_atlas(limits) {}
   std::vector<std::size_t> reuse(std::vector<Layer>& layers, const Key& key);
+  Status makeRoom(gpu::Device& device);
   bool place(std::vector<Layer>& layers, std::vector<std::size_t>& changed);
   void letGo(gpu::Device& device);
   void clear(gpu::Device& device, std::span<const Layer> layers,
@@ -78,16 +84,19 @@ class LayerPainter {
   void drawInk(gpu::Device& device, const PictureInput& input, std::vector<Layer>& layers,
                std::span<const std::size_t> changed);
   void resolve(gpu::Device& device, const PictureInput& input, const gpu::Rect& region,
-               const gpu::Target& target, std::span<const Layer> layers);
+               const gpu::Target& target, std::span<const Layer> layers,
+               std::span<const std::size_t> changed);
 
   Atlas m_atlas;
-  std::unique_ptr<passes::SurfacePass> m_surfacePass;
-  std::unique_ptr<passes::CapPass> m_capPass;
-  std::unique_ptr<passes::InkPass> m_inkPass;
-  std::unique_ptr<passes::ResolvePass> m_resolvePass;
+  std::shared_ptr<passes::SurfacePass> m_surfacePass;
+  std::shared_ptr<passes::CapPass> m_capPass;
+  std::shared_ptr<passes::InkPass> m_inkPass;
+  std::shared_ptr<passes::ResolvePass> m_resolvePass;
   PrintedHatching m_printedHatching;
   Key m_key;
   std::vector<Layer> m_kept;
+  TileMask m_left;  ///< squares that layers touched which are no more as they were
+  const gpu::Target* m_target = nullptr;  ///< of the last `paint`
   bool m_freshAtlas = true;
   int m_layersDrawn = 0;
 };

@@ -51,11 +51,18 @@ void copyRegion(const std::vector<std::byte>& pixels, const gpu::Rect& region, I
   }
 }
 
+/// Draws pictures, and keeps of one what serves the next.
+struct Easel {
+  std::unique_ptr<LayerPainter> painter;
+  Canvas canvas;
+};
+
 /// Where a picture goes: pixels to read back, a target, or neither.
 struct Output {
   Image* image = nullptr;
   const gpu::Target* target = nullptr;
   const std::atomic<bool>* unwanted = nullptr;
+  bool aside = false;  ///< not one of those that are drawn again and again
 };
 
 Status checkRequest(const model::Camera& camera, const PictureSettings& settings) {
@@ -73,21 +80,21 @@ Status checkRequest(const model::Camera& camera, const PictureSettings& settings
 
 struct Picture::Data {
   std::unique_ptr<gpu::Device> device;
-  std::unique_ptr<LayerPainter> painter;
+  Easel main;
+  Easel aside;  ///< its painter is made for the first preview
   std::unique_ptr<passes::PlainPhongPass> plainPhong;
   PictureOptions options;
   SurfaceCache surfaces;
   SectionCache sections;
-  Canvas canvas;
   Canvas plainCanvas;
   PictureTimings timings;
   int layersDrawn = 0;
   bool givenUp = false;
 
   /// Nothing where `unwanted` says so before all is prepared; what is ready by then is kept.
-  std::optional<std::vector<Shown>> shown(const model::Scene& scene,
-                                          const std::atomic<bool>* unwanted = nullptr);
+  std::optional<std::vector<Shown>> shown(const model::Scene& scene, const Output& output = {});
   int regionSide() const;
+  Easel& easel(const Output& output);
   Status paint(const PictureInput& input, const gpu::Rect& region, Stopwatch& stopwatch,
                const Output& output);
   Status picture(const model::Scene& scene, const model::Camera& camera,
@@ -95,13 +102,13 @@ struct Picture::Data {
 };
 
 std::optional<std::vector<Shown>> Picture::Data::shown(const model::Scene& scene,
-                                                       const std::atomic<bool>* unwanted) {
+                                                       const Output& output) {
   std::vector<model::MeshPtr> meshes;
   std::vector<Shown> visible;
   for (const model::Node& node : scene.nodes()) {
     if (node.isGroup())
       continue;
-    if (unwanted && *unwanted)
+    if (output.unwanted && *output.unwanted)
       return std::nullopt;
     meshes.push_back(node.mesh);
     const model::ResolvedStyle style = scene.resolve(node.id);
@@ -113,8 +120,10 @@ std::optional<std::vector<Shown>> Picture::Data::shown(const model::Scene& scene
     if (!shown.sections.empty())
       shown.cut = sections.at(shown.cached->surface, shown.sections);
   }
-  surfaces.keepOnly(meshes);
-  sections.forgetUnused();
+  if (!output.aside) {
+    surfaces.keepOnly(meshes);
+    sections.forgetUnused();
+  }
   std::sort(visible.begin(), visible.end(),
             [](const Shown& a, const Shown& b) { return a.id < b.id; });
   return visible;
@@ -125,13 +134,26 @@ int Picture::Data::regionSide() const {
   return options.maximumSide > 0 ? std::min(options.maximumSide, driver) : driver;
 }
 
+Easel& Picture::Data::easel(const Output& output) {
+  if (!output.aside)
+    return main;
+  constexpr std::size_t pixels = 2'000'000;
+  if (!aside.painter)
+    aside.painter = main.painter->another({.side = device->limits().textureSide, .pixels = pixels});
+  // Between two of them, the other easel's pictures may have let go of surfaces that were kept.
+  aside.painter->forget();
+  return aside;
+}
+
 Status Picture::Data::paint(const PictureInput& input, const gpu::Rect& region,
                             Stopwatch& stopwatch, const Output& output) {
+  Easel& used = easel(output);
+  Canvas& canvas = used.canvas;
   auto outcome = Result<LayerPainter::Outcome>(LayerPainter::Outcome::tooLarge);
   if (std::max(region.width, region.height) <= regionSide()) {
     if (Status s = canvas.resize({region.width, region.height}, false); !s)
       return s;
-    outcome = painter->paint(*device, input, region, *canvas.target, stopwatch);
+    outcome = used.painter->paint(*device, input, region, *canvas.target, stopwatch);
     if (!outcome)
       return outcome.error();
   }
@@ -159,7 +181,7 @@ Status Picture::Data::paint(const PictureInput& input, const gpu::Rect& region,
         return s;
     return Unit{};
   }
-  layersDrawn += painter->layersDrawn();
+  layersDrawn += used.painter->layersDrawn();
   if (output.target)
     device->copyColour(*canvas.target, {0, 0, region.width, region.height}, *output.target, region);
   if (output.image) {
@@ -176,7 +198,7 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
   if (Status s = checkRequest(camera, settings); !s)
     return s;
   givenUp = false;
-  std::optional<std::vector<Shown>> prepared = shown(scene, output.unwanted);
+  std::optional<std::vector<Shown>> prepared = shown(scene, output);
   if (!prepared) {
     givenUp = true;
     return Unit{};
@@ -202,8 +224,10 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
                        .lines = whole ? nullptr : &lines,
                        .unwanted = output.unwanted},
                       view.whole(), stopwatch, output);
-  timings = stopwatch.done();
-  timings.layersDrawn = layersDrawn;
+  if (!output.aside) {
+    timings = stopwatch.done();
+    timings.layersDrawn = layersDrawn;
+  }
   return done;
 }
 
@@ -222,7 +246,7 @@ Result<std::unique_ptr<Picture>> Picture::create(const PictureOptions& options) 
       *data.device, {.side = data.device->limits().textureSide, .pixels = options.atlasPixels});
   if (!painter)
     return painter.error();
-  data.painter = std::move(*painter);
+  data.main.painter = std::move(*painter);
   auto plain = passes::PlainPhongPass::create(data.device->dialect());
   if (!plain)
     return plain.error();
@@ -258,6 +282,22 @@ Result<bool> Picture::drawInto(const TargetJob& job, const model::Scene& scene,
     return s.error();
   m_data->device->finish();
   return !m_data->givenUp;
+}
+
+Result<std::optional<Image>> Picture::preview(const model::Scene& scene,
+                                              const model::Camera& camera,
+                                              const PictureSettings& settings,
+                                              const std::atomic<bool>* unwanted) {
+  if (Status s = checkRequest(camera, settings); !s)
+    return s.error();
+  Image image{.width = settings.width, .height = settings.height, .rgba = {}};
+  image.rgba.resize(std::size_t(settings.width) * settings.height * 4);
+  const Output output{.image = &image, .unwanted = unwanted, .aside = true};
+  if (Status s = m_data->picture(scene, camera, settings, output); !s)
+    return s.error();
+  if (m_data->givenUp)
+    return std::optional<Image>();
+  return std::optional<Image>(std::move(image));
 }
 
 Status Picture::drawPlainPhong(const model::Scene& scene, const model::Camera& camera,

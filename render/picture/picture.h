@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -94,6 +95,11 @@ class Picture {
   };
   Result<bool> drawInto(const TargetJob& job, const model::Scene& scene,
                         const model::Camera& camera, const PictureSettings& settings);
+  /// A small picture beside the pictures that are drawn again and again: it shares their surfaces,
+  /// and what they keep from one to the next stays good. Nothing where it was given up.
+  Result<std::optional<Image>> preview(const model::Scene& scene, const model::Camera& camera,
+                                       const PictureSettings& settings,
+                                       const std::atomic<bool>* unwanted = nullptr);
   /// One opaque Phong pass of the visible structures straight to the picture, without layers or
   /// lines: the benchmark's yardstick.
   Status drawPlainPhong(const model::Scene& scene, const model::Camera& camera,

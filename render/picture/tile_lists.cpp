@@ -2,6 +2,7 @@
 #include "render/picture/tile_lists.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace sline::render {
 
@@ -28,24 +29,28 @@ void TileMask::mark(const gpu::Rect& area) {
                 std::uint8_t(1));
 }
 
-TileLists tileLists(std::span<const ListedLayer> layers) {
+void TileMask::mark(const TileMask& other) {
+  assert(other.m_marked.size() == m_marked.size());
+  for (std::size_t i = 0; i < m_marked.size(); ++i)
+    m_marked[i] |= other.m_marked[i];
+}
+
+TileLists tileLists(std::span<const ListedLayer> layers, const TileMask& wanted) {
   TileLists lists;
-  if (layers.empty())
-    return lists;
   std::vector<passes::ResolveEntry> packed;
   packed.reserve(layers.size());
   for (const ListedLayer& layer : layers)
     packed.push_back(passes::resolveEntry(layer.layer));
-  const TileMask& shape = *layers.front().mask;
-  for (int row = 0; row < shape.rows(); ++row)
-    for (int column = 0; column < shape.columns(); ++column) {
+  for (int row = 0; row < wanted.rows(); ++row)
+    for (int column = 0; column < wanted.columns(); ++column) {
+      if (!wanted.marked(column, row))
+        continue;
       passes::ResolveTile tile{column * side, row * side, std::int32_t(lists.entries.size()), 0};
       for (std::size_t i = 0; i < layers.size(); ++i)
         if (layers[i].mask->marked(column, row))
           lists.entries.push_back(packed[i]);
       tile.count = std::int32_t(lists.entries.size()) - tile.first;
-      if (tile.count > 0)
-        lists.tiles.push_back(tile);
+      lists.tiles.push_back(tile);
     }
   return lists;
 }

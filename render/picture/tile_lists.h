@@ -3,6 +3,7 @@
 // §10).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,6 +20,9 @@ class TileMask {
   explicit TileMask(const gpu::Rect& region);
 
   void mark(const gpu::Rect& area);
+  /// Also all squares of the other, which has the same region.
+  void mark(const TileMask& other);
+  void markAll() { std::fill(m_marked.begin(), m_marked.end(), std::uint8_t(1)); }
   bool marked(int column, int row) const {
     return m_marked[std::size_t(row) * m_columns + column] != 0;
   }
@@ -38,11 +42,12 @@ struct ListedLayer {
 };
 
 struct TileLists {
-  std::vector<passes::ResolveTile> tiles;  ///< those with any layer
+  std::vector<passes::ResolveTile> tiles;
   std::vector<passes::ResolveEntry> entries;
 };
 
-/// `layers` in order of their ids; all masks of the same region.
-TileLists tileLists(std::span<const ListedLayer> layers);
+/// The squares of `wanted`, those without any layer too. `layers` in order of their ids; all masks
+/// of the same region.
+TileLists tileLists(std::span<const ListedLayer> layers, const TileMask& wanted);
 
 }  // namespace sline::render

@@ -15,6 +15,7 @@
 #include "model/import/import.h"
 #include "render/gpu/headless/context.h"
 #include "render/picture/picture.h"
+#include "tests/bench/gamma_drag.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/report.h"
 #include "tests/bench/vtk_phong.h"
@@ -28,6 +29,7 @@ struct Options {
   int frames = 60;
   std::string size = "1280x720";
   std::optional<float> gamma;
+  int drags = 0;
   bool json = false;
 };
 
@@ -167,6 +169,30 @@ Result<Stage> importStage(const Options& options, const glm::ivec2& size, bench:
   return stage;
 }
 
+/// Prints what drags of Γ take.
+Status runDrags(const Options& options, const glm::ivec2& size) {
+  bench::Report report;
+  auto context = render::gpu::HeadlessContext::create();
+  if (!context)
+    return context.error();
+  auto picture = render::Picture::create();
+  if (!picture)
+    return picture.error();
+  const auto stage = importStage(options, size, report);
+  if (!stage)
+    return stage.error();
+  const auto dragged = bench::dragGamma(**picture, {.scene = stage->scene,
+                                                    .camera = stage->camera,
+                                                    .settings = stage->settings,
+                                                    .structures = options.drags});
+  if (!dragged)
+    return dragged.error();
+  std::cout << report.structures << " structures, " << report.triangles << " triangles, "
+            << (*context)->driver() << '\n'
+            << bench::asText(*dragged);
+  return Unit{};
+}
+
 Result<bench::Report> run(const Options& options, const glm::ivec2& size) {
   bench::Report report;
   auto context = render::gpu::HeadlessContext::create();
@@ -205,6 +231,9 @@ int main(int argc, char** argv) {
   app.add_option("--size", options.size, "Width x height in pixels")->capture_default_str();
   app.add_option("--gamma", options.gamma, "Γ of every structure; without it 0 … 5 by name")
       ->check(CLI::Range(0.0f, 5.0f));
+  app.add_option("--drag-gamma", options.drags,
+                 "Instead of turning: drag Γ of so many structures, the largest and some others")
+      ->check(CLI::Range(1, 10000));
   app.add_flag("--json", options.json, "Print JSON");
   try {
     app.parse(argc, argv);
@@ -216,6 +245,10 @@ int main(int argc, char** argv) {
     std::cerr << "sline-bench: --size wants WxH, each from 16 to 20000, not " << options.size
               << '\n';
     return 2;
+  }
+  if (options.drags > 0) {
+    const Status dragged = runDrags(options, *size);
+    return dragged ? 0 : fail(dragged.error());
   }
   const auto report = run(options, *size);
   if (!report)

@@ -22,6 +22,8 @@ void ArgumentsTest::inputsFirst_data() {
   row("nothing", "", "");
   row("as it should be", "render a.obj -o b.png --gamma 2", "render a.obj -o b.png --gamma 2");
   row("after a number", "render --gamma 2 a.obj -o b.png", "render a.obj --gamma 2 -o b.png");
+  row("after a pen", "render --hatch-tone 2 a.obj -o b.png",
+      "render a.obj --hatch-tone 2 -o b.png");
   row("option after values", "render a.obj --gamma 2 liver=4 -o b.png",
       "render a.obj --gamma 2 liver=4 -o b.png");
   row("after assignments", "render --gamma liver=4 aorta=5 a.obj",

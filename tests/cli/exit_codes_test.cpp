@@ -60,6 +60,9 @@ void ExitCodesTest::answers_data() {
   QTest::newRow("gamma of words") << render + "|--gamma|much" << 2 << "much";
   QTest::newRow("gamma not a number") << render + "|--gamma|nan" << 2 << "nan";
   QTest::newRow("gamma of a name too large") << render + "|--gamma|kidney=9" << 2 << "9";
+  QTest::newRow("hatch density too large") << render + "|--hatch-density|4.5" << 2 << "4.5|0 to 4";
+  QTest::newRow("hatch tone of words") << render + "|--hatch-tone|kidney=dark" << 2 << "dark";
+  QTest::newRow("pen below nothing") << render + "|--pen|-1" << 2 << "-1|0 to 10";
   QTest::newRow("unknown name") << render + "|--gamma|kidny=2" << 2 << "kidny|\"kidney\"";
   QTest::newRow("part of a name") << render + "|--only|renal" << 2 << "renal artery|renal vein";
   QTest::newRow("colour by name") << render + "|--color|kidney=red" << 2 << "red|#rrggbb";

@@ -27,6 +27,7 @@ class RenderTest : public QObject {
   void cameraFileIsFollowed();
   void inkHasItsColour();
   void blackAndWhite();
+  void pensAndHatching();
   void keyLight();
   void samplesSmoothEdges();
   void demo();
@@ -260,6 +261,26 @@ void RenderTest::blackAndWhite() {
   QCOMPARE(inkWithin(50, true), 0);
   QVERIFY(inkWithin(70, true) > 100);
   QVERIFY(inkWithin(50, false) > 200);
+}
+
+void RenderTest::pensAndHatching() {
+  const QStringList base{"--size", "300x300", "--only", "kidney", "--gamma", "3"};
+  const auto ink = [&](const QStringList& flags) {
+    const Pixels picture = rendered(base + flags);
+    double sum = 0.0;
+    for (int y = 0; y < 300; ++y)
+      for (int x = 0; x < 300; ++x)
+        sum += 255.0 - picture.at(x, y)[0];
+    return sum;
+  };
+  const double usual = ink({});
+  QVERIFY(ink({"--hatch-tone", "0"}) < 0.9 * usual);
+  QVERIFY(ink({"--hatch-tone", "1.6"}) > 1.1 * usual);
+  QVERIFY(std::abs(ink({"--hatch-density", "2"}) / usual - 1.0) < 0.1);
+  QVERIFY(ink({"--pen", "2"}) > 1.05 * usual);
+  // Of something else.
+  QCOMPARE(ink({"--hatch-tone", "Vessels=0"}), usual);
+  QCOMPARE(ink({"--hatch-tone", "0", "--hatch-tone", "kidney=1"}), usual);
 }
 
 void RenderTest::keyLight() {

@@ -154,7 +154,8 @@ class AcceptanceStoryTest : public QObject {
     QTest::addColumn<bool>("inThePicture");
     QTest::addColumn<QString>("word");
     QTest::addColumn<QString>("name");
-    QTest::newRow("written meshes") << false << false << "bla" << "bladder";
+    QTest::newRow("written meshes") << false << false << "bla"
+                                    << "bladder";
     QTest::newRow("pelvis of 28, by three letters") << true << false << "bla"
                                                     << "urinary bladder";
     QTest::newRow("pelvis of 28, in the picture") << true << true << QString() << "sacrum";

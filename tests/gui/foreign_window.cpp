@@ -9,13 +9,19 @@
 namespace sline::test {
 
 struct ForeignWindow::Data {
-  std::int64_t process;
-  Display* display = XOpenDisplay(nullptr);
-
+  explicit Data(std::int64_t id) : process(id), display(XOpenDisplay(nullptr)) {
+    // Windows may go while they are looked at.
+    XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
+  }
+  Data(const Data&) = delete;
+  Data& operator=(const Data&) = delete;
   ~Data() {
     if (display)
       XCloseDisplay(display);
   }
+
+  std::int64_t process;
+  Display* display;
 
   std::string property(Window window, const char* name) const {
     Atom type = 0;
@@ -63,8 +69,7 @@ struct ForeignWindow::Data {
   }
 };
 
-ForeignWindow::ForeignWindow(std::int64_t process)
-    : m_data(std::make_unique<Data>(Data{.process = process})) {}
+ForeignWindow::ForeignWindow(std::int64_t process) : m_data(std::make_unique<Data>(process)) {}
 
 ForeignWindow::~ForeignWindow() = default;
 

@@ -142,11 +142,8 @@ class HelpTest : public QObject {
     auto* page = help.findChild<widgets::HelpBrowser*>();
     for (const int width : {700, 560, 1200}) {
       help.resize(width, 500);
-      QCoreApplication::processEvents();
-      QVERIFY2(page->document()->size().width() <= page->viewport()->width() + 1,
-               qPrintable(QStringLiteral("%1 in %2")
-                              .arg(page->document()->size().width())
-                              .arg(page->viewport()->width())));
+      QTRY_COMPARE(help.width(), width);
+      QTRY_VERIFY(page->document()->size().width() <= page->viewport()->width() + 1);
     }
   }
 };

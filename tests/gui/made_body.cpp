@@ -82,20 +82,19 @@ model::Scene wholeBody() {
     if (isNew)
       group->second = scene.append({.name = part.group.toStdString()});
     const glm::vec3 at(float(i % 50) * 10.0f, 0.0f, float(i / 50) * 10.0f);
-    scene.append({.parent = group->second,
-                  .name = part.name.toStdString(),
-                  .mesh = moved(*ball, 1.0f, at)});
+    scene.append(
+        {.parent = group->second, .name = part.name.toStdString(), .mesh = moved(*ball, 1.0f, at)});
     ++i;
   }
   return scene;
 }
 
 bool openScene(WindowFixture& f, const model::Scene& scene) {
-  f.session.openMade("body",
-                     [scene](const model::ImportProgress&,
-                             const std::stop_token&) -> Result<widgets::Loaded> {
-                       return widgets::Loaded{.scene = scene, .title = "body"};
-                     });
+  f.session.openMade(
+      "body",
+      [scene](const model::ImportProgress&, const std::stop_token&) -> Result<widgets::Loaded> {
+        return widgets::Loaded{.scene = scene, .title = "body"};
+      });
   return QTest::qWaitFor([&] { return !f.session.busy(); }, 60'000);
 }
 

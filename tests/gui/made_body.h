@@ -6,8 +6,8 @@
 
 namespace sline::test {
 
-/// Organs ( left kidney, right kidney, bladder ) Vessels ( aorta, left renal vein ) skin: balls side
-/// by side; the groups have colours of their own.
+/// Organs ( left kidney, right kidney, bladder ) Vessels ( aorta, left renal vein ) skin: balls
+/// side by side; the groups have colours of their own.
 model::Scene madeBody();
 /// One structure for each part of BodyParts3D, where its list is here, else as many made-up names;
 /// 2,234 small meshes in the groups of its first level.

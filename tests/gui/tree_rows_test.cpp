@@ -60,7 +60,9 @@ class TreeRowsTest : public QObject {
     f.tree().setFocus();
     QTest::keySequence(&f.tree(), keys);
   }
-  static QLineEdit* editor(WindowFixture& f) { return f.tree().findChild<QLineEdit*>("nameEditor"); }
+  static QLineEdit* editor(WindowFixture& f) {
+    return f.tree().findChild<QLineEdit*>("nameEditor");
+  }
 
  private slots:
   void eyesAreSweptTogether() {
@@ -179,11 +181,22 @@ class TreeRowsTest : public QObject {
       editor(f)->clear();
       QTest::keyClicks(editor(f), typed);
       QTest::keyClick(editor(f), Qt::Key(end));
+      QTRY_VERIFY(!editor(f));
       QCOMPARE(QString::fromStdString(f.session.scene().find(aorta)->name), name);
       QCOMPARE(f.session.history().count(), name == "aorta" ? 0 : 1);
       f.session.undo();
       QVERIFY(f.session.scene() == before);
     }
+  }
+
+  /// The window goes while a name is being typed.
+  void aNameIsTakenOverAtTheEnd() {
+    WindowFixture f;
+    QVERIFY(openScene(f, madeBody()));
+    click(f, "aorta", StructureTreeModel::name);
+    press(f, QKeySequence("F2"));
+    QVERIFY(editor(f));
+    editor(f)->setText("artery");
   }
 
   void groupsComeAndGo() {
@@ -197,16 +210,20 @@ class TreeRowsTest : public QObject {
     QVERIFY2(editor(f), "a new group asks for its name");
     QTest::keyClicks(editor(f), "Kidneys");
     QTest::keyClick(editor(f), Qt::Key_Return);
-    QCOMPARE(written(f), "Organs(Kidneys(left kidney,right kidney),bladder),"
-                         "Vessels(aorta,left renal vein),skin");
+    QTRY_VERIFY(!editor(f));
+    QCOMPARE(written(f),
+             "Organs(Kidneys(left kidney,right kidney),bladder),"
+             "Vessels(aorta,left renal vein),skin");
     QCOMPARE(f.session.selection(), ids(f, "Kidneys"));
     press(f, QKeySequence("Ctrl+Shift+G"));
-    QCOMPARE(written(f), "Organs(left kidney,right kidney,bladder),"
-                         "Vessels(aorta,left renal vein),skin");
+    QCOMPARE(written(f),
+             "Organs(left kidney,right kidney,bladder),"
+             "Vessels(aorta,left renal vein),skin");
     QCOMPARE(f.session.selection(), ids(f, "left kidney,right kidney"));
     press(f, QKeySequence("Ctrl+Shift+N"));
     QVERIFY(editor(f));
     QTest::keyClick(editor(f), Qt::Key_Escape);
+    QTRY_VERIFY(!editor(f));
     QCOMPARE(f.session.history().count(), 4);
     while (f.session.history().canUndo())
       f.session.undo();

@@ -286,7 +286,7 @@ class UndoWalkTest : public QObject {
 
   /// One edit with mouse or keys on the window; it may do nothing.
   static void editByHand(WindowFixture& f, Chance& chance) {
-    const auto key = [&f](int key, Qt::KeyboardModifiers keys = {}) {
+    const auto press = [&f](int key, Qt::KeyboardModifiers keys = {}) {
       QTest::keyClick(&f.window, Qt::Key(key), keys);
     };
     const std::vector<NodeId> all = f.session.scene().structuresBelow(model::rootId);
@@ -296,20 +296,20 @@ class UndoWalkTest : public QObject {
     f.session.select({id});
     switch (chance.below(8)) {
       case 0:
-        key(Qt::Key_F);
+        press(Qt::Key_F);
         QVERIFY(QTest::qWaitFor([&f] { return !f.window.focus().busy(); }));
         break;
       case 1:
-        key(Qt::Key_D, Qt::ControlModifier);
+        press(Qt::Key_D, Qt::ControlModifier);
         break;
       case 2:
-        key(Qt::Key_1 + chance.below(3), Qt::ControlModifier);
+        press(Qt::Key_1 + chance.below(3), Qt::ControlModifier);
         break;
       case 3:
-        key(Qt::Key_X);
+        press(Qt::Key_X);
         break;
       case 4:
-        key(Qt::Key_K);
+        press(Qt::Key_K);
         break;
       case 5:
         QTest::keyClick(&f.tree(), Qt::Key_Space);

@@ -45,15 +45,15 @@ widgets::StructureTreeView& WindowFixture::tree() {
   return window.tree().view();
 }
 
-bool WindowFixture::drop(const QString& path) {
+bool WindowFixture::drop(const QString& path, Qt::KeyboardModifiers keys) {
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(path)});
   const QPoint at = window.rect().center();
-  QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, keys);
   QApplication::sendEvent(&window, &enter);
   if (!enter.isAccepted())
     return false;
-  QDropEvent drop(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QDropEvent drop(at, Qt::CopyAction, &data, Qt::LeftButton, keys);
   QApplication::sendEvent(&window, &drop);
   return drop.isAccepted();
 }

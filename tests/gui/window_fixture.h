@@ -40,7 +40,7 @@ class WindowFixture {
   }
 
   /// Drags the path onto the window and lets it go; false where the window does not take it.
-  bool drop(const QString& path);
+  bool drop(const QString& path, Qt::KeyboardModifiers keys = {});
   /// Until nothing is being opened and the picture is of all as it is; false after a minute.
   bool settled();
   /// What is on screen in the picture's place.

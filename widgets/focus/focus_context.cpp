@@ -53,7 +53,9 @@ void FocusContext::analyse(const NodeIds& targets, bool fromCamera, const QStrin
   // The session has the answer to no other question: a scene is a value.
   m_pool.start([this, question, targets, camera, step, forms = m_forms,
                 scene = m_session.sceneBeforePreview(), stop = m_stop.get_token()] {
-    standBack();
+    // A thread of the pool serves many questions and stands back once.
+    static thread_local const bool stoodBack = (standBack(), true);
+    static_cast<void>(stoodBack);
     auto analysis = model::analysed(scene, {targets, camera}, *forms, stop);
     forms->trim();
     const Answer answer =

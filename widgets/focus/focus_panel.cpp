@@ -37,10 +37,10 @@ model::ContextRole roleOf(const FocusState& state, const model::Relation& relati
   return wish == state.wishes.roles.end() ? relation.role : wish->second;
 }
 
-QTreeWidgetItem* rowOf(const model::Scene& scene, const model::Relation& relation, bool wished) {
+QTreeWidgetItem* rowOf(Session& session, const model::Relation& relation, bool wished) {
   auto* item = new QTreeWidgetItem;
-  const QString reason = wished ? FocusPanel::tr("As you said") : reasonText(scene, relation);
-  item->setText(0, QString::fromStdString(scene.find(relation.structure)->name));
+  const QString reason = wished ? FocusPanel::tr("As you said") : reasonText(session, relation);
+  item->setText(0, session.names().shown(session.scene().find(relation.structure)->name));
   item->setToolTip(0, reason.toHtmlEscaped());
   item->setData(0, Qt::AccessibleDescriptionRole, reason);
   item->setData(0, idRole, qulonglong(relation.structure.value));
@@ -171,6 +171,7 @@ void FocusPanel::connectControls() {
   connect(&m_focus, &FocusContext::changed, this, &FocusPanel::refresh);
   connect(&m_focus, &FocusContext::busyChanged, this, &FocusPanel::showTitle);
   connect(&m_session, &Session::selectionChanged, this, &FocusPanel::showTitle);
+  connect(&m_session.names(), &ShownNames::changed, this, &FocusPanel::refresh);
   connect(&m_session, &Session::documentChanged, this,
           [this](const Document& before, const Document& now) {
             if (before.scene.nodes() != now.scene.nodes())
@@ -194,7 +195,7 @@ void FocusPanel::showTitle() {
   QStringList names;
   for (const model::NodeId id : state.targets)
     if (const model::Node* node = m_session.scene().find(id))
-      names << QString::fromStdString(node->name);
+      names << m_session.names().shown(node->name);
   constexpr int few = 3;
   m_title->setText(!state.analysis ? tr("Nothing in focus")
                    : names.size() <= few
@@ -222,7 +223,7 @@ void FocusPanel::showRoles() {
     auto* heading = new QTreeWidgetItem;
     for (const model::Relation& relation : state.analysis->relations)
       if (roleOf(state, relation) == row.role && m_session.scene().find(relation.structure))
-        heading->addChild(rowOf(m_session.scene(), relation, row.role != relation.role));
+        heading->addChild(rowOf(m_session, relation, row.role != relation.role));
     if (heading->childCount() == 0) {
       delete heading;
       continue;

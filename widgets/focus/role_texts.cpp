@@ -16,9 +16,9 @@ QString tr(const char* text) {
   return QCoreApplication::translate("sline::widgets", text);
 }
 
-QString nameOf(const model::Scene& scene, model::NodeId id) {
-  const model::Node* node = scene.find(id);
-  return node ? QString::fromStdString(node->name) : QString();
+QString nameOf(Session& session, model::NodeId id) {
+  const model::Node* node = session.scene().find(id);
+  return node ? session.names().shown(node->name) : QString();
 }
 
 QString hidesText(const model::Relation& relation) {
@@ -32,14 +32,14 @@ QString awayText(const model::Relation& relation) {
   return tr("%1 mm away").arg(QLocale().toString(mm, 'f', mm < 10.0 ? 1 : 0));
 }
 
-QString firstClause(const model::Scene& scene, const model::Relation& relation) {
+QString firstClause(Session& session, const model::Relation& relation) {
   switch (relation.reason) {
     case RoleReason::chosen:
       return tr("Chosen");
     case RoleReason::reaches:
       return tr("Thin and long, comes to it");
     case RoleReason::feedsStem:
-      return tr("Where %1 comes from").arg(nameOf(scene, relation.through));
+      return tr("Where %1 comes from").arg(nameOf(session, relation.through));
     case RoleReason::touches:
       return tr("Lies against it");
     case RoleReason::hides:
@@ -61,9 +61,9 @@ std::vector<RoleRow> roleRows() {
           {ContextRole::backdrop, tr("Backdrop"), tr("Backdrop")}};
 }
 
-QString reasonText(const model::Scene& scene, const model::Relation& relation) {
+QString reasonText(Session& session, const model::Relation& relation) {
   constexpr float worthSaying = 0.05f;
-  const QString first = firstClause(scene, relation);
+  const QString first = firstClause(session, relation);
   if (relation.role == ContextRole::target || relation.hides < worthSaying)
     return first;
   return tr("%1; %2").arg(first, hidesText(relation));

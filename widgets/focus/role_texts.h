@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/focus/analysis.h"
+#include "widgets/session/session.h"
 
 namespace sline::widgets {
 
@@ -18,6 +19,6 @@ struct RoleRow {
 std::vector<RoleRow> roleRows();
 
 /// Why the structure has its role, as a sentence.
-QString reasonText(const model::Scene& scene, const model::Relation& relation);
+QString reasonText(Session& session, const model::Relation& relation);
 
 }  // namespace sline::widgets

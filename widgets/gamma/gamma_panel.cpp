@@ -2,17 +2,21 @@
 #include "widgets/gamma/gamma_panel.h"
 
 #include <QButtonGroup>
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "model/edit/emphasis.h"
 #include "widgets/gamma/gamma_slider.h"
-#include "widgets/gamma/stages.h"
+#include "widgets/gamma/look_drag.h"
+#include "widgets/gamma/more_panel.h"
+#include "widgets/gamma/preset_panel.h"
+#include "widgets/gamma/range_box.h"
+#include "widgets/gamma/stage_strip.h"
 
 namespace sline::widgets {
 
@@ -20,6 +24,8 @@ namespace {
 
 QLabel* caption(const QString& text) {
   auto* label = new QLabel(text);
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
   QFont font = label->font();
   font.setBold(true);
   label->setFont(font);
@@ -44,50 +50,91 @@ QString titleOf(Session& session, const NodeIds& ids) {
   return GammaPanel::tr("%n items", nullptr, int(ids.size()));
 }
 
+/// As wide as what it is in, as high as it needs to be.
+class TallArea : public QScrollArea {
+ public:
+  explicit TallArea(QWidget* content) {
+    setObjectName(QStringLiteral("gammaScroll"));
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setFocusPolicy(Qt::NoFocus);
+    setWidget(content);
+  }
+  QSize minimumSizeHint() const override { return {widget()->minimumSizeHint().width(), 200}; }
+};
+
 }  // namespace
 
-GammaPanel::GammaPanel(Session& session, QWidget* parent)
-    : QWidget(parent), m_session(session), m_drag(session) {
+GammaPanel::GammaPanel(Session& session, QSettings& settings, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_drag(session),
+      m_presets(new PresetPanel(session, settings)),
+      m_more(new MorePanel(session, settings)) {
   m_title = caption({});
   m_title->setObjectName(QStringLiteral("gammaTitle"));
-  m_title->setWordWrap(true);
   m_hint = new QLabel(tr("Select a structure in the list or in the picture."));
   m_hint->setWordWrap(true);
+  m_fillRow = makeFill();
+  layOut();
+  connectControls();
+  refresh();
+}
+
+void GammaPanel::layOut() {
+  auto* content = new QWidget;
+  auto* layout = new QVBoxLayout(content);
+  layout->setContentsMargins(12, 10, 10, 12);
+  layout->setSpacing(8);
+  layout->addWidget(m_title);
+  layout->addWidget(m_hint);
+  layout->addLayout(makeGamma(), 1);
+  layout->addWidget(m_fillRow);
+  layout->addSpacing(2);
+  layout->addWidget(caption(tr("Presets")));
+  layout->addWidget(m_presets);
+  layout->addSpacing(2);
+  layout->addWidget(m_more);
+  auto* area = new TallArea(content);
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  outer->addWidget(area);
+  // What was folded away is to be seen when it opens.
+  connect(m_more, &MorePanel::opened, area, [this, area] {
+    QMetaObject::invokeMethod(
+        area, [this, area] { area->ensureWidgetVisible(m_more); }, Qt::QueuedConnection);
+  });
+}
+
+QLayout* GammaPanel::makeGamma() {
   m_slider = new GammaSlider;
   m_slider->setObjectName(QStringLiteral("gammaSlider"));
   m_slider->setAccessibleName(tr("Gamma, from silhouette to surface"));
-  m_number = new QDoubleSpinBox;
+  m_stages = new StageStrip(*m_slider);
+  m_stages->setObjectName(QStringLiteral("stages"));
+  m_number = new RangeBox;
   m_number->setObjectName(QStringLiteral("gammaNumber"));
   m_number->setAccessibleName(tr("Gamma as a number"));
   m_number->setRange(0.0, 5.0);
   m_number->setDecimals(2);
   m_number->setSingleStep(0.05);
   m_number->setPrefix(tr("Γ  "));
-  m_number->setKeyboardTracking(false);
   m_inherit = new QPushButton(tr("Inherit"));
   m_inherit->setObjectName(QStringLiteral("gammaInherit"));
   m_inherit->setToolTip(tr("Take Γ from the group above again"));
-
+  auto* both = new QHBoxLayout;
+  both->setSpacing(0);
+  both->addWidget(m_slider);
+  both->addWidget(m_stages, 1);
   auto* number = new QHBoxLayout;
   number->addWidget(m_number, 1);
   number->addWidget(m_inherit);
-  m_fillRow = makeFill();
-  m_emphasisRow = makeEmphasis();
-
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(14, 12, 14, 14);
-  layout->setSpacing(10);
-  layout->addWidget(m_title);
-  layout->addWidget(m_hint);
-  layout->addWidget(m_slider, 1);
+  auto* layout = new QVBoxLayout;
+  layout->setSpacing(4);
+  layout->addLayout(both, 1);
   layout->addLayout(number);
-  layout->addSpacing(6);
-  layout->addWidget(m_fillRow);
-  layout->addSpacing(6);
-  layout->addWidget(m_emphasisRow);
-  layout->addStretch(0);
-  connectControls();
-  refresh();
+  return layout;
 }
 
 QWidget* GammaPanel::makeFill() {
@@ -107,6 +154,7 @@ QWidget* GammaPanel::makeFill() {
   auto* row = new QWidget;
   auto* layout = new QVBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
   layout->addWidget(caption(tr("Where only lines are drawn")));
   auto* buttons = new QGridLayout;
   buttons->setSpacing(4);
@@ -124,36 +172,23 @@ QWidget* GammaPanel::makeFill() {
   return row;
 }
 
-QWidget* GammaPanel::makeEmphasis() {
-  auto* row = new QWidget;
-  auto* layout = new QVBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(caption(tr("Emphasis")));
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(4);
-  auto* focus = new QPushButton(tr("Focus"));
-  focus->setObjectName(QStringLiteral("focusButton"));
-  focus->setToolTip(tr("These in detail, everything else as contours"));
-  auto* context = new QPushButton(tr("Context"));
-  context->setObjectName(QStringLiteral("contextButton"));
-  context->setToolTip(tr("These as contours"));
-  buttons->addWidget(focus);
-  buttons->addWidget(context);
-  layout->addLayout(buttons);
-  connect(focus, &QPushButton::clicked, this, &GammaPanel::focusWanted);
-  connect(context, &QPushButton::clicked, this, &GammaPanel::contextWanted);
-  return row;
-}
-
 void GammaPanel::connectControls() {
-  connect(m_slider, &GammaSlider::dragStarted, this,
+  connect(m_presets, &PresetPanel::focusWanted, this, &GammaPanel::focusWanted);
+  connect(m_slider, &DragSlider::dragStarted, this,
           [this] { m_drag.begin(m_session.selection()); });
-  connect(m_slider, &GammaSlider::dragged, this, [this](Gamma gamma) { m_drag.moveTo(gamma); });
-  connect(m_slider, &GammaSlider::dragFinished, this, [this] { m_drag.finish(); });
-  connect(m_slider, &GammaSlider::dragCancelled, this, [this] { m_drag.cancel(); });
-  connect(m_slider, &GammaSlider::stepped, this, &GammaPanel::step);
-  connect(m_number, &QDoubleSpinBox::valueChanged, this,
+  connect(m_slider, &DragSlider::dragged, this,
+          [this](int position) { m_drag.moveTo(GammaSlider::gammaOf(position)); });
+  connect(m_slider, &DragSlider::dragFinished, this, [this] { m_drag.finish(); });
+  connect(m_slider, &DragSlider::dragCancelled, this, [this] { m_drag.cancel(); });
+  connect(m_slider, &DragSlider::stepped, this,
+          [this](int position) { step(GammaSlider::gammaOf(position)); });
+  connect(m_number, &RangeBox::chosen, this,
           [this](double value) { step(Gamma::clamped(float(value))); });
+  connect(m_stages, &StageStrip::chosen, this, [this](Gamma gamma) {
+    const NodeIds& ids = m_session.selection();
+    m_session.apply(gammaStepName(m_session.scene(), ids),
+                    model::withGamma(m_session.scene(), ids, gamma));
+  });
   connect(m_inherit, &QPushButton::clicked, this, [this] {
     m_session.apply(tr("Inherit Γ"),
                     model::withGammaInherited(m_session.scene(), m_session.selection()));
@@ -170,11 +205,9 @@ void GammaPanel::connectControls() {
 
 void GammaPanel::step(Gamma gamma) {
   const NodeIds& ids = m_session.selection();
-  QString series = QStringLiteral("gamma");
-  for (const model::NodeId id : ids)
-    series += QStringLiteral(" %1").arg(id.value);
   m_session.apply(gammaStepName(m_session.scene(), ids),
-                  model::withGamma(m_session.scene(), ids, gamma), series);
+                  model::withGamma(m_session.scene(), ids, gamma),
+                  lookSeries(QStringLiteral("gamma"), ids));
   showGamma();
 }
 
@@ -185,29 +218,33 @@ void GammaPanel::refresh() {
   });
   m_hint->setVisible(!any);
   for (QWidget* control :
-       {static_cast<QWidget*>(m_slider), static_cast<QWidget*>(m_number), m_fillRow, m_emphasisRow})
+       std::initializer_list<QWidget*>{m_slider, m_stages, m_number, m_fillRow, m_presets})
     control->setEnabled(any);
+  m_more->setUsable(any);
   m_inherit->setEnabled(false);
   m_title->setText(titleOf(m_session, any ? ids : NodeIds()));
   if (!any && !ids.empty())
     return;
   showGamma();
   showFill();
+  m_more->showSelection();
 }
 
 void GammaPanel::showGamma() {
   const NodeIds& ids = m_session.selection();
-  if (ids.empty())
+  if (ids.empty()) {
+    m_stages->setCurrent({});
     return;
+  }
   const model::Scene& scene = m_session.scene();
   const bool own = std::any_of(ids.begin(), ids.end(), [&](model::NodeId id) {
     return scene.find(id)->style.gamma.has_value();
   });
   const model::GammaRange range = rangeOf(scene, ids);
   m_slider->showGamma(range, own);
+  m_stages->setCurrent(range.low == range.high ? std::optional<Gamma>(range.low) : std::nullopt);
   m_inherit->setEnabled(own);
-  const QSignalBlocker quiet(m_number);
-  m_number->setValue(double(range.high.value()));
+  m_number->showRange(double(range.low.value()), double(range.high.value()));
 }
 
 void GammaPanel::showFill() {

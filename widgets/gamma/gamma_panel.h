@@ -6,28 +6,37 @@
 
 #include "widgets/gamma/gamma_drag.h"
 
-class QAbstractButton;
 class QButtonGroup;
-class QDoubleSpinBox;
+class QImage;
 class QLabel;
 class QPushButton;
+class QSettings;
 
 namespace sline::widgets {
 
 class GammaSlider;
+class MorePanel;
+class PresetPanel;
+class RangeBox;
+class StageStrip;
 
 class GammaPanel : public QWidget {
   Q_OBJECT
  public:
-  explicit GammaPanel(Session& session, QWidget* parent = nullptr);
+  /// The settings hold a person's presets and what is folded away; they must outlive the panel.
+  GammaPanel(Session& session, QSettings& settings, QWidget* parent = nullptr);
+
+  /// For whoever draws the small pictures of the stages.
+  StageStrip& stages() { return *m_stages; }
+  QSize sizeHint() const override { return {270, 660}; }
 
  signals:
   void focusWanted();
-  void contextWanted();
 
  private:
+  QLayout* makeGamma();
   QWidget* makeFill();
-  QWidget* makeEmphasis();
+  void layOut();
   void connectControls();
   void refresh();
   void showGamma();
@@ -39,11 +48,13 @@ class GammaPanel : public QWidget {
   QLabel* m_title = nullptr;
   QLabel* m_hint = nullptr;
   GammaSlider* m_slider = nullptr;
-  QDoubleSpinBox* m_number = nullptr;
+  StageStrip* m_stages = nullptr;
+  RangeBox* m_number = nullptr;
   QPushButton* m_inherit = nullptr;
   QButtonGroup* m_fill = nullptr;
   QWidget* m_fillRow = nullptr;
-  QWidget* m_emphasisRow = nullptr;
+  PresetPanel* m_presets = nullptr;
+  MorePanel* m_more = nullptr;
 };
 
 }  // namespace sline::widgets

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tall slider from silhouette to surface with the stages' names beside it.
+// A tall slider from silhouette to surface, with a tick for each stage.
 #pragma once
 
-#include <QAbstractSlider>
-
 #include "model/edit/emphasis.h"
+#include "widgets/gamma/drag_slider.h"
 
 namespace sline::widgets {
 
-class GammaSlider : public QAbstractSlider {
+class GammaSlider : public DragSlider {
   Q_OBJECT
  public:
   explicit GammaSlider(QWidget* parent = nullptr);
@@ -21,27 +20,15 @@ class GammaSlider : public QAbstractSlider {
   QSize minimumSizeHint() const override;
   /// Where a Γ stands, in the widget's coordinates.
   QPointF pointOf(Gamma gamma) const;
-
- signals:
-  void dragStarted();
-  void dragged(sline::Gamma gamma);
-  void dragFinished();
-  void dragCancelled();
-  /// By a key, the wheel or an assistive tool.
-  void stepped(sline::Gamma gamma);
+  /// Γ of a position.
+  static Gamma gammaOf(int position);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
-  void mousePressEvent(QMouseEvent* event) override;
-  void mouseMoveEvent(QMouseEvent* event) override;
-  void mouseReleaseEvent(QMouseEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
+  int positionAt(const QPointF& point) const override;
 
  private:
-  Gamma gammaAt(const QPointF& point) const;
   void paintGroove(QPainter& painter) const;
-  void paintStages(QPainter& painter) const;
-  void paintHandle(QPainter& painter) const;
 
   model::GammaRange m_range;
   bool m_own = true;

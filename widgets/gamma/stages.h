@@ -13,6 +13,7 @@ struct Stage {
   float gamma;
   QString name;
   QString explanation;
+  bool pictured = true;  ///< stands out from its neighbours enough for a small picture
 };
 
 /// From 0 to 5, one at each whole number.

@@ -3,8 +3,8 @@
 
 #include <QImage>
 #include <QScrollBar>
-#include <QTextBlock>
 #include <QTextTable>
+#include <QTimer>
 #include <algorithm>
 
 #include "widgets/help/help_pages.h"
@@ -28,6 +28,7 @@ bool isPage(const QUrl& address) {
 HelpBrowser::HelpBrowser(QWidget* parent) : QTextBrowser(parent) {
   setOpenLinks(false);
   setFrameShape(NoFrame);
+  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
   document()->setDocumentMargin(22.0);
   connect(this, &QTextBrowser::anchorClicked, this, &HelpBrowser::follow);
   connect(this, &QTextBrowser::sourceChanged, this, [this] {
@@ -86,15 +87,20 @@ void HelpBrowser::dress() {
 }
 
 void HelpBrowser::resizeEvent(QResizeEvent* event) {
-  const int width = viewport()->width();
   QTextBrowser::resizeEvent(event);
-  // Pictures are as wide as there was room when they were read.
-  if (event->oldSize().isValid() && width != event->oldSize().width() && !source().isEmpty()) {
-    const int place = verticalScrollBar()->value();
-    reload();
-    dress();
-    verticalScrollBar()->setValue(place);
-  }
+  // Pictures are as wide as there was room when they were read. Later: a page that is being read
+  // must not begin anew.
+  QTimer::singleShot(0, this, &HelpBrowser::fitPictures);
+}
+
+void HelpBrowser::fitPictures() {
+  if (source().isEmpty() || m_fittedWidth == viewport()->width())
+    return;
+  m_fittedWidth = viewport()->width();
+  const int place = verticalScrollBar()->value();
+  reload();
+  dress();
+  verticalScrollBar()->setValue(place);
 }
 
 }  // namespace sline::widgets

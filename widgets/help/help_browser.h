@@ -27,6 +27,9 @@ class HelpBrowser : public QTextBrowser {
  private:
   void follow(const QUrl& link);
   void dress();
+  void fitPictures();
+
+  int m_fittedWidth = 0;
 };
 
 }  // namespace sline::widgets

@@ -79,7 +79,9 @@ std::vector<PreferenceRow> navigationRows() {
 
 std::vector<PreferenceRow> fileRows() {
   constexpr int tenMinutes = 600;
-  return {{QStringLiteral("files/autosaveSeconds"), tr("Files"), tr("Keep unsaved work after"),
+  return {{QStringLiteral("files/importOptions"), tr("Files"), tr("Always show import options"),
+           tr("Before meshes are opened: units, smoothing and what is left out"), Switch{false}},
+          {QStringLiteral("files/autosaveSeconds"), tr("Files"), tr("Keep unsaved work after"),
            tr("How long after a change a copy is kept, which is offered after a crash"),
            WholeNumber{0, tenMinutes, 60, tr("s"), tr("Never")}}};
 }

@@ -11,7 +11,7 @@ namespace sline::widgets {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("Sections", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 
 QString kindName(SectionKind kind) {
@@ -28,6 +28,11 @@ QString kindName(SectionKind kind) {
   return tr("Oblique section");
 }
 
+// lupdate does not know where tr() belongs in functions that return a qualified type.
+QString numbered(const QString& name, int number) {
+  return tr("%1 %2").arg(name).arg(number);
+}
+
 /// "Sagittal section", "Sagittal section 2", …
 std::string freshName(const model::Scene& scene, SectionKind kind) {
   const QString name = kindName(kind);
@@ -39,7 +44,7 @@ std::string freshName(const model::Scene& scene, SectionKind kind) {
   };
   QString fresh = name;
   for (int i = 2; taken(fresh); ++i)
-    fresh = tr("%1 %2").arg(name).arg(i);
+    fresh = numbered(name, i);
   return fresh.toStdString();
 }
 

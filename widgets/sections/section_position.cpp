@@ -35,7 +35,7 @@ QString positionText(const model::Plane& plane) {
   const std::optional<int> axis = axisAcross(plane);
   const double position = positionOf(plane);
   const double shown = axis ? std::abs(position) : position;
-  const QString length = QCoreApplication::translate("Sections", "%1 mm")
+  const QString length = QCoreApplication::translate("sline::widgets", "%1 mm")
                              .arg(QLocale().toString(shown == 0.0 ? 0.0 : shown, 'f', 1));
   if (!axis)
     return length;

@@ -30,7 +30,14 @@ struct Loaded {
   std::vector<std::filesystem::path> paths;            ///< where it came from; none: it was made
   std::optional<std::vector<model::NewMesh>> renewed;  ///< instead of a scene: new meshes for it
   std::optional<DocumentFile> file;                    ///< of a scene file
-  int reverts = 0;  ///< the opening that goes back to what the disk has; 0: it is a new one
+  bool added = false;  ///< the scene goes below what is open, as an edit of it
+  int reverts = 0;     ///< the opening that goes back to what the disk has; 0: it is a new one
 };
+
+/// What files and folders go by: "pelvis", or "liver.stl and 3 more".
+QString titleOf(const std::vector<std::filesystem::path>& paths);
+
+/// What was imported from the paths, as a document to be.
+Loaded loadedFrom(model::Imported imported, const std::vector<std::filesystem::path>& paths);
 
 }  // namespace sline::widgets

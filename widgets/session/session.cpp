@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "model/import/file_kinds.h"
+#include "model/import/scene_inputs.h"
 
 namespace sline::widgets {
 
@@ -43,15 +44,6 @@ class DocumentStep : public QUndoCommand {
 
 namespace {
 
-QString titleOf(const std::vector<std::filesystem::path>& paths) {
-  std::filesystem::path path = paths.empty() ? std::filesystem::path() : paths.front();
-  if (!path.has_filename())  // "folder/"
-    path = path.parent_path();
-  const QString name = QString::fromStdString(path.filename().string());
-  return paths.size() < 2 ? name
-                          : Session::tr("%1 and %n more", nullptr, int(paths.size()) - 1).arg(name);
-}
-
 QStringList remarksOf(const model::ImportReport& report) {
   QStringList remarks;
   for (const model::ImportWarning& warning : report.warnings)
@@ -85,6 +77,14 @@ QStringList remarksOf(const model::Reloaded& reloaded) {
   return remarks;
 }
 
+/// Where to look for files again: scenes refer to files beside them.
+std::vector<std::filesystem::path> placesOf(std::vector<std::filesystem::path> sources) {
+  for (std::filesystem::path& path : sources)
+    if (!model::isSurfaceFile(path) && !std::filesystem::is_directory(path))
+      path = path.parent_path();
+  return sources;
+}
+
 /// In a window a drawing is read as solid unless somebody says otherwise: structures hide what is
 /// behind them.
 model::Scene solid(const model::Scene& scene) {
@@ -101,6 +101,26 @@ model::Scene solid(const model::Scene& scene) {
 }
 
 }  // namespace
+
+QString titleOf(const std::vector<std::filesystem::path>& paths) {
+  std::filesystem::path path = paths.empty() ? std::filesystem::path() : paths.front();
+  if (!path.has_filename())  // "folder/"
+    path = path.parent_path();
+  const QString name = QString::fromStdString(path.filename().string());
+  return paths.size() < 2 ? name
+                          : Session::tr("%1 and %n more", nullptr, int(paths.size()) - 1).arg(name);
+}
+
+Loaded loadedFrom(model::Imported imported, const std::vector<std::filesystem::path>& paths) {
+  Loaded loaded{.scene = std::move(imported.scene),
+                .title = titleOf(paths),
+                .remarks = remarksOf(imported.report),
+                .paths = paths};
+  if (!imported.others.empty())
+    loaded.file = DocumentFile{.others = std::make_shared<const std::vector<model::ZipMember>>(
+                                   std::move(imported.others))};
+  return loaded;
+}
 
 Session::Session(QObject* parent) : QObject(parent), m_files{{0, {.saved = model::Scene()}}} {}
 
@@ -250,11 +270,26 @@ void Session::renew(const Loaded& loaded) {
   emit remarked(loaded.remarks);
 }
 
+void Session::add(const Loaded& loaded) {
+  cancelPreview();
+  model::Scene together = m_document.scene;
+  std::vector<model::NodeId> fresh;
+  for (const auto& [old, id] : model::append(together, solid(loaded.scene)))
+    if (old != model::rootId)
+      fresh.push_back(id);
+  std::vector<std::filesystem::path>& sources = m_sources[m_document.opening];
+  sources.insert(sources.end(), loaded.paths.begin(), loaded.paths.end());
+  apply(tr("Add %1").arg(loaded.title), {std::move(together), true});
+  select(fresh);
+  if (!loaded.remarks.isEmpty())
+    emit remarked(loaded.remarks);
+}
+
 void Session::reloadSources() {
   startJob(m_document.title, [scene = sceneBeforePreview(), places = sources()](
                                  const model::ImportProgress& progress, const std::stop_token&) {
     const auto goesOn = [&progress] { return progress(0.0f, {}); };
-    model::Reloaded reloaded = model::reload(scene, places, {.goesOn = goesOn});
+    model::Reloaded reloaded = model::reload(scene, placesOf(places), {.goesOn = goesOn});
     return Result<Loaded>(
         Loaded{.remarks = remarksOf(reloaded), .renewed = std::move(reloaded.meshes)});
   });
@@ -262,11 +297,7 @@ void Session::reloadSources() {
 
 void Session::open(const Loaded& loaded) {
   cancelPreview();
-  // Scenes refer to files beside them.
-  for (const std::filesystem::path& path : loaded.paths)
-    m_sources[m_openings + 1].push_back(
-        model::isSurfaceFile(path) || std::filesystem::is_directory(path) ? path
-                                                                          : path.parent_path());
+  m_sources[m_openings + 1] = loaded.paths;
   DocumentFile file = loaded.file.value_or(DocumentFile());
   Document document{.scene = solid(loaded.scene), .title = loaded.title};
   if (!file.copy)
@@ -324,14 +355,7 @@ void Session::openPaths(std::vector<std::filesystem::path> paths) {
     auto imported = model::importInputs(paths, {}, progress);
     if (!imported)
       return Result<Loaded>(imported.error());
-    Loaded loaded{.scene = std::move(imported->scene),
-                  .title = title,
-                  .remarks = remarksOf(imported->report),
-                  .paths = paths};
-    if (!imported->others.empty())
-      loaded.file = DocumentFile{.others = std::make_shared<const std::vector<model::ZipMember>>(
-                                     std::move(imported->others))};
-    return Result<Loaded>(std::move(loaded));
+    return Result<Loaded>(loadedFrom(std::move(*imported), paths));
   });
 }
 
@@ -373,6 +397,8 @@ void Session::startJob(const QString& title, SceneMaker maker) {
     endJob();
     if (loaded.renewed)
       renew(loaded);
+    else if (loaded.added)
+      add(loaded);
     else if (loaded.reverts != 0)
       goBack(loaded);
     else

@@ -76,6 +76,8 @@ class Session : public QObject {
   /// Where something is known to reload from.
   bool canReload() const { return !sources().empty(); }
   void openMade(const QString& title, SceneMaker maker);
+  /// The files and folders that the document was made of, as they were named.
+  std::vector<std::filesystem::path> sources() const;
   /// A scene without anything in it.
   void openEmpty(const QString& title);
   /// A copy that was left by a crash: it differs from its file until it is saved.
@@ -111,13 +113,12 @@ class Session : public QObject {
   void push(const QString& name, Document after, const QString& series);
   void open(const Loaded& loaded);
   void renew(const Loaded& loaded);
+  void add(const Loaded& loaded);
   void goBack(const Loaded& loaded);
   void addOpening(Document document, DocumentFile file);
   /// Locks are held for what is open, not for what undo could bring back.
   void moveLock(int from, int to);
   void compareWithFile(bool another);
-  /// The files and folders that the document was opened from.
-  std::vector<std::filesystem::path> sources() const;
   void startJob(const QString& title, SceneMaker maker);
   void endJob();
 

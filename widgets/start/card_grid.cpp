@@ -19,8 +19,11 @@ CardGrid::CardGrid(QWidget* parent) : QWidget(parent) {
 }
 
 void CardGrid::setCards(std::vector<ThumbnailCard*> cards) {
-  for (ThumbnailCard* card : m_cards)
+  // Perhaps one of them is just being clicked.
+  for (ThumbnailCard* card : m_cards) {
+    card->setParent(nullptr);
     card->deleteLater();
+  }
   m_cards = std::move(cards);
   for (ThumbnailCard* card : m_cards) {
     card->setParent(this);

@@ -127,8 +127,12 @@ QWidget* StartPage::makeHead() {
 }
 
 QWidget* StartPage::makeRecovery() {
+  auto* panel = new QWidget;
+  auto* below = new QVBoxLayout(panel);
+  below->setContentsMargins(0, 0, 0, 14);
   auto* frame = new QFrame;
-  frame->setObjectName(QStringLiteral("recoveryPanel"));
+  below->addWidget(frame);
+  panel->setObjectName(QStringLiteral("recoveryPanel"));
   frame->setFrameShape(QFrame::StyledPanel);
   auto* layout = new QVBoxLayout(frame);
   layout->setContentsMargins(16, 12, 16, 12);
@@ -138,7 +142,7 @@ QWidget* StartPage::makeRecovery() {
   layout->addWidget(m_recoveryList);
   connect(m_recoveryList, &RecoveryList::recoverWanted, this, &StartPage::recoverWanted);
   connect(m_recoveryList, &RecoveryList::forgetWanted, this, &StartPage::forgetWanted);
-  return frame;
+  return panel;
 }
 
 void StartPage::setRecoverable(const std::vector<model::Recoverable>& found) {

@@ -70,7 +70,10 @@ void ThumbnailCard::paintEvent(QPaintEvent*) {
   painter.restore();
   paintTexts(painter, rect().adjusted(padding + 2, pictureHeight(width()) + padding, -padding - 2,
                                       -padding));
-  painter.setPen(QPen(palette().color(marked ? QPalette::Highlight : QPalette::Mid), pen));
+  QColor edge = palette().color(marked ? QPalette::Highlight : QPalette::WindowText);
+  if (!marked)
+    edge.setAlphaF(0.22F);
+  painter.setPen(QPen(edge, pen));
   painter.drawPath(shape);
 }
 
@@ -82,8 +85,8 @@ void ThumbnailCard::paintPicture(QPainter& painter, const QRectF& area) {
     const int side = int(area.height() / 3);
     QRect middle(0, 0, side, side);
     middle.moveCenter(area.center().toPoint());
-    painter.setOpacity(0.35);
-    lineIcon(m_standIn).paint(&painter, middle);
+    painter.setOpacity(m_faded ? 0.2 : 0.35);
+    painter.drawPixmap(middle, lineIcon(m_standIn).pixmap(middle.size(), devicePixelRatioF()));
     painter.setOpacity(1.0);
     return;
   }
@@ -97,16 +100,17 @@ void ThumbnailCard::paintPicture(QPainter& painter, const QRectF& area) {
 }
 
 void ThumbnailCard::paintTexts(QPainter& painter, const QRect& area) {
-  const QPalette::ColorGroup group = m_faded ? QPalette::Disabled : QPalette::Active;
+  painter.setOpacity(m_faded ? 0.55 : 1.0);
   const QFontMetrics metrics = fontMetrics();
   QRect line(area.left(), area.top(), area.width(), metrics.lineSpacing());
-  painter.setPen(palette().color(group, QPalette::Text));
+  painter.setPen(palette().color(QPalette::Text));
   painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
                    metrics.elidedText(text(), Qt::ElideRight, line.width()));
   line.translate(0, metrics.lineSpacing());
-  painter.setPen(palette().color(group, QPalette::PlaceholderText));
+  painter.setPen(palette().color(QPalette::PlaceholderText));
   painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
                    metrics.elidedText(m_line, Qt::ElideMiddle, line.width()));
+  painter.setOpacity(1.0);
 }
 
 void ThumbnailCard::keyPressEvent(QKeyEvent* event) {

@@ -16,8 +16,12 @@ QString tr(const char* text) {
   return QCoreApplication::translate("sline::widgets", text);
 }
 
-std::string newGroupName() {
-  return tr("Group").toStdString();
+// lupdate does not know where tr() belongs in functions that return a qualified type.
+QString groupText() {
+  return tr("Group");
+}
+QString newGroupText() {
+  return tr("New Group");
 }
 
 model::NodeId take(Session& session, const QString& name, model::Grouped grouped) {
@@ -110,13 +114,15 @@ bool saysItself(const model::Scene& scene, const NodeIds& ids, model::Inherited 
 }
 
 model::NodeId groupNodes(Session& session, const NodeIds& ids) {
-  return take(session, tr("Group"), model::grouped(session.scene(), ids, newGroupName()));
+  return take(session, groupText(),
+              model::grouped(session.scene(), ids, groupText().toStdString()));
 }
 
 model::NodeId addGroup(Session& session, const NodeIds& ids) {
   const model::Node* only = ids.size() == 1 ? session.scene().find(ids.front()) : nullptr;
   const model::NodeId parent = !only ? model::rootId : only->isGroup() ? only->id : only->parent;
-  return take(session, tr("New Group"), model::withGroup(session.scene(), newGroupName(), parent));
+  return take(session, newGroupText(),
+              model::withGroup(session.scene(), groupText().toStdString(), parent));
 }
 
 void ungroupNodes(Session& session, const NodeIds& ids) {

@@ -14,14 +14,14 @@ namespace sline::widgets {
 
 namespace {
 
-/// More than these, and beginning anew is quicker for whoever watches.
-constexpr std::size_t mostSteps = 64;
-
 QString textOf(const model::GammaRange& range) {
   return range.low == range.high
              ? gammaText(range.low)
              : StructureTreeModel::tr("%1 to %2").arg(gammaText(range.low), gammaText(range.high));
 }
+
+/// More than these, and beginning anew is quicker for whoever watches.
+constexpr std::size_t mostSteps = 64;
 
 /// First and last of the columns in which the rows differ; none: {columns, -1}.
 struct Columns {

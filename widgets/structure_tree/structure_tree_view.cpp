@@ -197,11 +197,11 @@ void StructureTreeView::enter() {
 bool StructureTreeView::pressControl(const QModelIndex& index, const QPointF& at) {
   switch (index.column()) {
     case Model::eye:
-      m_sweep.begin(SwitchSweep::Switch::eye, meant(index));
+      m_sweep.begin(SwitchSweep::Switch::eye, idAt(index), meant(index));
       m_sweptTo = at.y();
       return true;
     case Model::lock:
-      m_sweep.begin(SwitchSweep::Switch::lock, meant(index));
+      m_sweep.begin(SwitchSweep::Switch::lock, idAt(index), meant(index));
       m_sweptTo = at.y();
       return true;
     case Model::swatch:

@@ -8,15 +8,13 @@
 
 namespace sline::widgets {
 
-void SwitchSweep::begin(Switch what, NodeIds ids) {
+void SwitchSweep::begin(Switch what, model::NodeId pressed, NodeIds ids) {
   cancel();
   const model::Scene& scene = m_session.scene();
   m_what = what;
   m_ids = std::move(ids);
-  m_on = !std::all_of(m_ids.begin(), m_ids.end(), [&](model::NodeId id) {
-    return what == Switch::eye ? model::shownOf(scene, id) == model::Shown::all
-                               : scene.find(id)->locked;
-  });
+  m_on = what == Switch::eye ? model::shownOf(scene, pressed) != model::Shown::all
+                             : !scene.find(pressed)->locked;
   show();
 }
 

@@ -13,8 +13,8 @@ class SwitchSweep {
 
   explicit SwitchSweep(Session& session) : m_session(session) {}
 
-  /// All of them come to be shown, or locked, unless they are.
-  void begin(Switch what, NodeIds ids);
+  /// All of them come to be what the one that was pressed is not: shown, or locked.
+  void begin(Switch what, model::NodeId pressed, NodeIds ids);
   /// One more, set as the first were.
   void add(model::NodeId id);
   void finish();

@@ -39,7 +39,7 @@ constexpr std::array blenderRows{
     MouseRow{Qt::MiddleButton, Qt::ControlModifier | Qt::ShiftModifier, Kind::roll}};
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("MousePreset", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 
 QString buttonText(Qt::MouseButton button) {

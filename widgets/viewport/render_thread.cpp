@@ -3,6 +3,7 @@
 
 #include <QElapsedTimer>
 #include <QOpenGLContext>
+#include <algorithm>
 #include <exception>
 
 #include "widgets/session/background_thread.h"
@@ -19,6 +20,11 @@ class RendererPainter : public PicturePainter {
                      const render::Picture::TargetJob& job) override {
     return m_picture->drawInto(job, request.scene, request.camera, request.settings);
   }
+  Result<std::optional<render::Image>> preview(const PreviewRequest::Preview& preview,
+                                               const std::atomic<bool>& unwanted) override {
+    return m_picture->preview(preview.scene, preview.camera, preview.settings, &unwanted);
+  }
+  int layersDrawn() const override { return m_picture->timings().layersDrawn; }
 
  private:
   std::unique_ptr<render::Picture> m_picture;
@@ -61,24 +67,49 @@ RenderThread::~RenderThread() {
 void RenderThread::ask(PictureRequest request) {
   {
     const std::lock_guard lock(m_mutex);
-    if (m_resting && (request.moving || !(*m_resting == request.camera)))
+    if (m_previewing || (m_resting && (request.moving || !(*m_resting == request.camera))))
       m_unwanted = true;
     m_request = std::move(request);
   }
   m_wake.notify_one();
 }
 
-std::optional<PictureRequest> RenderThread::next() {
+void RenderThread::ask(PreviewRequest request) {
+  {
+    const std::lock_guard lock(m_mutex);
+    m_previews = std::move(request.previews);
+    std::reverse(m_previews.begin(), m_previews.end());
+    ++m_previewRound;
+    if (m_previewing)
+      m_unwanted = true;
+  }
+  m_wake.notify_one();
+}
+
+RenderThread::Work RenderThread::next() {
+  // Between two pictures of a drag there is less time than a preview may take.
+  constexpr std::chrono::milliseconds quiet(200);
   std::unique_lock lock(m_mutex);
-  m_wake.wait(lock, [this] { return m_quit || m_request; });
-  if (m_quit)
-    return std::nullopt;
+  for (;;) {
+    m_wake.wait(lock, [this] { return m_quit || m_request || !m_previews.empty(); });
+    if (m_quit)
+      return {};
+    const auto other = [this] { return m_quit || m_request || m_previews.empty(); };
+    if (m_request || !m_wake.wait_until(lock, m_pictureEnd + quiet, other))
+      break;
+  }
   m_unwanted = false;
   m_resting.reset();
+  m_previewing = !m_request;
+  if (m_previewing) {
+    Work work{.preview = std::move(m_previews.back())};
+    m_previews.pop_back();
+    return work;
+  }
   // Pictures of a moving camera are always finished, or a long move would show none.
   if (!m_request->moving)
     m_resting = m_request->camera;
-  return std::exchange(m_request, std::nullopt);
+  return {.picture = std::exchange(m_request, std::nullopt)};
 }
 
 Result<bool> RenderThread::draw(PicturePainter& painter, const PictureRequest& request) {
@@ -99,6 +130,52 @@ Result<bool> RenderThread::draw(PicturePainter& painter, const PictureRequest& r
   return true;
 }
 
+void RenderThread::drawPicture(PicturePainter& painter, const PictureRequest& request) {
+  QElapsedTimer clock;
+  clock.start();
+  if (const Result<bool> done = draw(painter, request); !done)
+    emit failed(done.error());
+  else if (*done)
+    emit drawn({.number = request.number,
+                .milliseconds = double(clock.nsecsElapsed()) * 1e-6,
+                .scale = request.scale,
+                .moving = request.moving,
+                .camera = request.camera,
+                .layersDrawn = painter.layersDrawn()});
+  const std::lock_guard lock(m_mutex);
+  m_pictureEnd = std::chrono::steady_clock::now();
+}
+
+void RenderThread::drawPreview(PicturePainter& painter, const PreviewRequest::Preview& preview) {
+  std::uint64_t round = 0;
+  {
+    const std::lock_guard lock(m_mutex);
+    round = m_previewRound;
+  }
+  std::optional<render::Image> image;
+  try {
+    auto drawn = painter.preview(preview, m_unwanted);
+    // Without this one the panel lacks a small picture: nothing to bother anybody with.
+    if (!drawn)
+      return;
+    image = std::move(*drawn);
+  } catch (const std::exception&) {
+    return;
+  }
+  if (!image) {
+    // The large picture comes first; then this one again, unless others are wanted instead.
+    const std::lock_guard lock(m_mutex);
+    if (m_unwanted && m_previewRound == round && !m_quit)
+      m_previews.push_back(preview);
+    return;
+  }
+  const render::Image small =
+      preview.samples > 1 ? render::averaged(*image, preview.samples) : std::move(*image);
+  emit previewed(preview.id, QImage(small.rgba.data(), small.width, small.height, 4 * small.width,
+                                    QImage::Format_RGBA8888)
+                                 .copy());
+}
+
 void RenderThread::run() {
   standBack();
   if (!m_context->isValid() || !m_context->makeCurrent(&m_surface)) {
@@ -110,19 +187,13 @@ void RenderThread::run() {
   if (!painter)
     emit failed(painter.error());
   while (painter.ok()) {
-    const std::optional<PictureRequest> request = next();
-    if (!request)
+    const Work work = next();
+    if (work.picture)
+      drawPicture(**painter, *work.picture);
+    else if (work.preview)
+      drawPreview(**painter, *work.preview);
+    else
       break;
-    QElapsedTimer clock;
-    clock.start();
-    if (const Result<bool> done = draw(**painter, *request); !done)
-      emit failed(done.error());
-    else if (*done)
-      emit drawn({.number = request->number,
-                  .milliseconds = double(clock.nsecsElapsed()) * 1e-6,
-                  .scale = request->scale,
-                  .moving = request->moving,
-                  .camera = request->camera});
   }
   if (painter)
     painter->reset();

@@ -3,14 +3,17 @@
 // that is overtaken before it begins is never drawn.
 #pragma once
 
+#include <QImage>
 #include <QOffscreenSurface>
 #include <QThread>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <vector>
 
 #include "model/base/result.h"
 #include "render/gpu/handoff.h"
@@ -30,6 +33,19 @@ struct PictureRequest {
                         ///< is given up when they move on
 };
 
+/// Small pictures beside the large one; drawn only while nobody has asked for another large one for
+/// a while. A newer request replaces those that are not drawn yet.
+struct PreviewRequest {
+  struct Preview {
+    int id = 0;  ///< whoever asks knows which
+    model::Scene scene;
+    model::Camera camera;
+    render::PictureSettings settings;
+    int samples = 1;  ///< across a pixel; the picture comes as many times smaller
+  };
+  std::vector<Preview> previews;
+};
+
 /// Draws requests; lives on the render thread, whose context is current.
 class PicturePainter {
  public:
@@ -37,6 +53,13 @@ class PicturePainter {
   /// False where the picture was given up because nobody wants it any more.
   virtual Result<bool> paint(const PictureRequest& request,
                              const render::Picture::TargetJob& job) = 0;
+  /// Nothing where it was given up; a painter need not know how.
+  virtual Result<std::optional<render::Image>> preview(const PreviewRequest::Preview&,
+                                                       const std::atomic<bool>& /*unwanted*/) {
+    return std::optional<render::Image>();
+  }
+  /// By the last picture, where it is known.
+  virtual int layersDrawn() const { return 0; }
 };
 using PainterFactory = std::function<Result<std::unique_ptr<PicturePainter>>()>;
 /// The renderer itself.
@@ -49,6 +72,7 @@ struct PictureReport {
   float scale = 1.0f;   ///< as requested
   bool moving = false;  ///< as requested
   model::Camera camera;
+  int layersDrawn = 0;  ///< the others were as in the picture before
 };
 
 class RenderThread : public QThread {
@@ -60,16 +84,25 @@ class RenderThread : public QThread {
   ~RenderThread() override;
 
   void ask(PictureRequest request);
+  void ask(PreviewRequest request);
 
  signals:
   void drawn(const sline::widgets::PictureReport& report);
+  void previewed(int id, const QImage& image);
   void failed(const sline::Error& error);
 
  protected:
   void run() override;
 
  private:
-  std::optional<PictureRequest> next();
+  /// Waits until there is something to do; neither of both: the thread is to end.
+  struct Work {
+    std::optional<PictureRequest> picture;
+    std::optional<PreviewRequest::Preview> preview;
+  };
+  Work next();
+  void drawPicture(PicturePainter& painter, const PictureRequest& request);
+  void drawPreview(PicturePainter& painter, const PreviewRequest::Preview& preview);
   Result<bool> draw(PicturePainter& painter, const PictureRequest& request);
 
   render::gpu::Handoff& m_handoff;
@@ -79,7 +112,11 @@ class RenderThread : public QThread {
   std::mutex m_mutex;
   std::condition_variable m_wake;
   std::optional<PictureRequest> m_request;
+  std::vector<PreviewRequest::Preview> m_previews;  ///< the next one last
+  std::uint64_t m_previewRound = 0;                 ///< counts requests of previews
+  std::chrono::steady_clock::time_point m_pictureEnd;
   bool m_quit = false;
+  bool m_previewing = false;
   /// Of the picture under way: its camera, where it rests.
   std::optional<model::Camera> m_resting;
   std::atomic<bool> m_unwanted = false;

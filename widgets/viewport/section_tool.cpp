@@ -13,7 +13,7 @@ namespace sline::widgets {
 namespace {
 
 QString tr(const char* text) {
-  return QCoreApplication::translate("SectionTool", text);
+  return QCoreApplication::translate("sline::widgets", text);
 }
 
 bool turns(SectionGrip grip) {

@@ -93,6 +93,7 @@ void Viewport::openGraphics() {
   m_handoff = std::make_unique<render::gpu::Handoff>();
   m_thread = std::make_unique<RenderThread>(*context(), *m_handoff, m_factory);
   connect(m_thread.get(), &RenderThread::drawn, this, &Viewport::took);
+  connect(m_thread.get(), &RenderThread::previewed, this, &Viewport::previewed);
   connect(m_thread.get(), &RenderThread::failed, this, &Viewport::failure);
   refresh();
 }
@@ -167,9 +168,15 @@ void Viewport::refresh() {
   m_thread->ask(std::move(request));
 }
 
+void Viewport::askPreviews(PreviewRequest request) {
+  if (m_thread)
+    m_thread->ask(std::move(request));
+}
+
 void Viewport::took(const PictureReport& report) {
   m_rebuilt = false;
   m_lastMilliseconds = report.milliseconds;
+  m_lastLayersDrawn = report.layersDrawn;
   // Only pictures of a moving camera are drawn anew as a whole; others keep most layers.
   if (report.moving && !m_cutting)
     m_quality.took(report.milliseconds, report.scale);

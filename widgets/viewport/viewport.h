@@ -66,6 +66,11 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   const QString& driver() const { return m_driver; }
   /// The time the last picture took to draw.
   double lastMilliseconds() const { return m_lastMilliseconds; }
+  /// How many of its layers had to be drawn; the others were kept.
+  int lastLayersDrawn() const { return m_lastLayersDrawn; }
+  /// Small pictures by the same renderer, whenever the picture itself is done; `previewed` follows
+  /// for each. They replace those asked for before.
+  void askPreviews(PreviewRequest request);
 
  signals:
   void cameraChanged();
@@ -76,6 +81,7 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   void pivotChosen(const QString& structure);
   /// What can be done with the structure there, or where there is none with the picture.
   void menuWanted(const QPoint& onScreen, const std::optional<sline::widgets::Pick>& pick);
+  void previewed(int id, const QImage& image);
   void failed(const sline::Error& error);
 
  protected:
@@ -159,6 +165,7 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   std::uint64_t m_shown = 0;  ///< on screen
   double m_lastMilliseconds = 0.0;
   std::optional<model::Camera> m_drawnCamera;  ///< of the newest picture
+  int m_lastLayersDrawn = 0;
 
   Picker m_picker;
   QTimer m_nameRest;

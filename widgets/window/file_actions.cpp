@@ -72,7 +72,7 @@ void FileActions::connectActions() {
   const auto on = [this](const char* id, auto function) {
     connect(&m_actions[QLatin1String(id)], &QAction::triggered, this, function);
   };
-  const auto openThese = [this](const QStringList& paths) { open(paths); };
+  const auto openThese = [this](const QStringList& paths) { dropped(paths); };
   on("new", [this] { whenSafe([this] { m_session.openEmpty(tr("Untitled")); }); });
   on("openFiles", [=, this] { chooseFiles(m_window, lastFolder(), openThese); });
   on("openFolder", [=, this] { chooseFolder(m_window, lastFolder(), openThese); });

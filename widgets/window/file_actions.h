@@ -45,8 +45,8 @@ class FileActions : public QObject {
 
   /// What is on screen, for the small picture in scene files; until it is said they keep theirs.
   void setPicture(std::function<QImage()> picture) { m_picture = std::move(picture); }
-  /// Who decides what becomes of dropped files where there may be a choice; a scene file alone is
-  /// opened, and so is everything until it is said.
+  /// Who decides what becomes of files that are dropped or chosen where there may be a choice; a
+  /// scene file alone is opened, and so is everything until it is said.
   void setDropHandler(PathsHandler handler) { m_dropHandler = std::move(handler); }
   void dropped(const QStringList& paths);
 

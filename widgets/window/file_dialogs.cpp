@@ -39,7 +39,6 @@ QMessageBox* question(QWidget& window, const char* name, const QString& text) {
   auto* box = new QMessageBox(&window);
   box->setObjectName(QLatin1String(name));
   box->setAttribute(Qt::WA_DeleteOnClose);
-  box->setIcon(QMessageBox::Question);
   box->setTextFormat(Qt::PlainText);
   box->setText(text);
   return box;

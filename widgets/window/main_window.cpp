@@ -23,6 +23,7 @@
 #include "widgets/focus/focus_context.h"
 #include "widgets/focus/focus_panel.h"
 #include "widgets/gamma/gamma_panel.h"
+#include "widgets/gamma/stage_strip.h"
 #include "widgets/help/help_pages.h"
 #include "widgets/help/help_window.h"
 #include "widgets/language/languages.h"
@@ -32,11 +33,13 @@
 #include "widgets/start/start_page.h"
 #include "widgets/structure_tree/structure_tree.h"
 #include "widgets/structure_tree/structure_tree_view.h"
+#include "widgets/viewport/stage_previews.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/window/about_dialog.h"
 #include "widgets/window/controls_dialog.h"
 #include "widgets/window/controls_memory.h"
 #include "widgets/window/file_actions.h"
+#include "widgets/window/import_actions.h"
 #include "widgets/window/message_bar.h"
 #include "widgets/window/picture_habits.h"
 #include "widgets/window/picture_menu.h"
@@ -65,6 +68,17 @@ render::Background backgroundOf(const QString& choice) {
   return choice == QLatin1String("dark")    ? render::Background::dark
          : choice == QLatin1String("paper") ? render::Background::paper
                                             : render::Background::white;
+}
+
+/// The small pictures beside the Γ slider come from the picture's renderer.
+void connectPreviews(Session& session, Viewport& viewport, StageStrip& stages) {
+  auto* previews = new StagePreviews(session, viewport, &stages);
+  QObject::connect(&stages, &StageStrip::picturesWanted, previews,
+                   [previews, &stages](QSize size, double ratio) {
+                     previews->want(stages.pictured(), size, ratio);
+                   });
+  QObject::connect(previews, &StagePreviews::made, &stages, &StageStrip::showPicture);
+  QObject::connect(previews, &StagePreviews::cleared, &stages, &StageStrip::clearPictures);
 }
 
 QString summaryOf(const model::Scene& scene) {
@@ -100,7 +114,10 @@ MainWindow::MainWindow(Session& session, QSettings& settings, QWidget* parent)
   restore();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+  // A name that is being typed is taken over while those who hear of it are still there.
+  hide();
+}
 
 void MainWindow::makeCentre() {
   m_message = new MessageBar;
@@ -120,7 +137,7 @@ void MainWindow::makeCentre() {
 
 void MainWindow::makePanels() {
   m_tree = new StructureTree(m_session);
-  m_gamma = new GammaPanel(m_session);
+  m_gamma = new GammaPanel(m_session, m_settings);
   addDockWidget(Qt::LeftDockWidgetArea, dock(tr("Structures"), "structuresPanel", m_tree));
   addDockWidget(Qt::RightDockWidgetArea, dock(tr("Line Style"), "gammaPanel", m_gamma));
   auto* focus = new FocusPanel(m_session, *m_focus);
@@ -137,6 +154,8 @@ void MainWindow::makePanels() {
   history->setEmptyLabel(tr("As opened"));
   QDockWidget* steps = dock(tr("History"), "historyPanel", history);
   addDockWidget(Qt::RightDockWidgetArea, steps);
+  // Three above each other would be too tall for a small screen.
+  tabifyDockWidget(findChild<QDockWidget*>(QStringLiteral("focusPanel")), steps);
   steps->hide();
   resizeDocks({findChild<QDockWidget*>(QStringLiteral("structuresPanel")),
                findChild<QDockWidget*>(QStringLiteral("gammaPanel"))},
@@ -152,6 +171,7 @@ void MainWindow::makeControls() {
   makeStart();
   makeTools();
   connectSession();
+  makeImports();
   connectActions();
   connectViews();
   nameStructures();
@@ -183,6 +203,13 @@ void MainWindow::nameStructures() {
   };
   connect(&m_preferences, &Preferences::changed, m_parts, follow);
   follow();
+  const auto tellTree = [this] {
+    m_tree->view().setNames(
+        {.shown = [this](const QString& name) { return m_session.names().shown(name); },
+         .alsoCalled = [this](const QString& name) { return m_session.names().alsoCalled(name); }});
+  };
+  connect(&m_session.names(), &ShownNames::changed, m_parts, tellTree);
+  tellTree();
 }
 
 void MainWindow::changeEvent(QEvent* event) {
@@ -270,6 +297,20 @@ void MainWindow::makeStart() {
   const auto follow = [this] { m_start->setRecoverable(m_files->recoverable()); };
   connect(m_files, &FileActions::recoverableChanged, m_start, follow);
   follow();
+}
+
+void MainWindow::makeImports() {
+  m_imports = new ImportActions({.session = m_session,
+                                 .settings = m_settings,
+                                 .preferences = m_preferences,
+                                 .actions = m_actions,
+                                 .message = *m_message},
+                                *this);
+  m_imports->setGuard([this](const std::function<void()>& then) { m_files->whenSafe(then); });
+  m_files->setDropHandler([this](const QStringList& paths) {
+    if (!m_imports->asksFor(paths, {}))
+      m_files->open(paths);
+  });
 }
 
 void MainWindow::showStart() {
@@ -390,8 +431,7 @@ void MainWindow::connectViews() {
   });
   connect(m_gamma, &GammaPanel::focusWanted, &m_actions[QStringLiteral("focus")],
           &QAction::trigger);
-  connect(m_gamma, &GammaPanel::contextWanted, &m_actions[QStringLiteral("context")],
-          &QAction::trigger);
+  connectPreviews(m_session, *m_viewport, m_gamma->stages());
 }
 
 void MainWindow::showHelp() {
@@ -434,7 +474,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
     if (url.isLocalFile())
       paths << url.toLocalFile();
   event->acceptProposedAction();
-  m_files->dropped(paths);
+  if (!m_imports->asksFor(paths, event->modifiers()))
+    m_files->dropped(paths);
 }
 
 void MainWindow::documentChange(const Document& before, const Document& now) {

@@ -23,6 +23,7 @@ namespace sline::widgets {
 class FileActions;
 class FocusContext;
 class GammaPanel;
+class ImportActions;
 class MessageBar;
 class SectionActions;
 class StartPage;
@@ -71,6 +72,7 @@ class MainWindow : public QMainWindow {
   void showHelp();
   void makeFiles();
   void makeStart();
+  void makeImports();
   /// The start page while nothing is open and nothing is on its way.
   void showStart();
   void placeMessage(bool onStartPage);
@@ -91,6 +93,7 @@ class MainWindow : public QMainWindow {
   StructureTree* m_tree = nullptr;
   GammaPanel* m_gamma = nullptr;
   FocusContext* m_focus = nullptr;
+  ImportActions* m_imports = nullptr;
   SectionActions* m_sections = nullptr;
   StructureActions* m_structures = nullptr;
   SectionsPanel* m_sectionsPanel = nullptr;

@@ -81,10 +81,16 @@ void MessageBar::showRemarks(const QStringList& remarks) {
 
 void MessageBar::showNotice(const QString& heading, const QString& body, QAction& action) {
   m_remarks.clear();
+  display(Kind::notice, heading, sentence(body.toStdString()));
+  offer(action);
+}
+
+void MessageBar::offer(QAction& action) {
   m_remedy->setText(QString(action.text()).remove(QLatin1Char('&')));
+  m_remedy->setToolTip(action.toolTip());
   disconnect(m_remedy, &QPushButton::clicked, nullptr, nullptr);
   connect(m_remedy, &QPushButton::clicked, &action, &QAction::trigger);
-  display(Kind::notice, heading, sentence(body.toStdString()));
+  m_remedy->show();
 }
 
 void MessageBar::hideNotice() {
@@ -98,7 +104,7 @@ void MessageBar::display(Kind kind, const QString& heading, const QString& body)
                             : QStringLiteral("<b>%1</b>&ensp;").arg(heading.toHtmlEscaped());
   m_text->setText(title + body.trimmed().toHtmlEscaped());
   m_kind = kind;
-  m_remedy->setVisible(kind == Kind::notice);
+  m_remedy->hide();
   m_details->setVisible(m_remarks.size() > 1);
   nameControls();
   dress();

@@ -21,6 +21,8 @@ class MessageBar : public QFrame {
   void showError(const Error& error);
   /// The first is shown, the others on demand.
   void showRemarks(const QStringList& remarks);
+  /// A button for what can be done about the message that is shown; it goes with the message.
+  void offer(QAction& action);
   /// Stays until it is closed or `hideNotice` says that it is over; the button does the action.
   void showNotice(const QString& heading, const QString& body, QAction& action);
   /// Other messages stay.

@@ -87,7 +87,8 @@ void ResolvePass::upload(std::span<const ResolveTile> tiles,
 void ResolvePass::draw(gpu::Device& device, const gpu::Target& target,
                        const ResolveInputs& inputs) {
   const gpu::TextureSize size = target.size();
-  device.clear(target, {.colour = inputs.background});
+  if (!inputs.keepOthers)
+    device.clear(target, {.colour = inputs.background});
   if (m_batches.empty())
     return;
   m_program->set("targetSize", glm::vec2(float(size.width), float(size.height)));

@@ -41,6 +41,7 @@ struct ResolveInputs {
   const gpu::Texture& inks;
   const gpu::Texture& depths;  ///< 1 where a layer has nothing
   glm::vec4 background{0.0f};  ///< premultiplied
+  bool keepOthers = false;     ///< what lies outside of all tiles stays as it is
 };
 
 class ResolvePass {
@@ -49,8 +50,8 @@ class ResolvePass {
   static Result<std::unique_ptr<ResolvePass>> create(gpu::Dialect dialect);
 
   void upload(std::span<const ResolveTile> tiles, std::span<const ResolveEntry> entries);
-  /// Pixels outside of all tiles become background. Waits for the GPU between batches of tiles, so
-  /// that another context's drawing gets its turn.
+  /// Pixels outside of all tiles become background, unless they are to stay. Waits for the GPU
+  /// between batches of tiles, so that another context's drawing gets its turn.
   void draw(gpu::Device& device, const gpu::Target& target, const ResolveInputs& inputs);
 
  private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names as files have them, and what they become in each language.
+#include <QDir>
 #include <QFile>
 #include <QtTest>
 #include <algorithm>
@@ -28,6 +29,9 @@ class AnatomicalNamesTest : public QObject {
   void search();
   void knowsWhatSegmentationNames();
   void knowsTheAtlas();
+  void knowsThePelvis();
+  void knowsTheDemos_data();
+  void knowsTheDemos();
 };
 
 void AnatomicalNamesTest::display_data() {
@@ -214,6 +218,113 @@ void AnatomicalNamesTest::knowsTheAtlas() {
       unknown << name;
   }
   QCOMPARE(unknown, QStringList());
+}
+
+void AnatomicalNamesTest::knowsThePelvis() {
+  QDir folder(QStringLiteral(SLINE_TEST_DATA "/pelvis/bodyparts3d"));
+  const QStringList files = folder.entryList({QStringLiteral("*.obj")});
+  if (files.isEmpty())
+    QSKIP("no real names here");
+  for (const QString& file : files) {
+    // FJ2571_FMA14544_rectum.obj
+    const QString name = file.section('_', 2).section(".obj", 0, 0);
+    QVERIFY2(knows(name.toStdString()), qPrintable(name));
+  }
+}
+
+void AnatomicalNamesTest::knowsTheDemos_data() {
+  QTest::addColumn<bool>("known");
+  for (const char* name : {"Arteries",
+                           "Biliary system",
+                           "Bones",
+                           "Digestive system",
+                           "Discs and cartilage",
+                           "Glands and spleen",
+                           "Muscles",
+                           "Nerves",
+                           "Organs",
+                           "Portal system",
+                           "Tumour",
+                           "Urinary organs",
+                           "Urinary system",
+                           "Veins",
+                           "Vessels",
+                           "abdominal aorta",
+                           "ascending colon",
+                           "bile duct",
+                           "coeliac trunk",
+                           "corpora cavernosa of penis",
+                           "corpus spongiosum of penis",
+                           "descending colon",
+                           "duodenum",
+                           "external anal sphincter",
+                           "fifth lumbar intervertebral disc",
+                           "fifth lumbar vertebra",
+                           "gallbladder",
+                           "ileum",
+                           "inferior mesenteric artery",
+                           "inferior vena cava",
+                           "jejunum",
+                           "L5 vertebra",
+                           "left adrenal gland",
+                           "left common iliac artery",
+                           "left coccygeus",
+                           "left deferent duct",
+                           "left epididymis",
+                           "left external iliac vein",
+                           "left femoral nerve",
+                           "left femur",
+                           "left hip bone",
+                           "left iliac arteries",
+                           "left iliac veins",
+                           "left iliacus",
+                           "left iliococcygeus",
+                           "left internal pudendal artery",
+                           "left kidney",
+                           "left obturator artery",
+                           "left obturator internus",
+                           "left obturator nerve",
+                           "left ovary",
+                           "left piriformis",
+                           "left psoas major",
+                           "left pubococcygeus",
+                           "left puborectalis",
+                           "left pudendal nerve",
+                           "left renal artery",
+                           "left renal vein",
+                           "left sciatic nerve",
+                           "left seminal vesicle",
+                           "left superior vesical artery",
+                           "left testis",
+                           "left twelfth rib",
+                           "left ureter",
+                           "left uterine tube",
+                           "liver",
+                           "pancreas",
+                           "portal vein",
+                           "prostate",
+                           "pubic symphysis",
+                           "rectal tumour",
+                           "rectum",
+                           "sacrum",
+                           "sigmoid colon",
+                           "spleen",
+                           "splenic vein",
+                           "stomach",
+                           "superior mesenteric artery",
+                           "superior mesenteric vein",
+                           "T12-L1 intervertebral disc",
+                           "transverse colon",
+                           "urethra",
+                           "urinary bladder",
+                           "uterus",
+                           "vagina",
+                           "vermiform appendix"})
+    QTest::newRow(name) << true;
+}
+
+void AnatomicalNamesTest::knowsTheDemos() {
+  QTEST(knows(QTest::currentDataTag()), "known");
 }
 
 QTEST_APPLESS_MAIN(AnatomicalNamesTest)

@@ -16,6 +16,7 @@ class LateralityTest : public QObject {
  private slots:
   void vote_data();
   void vote();
+  void otherSideNamesTheStructures();
   void liverOnTheRight_data();
   void liverOnTheRight();
   void fileFrameTouchesNothing();
@@ -53,6 +54,18 @@ void LateralityTest::vote() {
   QCOMPARE(vote.lps, lps);
   QCOMPARE(vote.ras, ras);
   QCOMPARE(vote.winner().has_value(), lps != ras);
+  // Seen as LPS, exactly the votes against it are on the other side; a mirror swaps the two.
+  QCOMPARE(onTheOtherSide(places).empty(), ras == 0);
+  for (NamedPlace& place : places)
+    place.x = -place.x;
+  QCOMPARE(onTheOtherSide(places).empty(), lps == 0);
+}
+
+void LateralityTest::otherSideNamesTheStructures() {
+  const std::vector<NamedPlace> places{{"left kidney", 50},  {"right kidney", -50},
+                                       {"left femur", -80},  {"right femur", 80},
+                                       {"left ureter", -10}, {"liver", -60}};
+  QCOMPARE(onTheOtherSide(places), (std::vector<std::size_t>{2, 3, 4}));
 }
 
 void LateralityTest::liverOnTheRight_data() {

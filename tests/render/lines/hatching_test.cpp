@@ -329,6 +329,65 @@ class HatchingTest : public QObject {
       QCOMPARE(s.count, 1u);
   }
 
+  // Twice the density: twice the strokes, thinner ones, of the same ink.
+  void densityIsTheNumberOfStrokes_data() {
+    QTest::addColumn<float>("density");
+    QTest::newRow("a quarter") << 0.25f;
+    QTest::newRow("half") << 0.5f;
+    QTest::newRow("a little less") << 0.9f;
+    QTest::newRow("a little more") << 1.1f;
+    QTest::newRow("twice") << 2.0f;
+    QTest::newRow("most") << 4.0f;
+  }
+  void densityIsTheNumberOfStrokes() {
+    QFETCH(float, density);
+    const Subject torus = torusSubject();
+    const model::Camera camera = orthographic(slanted, 22.0f);
+    const render::Hatching usual = torus.hatched(camera);
+    const render::Hatching other =
+        torus.hatched(camera, {.spacing = render::spacingOf(HatchDensity::clamped(density))});
+    const double strokes = double(other.strokes.size()) / double(usual.strokes.size());
+    QVERIFY2(strokes > 0.7 * double(density) && strokes < 1.4 * double(density),
+             qPrintable(QString::number(strokes)));
+    const double tone = ink(other, camera) / ink(usual, camera);
+    QVERIFY2(std::abs(tone - 1.0) < 0.12, qPrintable(QString::number(tone)));
+  }
+
+  // As with a zoom, no stroke moves while density is dragged, and each thickens evenly.
+  void densityChangesEvenly() {
+    const Subject torus = torusSubject();
+    const model::Camera camera = orthographic(slanted, 22.0f);
+    std::map<SeedKey, float> before;
+    for (float density = 0.5f; density <= 2.0f; density *= 1.02f) {
+      const render::Hatching hatching =
+          torus.hatched(camera, {.spacing = render::spacingOf(HatchDensity::clamped(density))});
+      std::map<SeedKey, float> now;
+      for (const render::HatchStroke& s : hatching.strokes)
+        for (const render::HatchPoint& p : pointsOf(hatching, s))
+          now[keyOf(s.seed)] = std::max(now[keyOf(s.seed)], p.halfWidth);
+      if (!before.empty())
+        for (const auto& [seed, width] : now)
+          QVERIFY(std::abs(width - (before.contains(seed) ? before[seed] : 0.0f)) < 0.35f);
+      before = std::move(now);
+    }
+  }
+
+  void toneIsInk() {
+    const Subject torus = torusSubject();
+    const model::Camera camera = orthographic(slanted, 22.0f);
+    QVERIFY(torus.hatched(camera, {.tone = 0.0f}).strokes.empty());
+    double before = 0.0;
+    for (const float tone : {0.25f, 0.5f, 0.8f, 1.0f, 1.25f, 1.6f, 2.0f, 4.0f}) {
+      const render::Hatching hatching = torus.hatched(camera, {.tone = tone});
+      const double now = ink(hatching, camera);
+      QVERIFY2(now > 1.02 * before, qPrintable(QString::number(now)));
+      before = now;
+      // Some white is left between the darkest strokes.
+      for (const render::HatchPoint& p : hatching.points)
+        QVERIFY(p.halfWidth < 0.451f * render::hatchSpacing);
+    }
+  }
+
   // From within a closed body, as an endoscope sees it, the wall is a tube's inner side.
   void seenFromWithin() {
     const Subject tube(test::torus(30.0f, 6.0f, 300, 60));

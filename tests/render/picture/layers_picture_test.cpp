@@ -20,6 +20,9 @@ class LayersPictureTest : public QObject {
   void orderOfStructuresChangesNothing();
   void keepsWhatDidNotChange();
   void keptLayersGiveTheSamePicture();
+  void dragOfGammaDrawsOneLayer_data();
+  void dragOfGammaDrawsOneLayer();
+  void whatLeavesIsGoneFromThePicture();
   void partsAlone_data();
   void partsAlone();
   void piecesGiveTheSamePicture_data();
@@ -150,6 +153,64 @@ void LayersPictureTest::keptLayersGiveTheSamePicture() {
     // Another place in the atlas may round shading otherwise.
     QVERIFY2(d.largest <= 2, qPrintable(QString("%1, %2 of pixels").arg(d.largest).arg(d.share)));
   }
+}
+
+void LayersPictureTest::dragOfGammaDrawsOneLayer_data() {
+  QTest::addColumn<int>("index");
+  QTest::addColumn<float>("from");
+  QTest::addColumn<float>("to");
+  QTest::newRow("lines") << 3 << 0.0f << 2.0f;
+  QTest::newRow("hatching") << 8 << 2.0f << 3.0f;
+  QTest::newRow("shading") << 5 << 3.0f << 4.95f;
+  QTest::newRow("back again") << 5 << 4.95f << 0.0f;
+}
+
+void LayersPictureTest::dragOfGammaDrawsOneLayer() {
+  QFETCH(int, index);
+  QFETCH(float, from);
+  QFETCH(float, to);
+  std::vector<model::Node> nodes = heap(true);
+  nodes[std::size_t(index)].style.gamma = Gamma::clamped(from);
+  render::Picture& picture = *m_studio.picture;
+  QVERIFY(picture.render(sceneOf(nodes), camera(), settings).ok());
+  constexpr int steps = 12;
+  for (int i = 1; i <= steps; ++i) {
+    nodes[std::size_t(index)].style.gamma =
+        Gamma::clamped(from + (to - from) * float(i) / float(steps));
+    const auto kept = picture.render(sceneOf(nodes), camera(), settings);
+    QVERIFY(kept.ok());
+    QCOMPARE(picture.timings().layersDrawn, 1);
+    if (i % 4 != 0)
+      continue;
+    auto fresh = render::Picture::create();
+    QVERIFY(fresh.ok());
+    const auto anew = (*fresh)->render(sceneOf(nodes), camera(), settings);
+    QVERIFY(anew.ok());
+    QVERIFY(difference(*kept, *anew).largest <= 2);
+  }
+}
+
+void LayersPictureTest::whatLeavesIsGoneFromThePicture() {
+  // Only squares that change are blended anew: where a structure stood alone, nothing else would.
+  model::Scene scene;
+  add(scene, moved(*sphere(20.0f, 3), 1.0f, {-60.0f, 0.0f, 0.0f}), gammaStyle(2.0f));
+  const model::NodeId id =
+      add(scene, moved(*sphere(20.0f, 3), 1.0f, {60.0f, 0.0f, 0.0f}), gammaStyle(4.0f));
+  add(scene, moved(*sphere(80.0f, 3), 1.0f, {0.0f, 0.0f, 0.0f}), gammaStyle(1.0f));
+  render::Picture& picture = *m_studio.picture;
+  QVERIFY(picture.render(scene, camera(), settings).ok());
+  std::vector<model::Node> nodes = scene.nodes();
+  for (model::Node& node : nodes)
+    if (node.id == id)
+      node.style.visible = false;
+  const auto without = picture.render(sceneOf(nodes), camera(), settings);
+  QVERIFY(without.ok());
+  QCOMPARE(picture.timings().layersDrawn, 0);
+  auto fresh = render::Picture::create();
+  QVERIFY(fresh.ok());
+  const auto anew = (*fresh)->render(sceneOf(nodes), camera(), settings);
+  QVERIFY(anew.ok());
+  QCOMPARE(difference(*without, *anew).largest, 0);
 }
 
 void LayersPictureTest::partsAlone_data() {

@@ -59,7 +59,10 @@ void LayoutTest::listsLayersInOrder() {
     layers.push_back(
         {.mask = &mask,
          .layer = {.area = {0, 0, 96, 64}, .offsetX = int(layers.size()), .inked = true}});
-  const TileLists lists = tileLists(layers);
+  TileMask wanted(region);
+  for (const TileMask& mask : masks)
+    wanted.mark(mask);
+  const TileLists lists = tileLists(layers, wanted);
   QCOMPARE(lists.tiles.size(), std::size_t(4));
   const auto offsets = [&](std::size_t tile) {
     QList<int> found;
@@ -72,6 +75,15 @@ void LayoutTest::listsLayersInOrder() {
   QCOMPARE(offsets(1), (QList<int>{1, 2}));
   QCOMPARE(offsets(2), (QList<int>{2}));
   QCOMPARE(lists.tiles[2].y, 32);
+  // Squares of which nothing is wanted are left out, and wanted ones without layers are not.
+  TileMask some(region);
+  some.mark({100, 0, 1, 1});
+  const TileLists first = tileLists(layers, some);
+  QCOMPARE(first.tiles.size(), std::size_t(1));
+  QCOMPARE(first.tiles.front().count, 3);
+  const TileLists bare = tileLists({}, some);
+  QCOMPARE(bare.tiles.size(), std::size_t(1));
+  QCOMPARE(bare.tiles.front().count, 0);
 }
 
 void LayoutTest::sphereBoundsHoldTheSphere_data() {

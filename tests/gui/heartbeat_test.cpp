@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+// The window's heart goes on beating while files come in, however many there are. What counts is
+// how long its thread was at work between two beats: where other programs take the cores, the clock
+// says more than it did.
+#include <time.h>
+
+#include <QAction>
+#include <QEventLoop>
+#include <QPushButton>
+#include <QtTest>
+
+#include "tests/gui/event_watch.h"
+#include "tests/gui/window_fixture.h"
+#include "tests/model/import/written_meshes.h"
+#include "tests/support/shapes.h"
+#include "widgets/import_dialog/import_dialog.h"
+#include "widgets/import_dialog/plan_tree.h"
+
+namespace sline::test {
+
+namespace {
+
+constexpr double limit = 100.0;  // milliseconds
+
+WatchedApplication& watch() {
+  return *static_cast<WatchedApplication*>(QCoreApplication::instance());
+}
+
+double milliseconds(clockid_t clock) {
+  timespec now{};
+  clock_gettime(clock, &now);
+  return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
+}
+
+class Heart : public QObject {
+ public:
+  Heart() { startTimer(5, Qt::PreciseTimer); }
+
+  /// Runs the event loop until it holds; false after two minutes.
+  bool beatUntil(const std::function<bool()>& holds) {
+    m_until = holds;
+    m_last = {};
+    QTimer::singleShot(120'000, &m_loop, &QEventLoop::quit);
+    m_loop.exec();
+    m_until = nullptr;
+    return holds();
+  }
+  double worked() const { return m_worked; }
+  QString report() const {
+    return QStringLiteral("%1 beats, largest gap %2 ms of work, %3 ms by the clock")
+        .arg(m_beats)
+        .arg(m_worked, 0, 'f', 1)
+        .arg(m_wall, 0, 'f', 1);
+  }
+
+ protected:
+  void timerEvent(QTimerEvent*) override {
+    const Moment now;
+    ++m_beats;
+    if (m_until) {
+      m_wall = std::max(m_wall, now.wall - m_last.wall);
+      m_worked = std::max(m_worked, now.worked - m_last.worked);
+      if (m_until())
+        m_loop.quit();
+    }
+    m_last = {};  // what the condition costs is not the window's
+  }
+
+ private:
+  struct Moment {
+    double wall = milliseconds(CLOCK_MONOTONIC);
+    double worked = milliseconds(CLOCK_THREAD_CPUTIME_ID);
+  };
+  QEventLoop m_loop;
+  std::function<bool()> m_until;
+  Moment m_last;
+  int m_beats = 0;
+  double m_wall = 0.0;
+  double m_worked = 0.0;
+};
+
+/// As many files as the parts of a whole body are, in folders, and two large ones.
+void writeCrowd(const QString& folder) {
+  const model::MeshPtr small = sphere(3.0f, 2);
+  const model::MeshPtr large = sphere(60.0f, 7);
+  for (int g = 0; g < 50; ++g) {
+    const QString group = folder + QStringLiteral("/Group %1").arg(g);
+    QDir().mkpath(group);
+    for (int s = 0; s < 45; ++s)
+      writeMesh(group + QStringLiteral("/part %1.ply").arg(45 * g + s),
+                *moved(*small, 1.0f, {8.0f * float(s), 0.0f, 8.0f * float(g)}));
+  }
+  writeMesh(folder + QStringLiteral("/left lung.ply"), *moved(*large, 1.0f, {250, 90, 200}));
+  writeMesh(folder + QStringLiteral("/right lung.ply"), *moved(*large, 1.0f, {100, 90, 200}));
+}
+
+}  // namespace
+
+class HeartbeatTest : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir m_crowd;
+
+  /// Tells what was found; false where the window stood still.
+  static bool alive(const Heart& heart, const char* during) {
+    qInfo().noquote() << during << QStringLiteral(":") << heart.report();
+    const bool fine = heart.worked() < limit;
+    if (!fine)
+      qInfo().noquote() << watch().report(5);
+    watch().forget();
+    return fine;
+  }
+  static void rows() {
+    QTest::addColumn<QString>("path");
+    QTest::newRow("2,250 files") << QString();
+    QTest::newRow("pelvis") << SLINE_TEST_DATA "/pelvis/bodyparts3d";
+    QTest::newRow("atlas") << SLINE_TEST_DATA
+        "/abdomen/AbdominalAtlas-2015Sept-Slicer4-4Version.mrml";
+    QTest::newRow("label volume") << SLINE_TEST_DATA
+        "/labelmap/spl_abdomen/spl_abdomen_labels.nrrd";
+  }
+  QString pathOf(const QString& row) const { return row.isEmpty() ? m_crowd.path() : row; }
+
+ private slots:
+  void initTestCase() { writeCrowd(m_crowd.path()); }
+
+  void importing_data() { rows(); }
+  void importing() {
+    QFETCH(QString, path);
+    if (!path.isEmpty() && !QFileInfo::exists(path))
+      QSKIP("no real anatomy here");
+    WindowFixture f;
+    QVERIFY(f.settled());
+    watch().forget();
+    Heart heart;
+    QVERIFY(f.drop(pathOf(path)));
+    QVERIFY(heart.beatUntil([&] { return !f.session.busy() && f.viewport().upToDate(); }));
+    QVERIFY(f.session.scene().nodes().size() > 3);
+    QVERIFY(alive(heart, "import"));
+  }
+
+  void choosing_data() { rows(); }
+  void choosing() {
+    QFETCH(QString, path);
+    if (!path.isEmpty() && !QFileInfo::exists(path))
+      QSKIP("no real anatomy here");
+    WindowFixture f;
+    QVERIFY(f.drop(QFileInfo(m_crowd.path()).filePath() + QStringLiteral("/Group 1")));
+    QVERIFY(f.settled());
+    watch().forget();
+    Heart heart;
+    QVERIFY(f.drop(pathOf(path), Qt::ShiftModifier));
+    const auto dialog = [&] { return f.window.findChild<widgets::ImportDialog*>(); };
+    QVERIFY(heart.beatUntil([&] { return dialog()->draft().ready(); }));
+    QVERIFY(alive(heart, "planning"));
+
+    Heart atWork;
+    widgets::PlanTree& tree = f.control<widgets::PlanTree>("planTree");
+    tree.selectAll();
+    const widgets::NodeIds all = tree.selectedNodes();
+    QTest::keyClick(&tree, Qt::Key_Space);
+    QTest::keyClick(&tree, Qt::Key_Space);
+    tree.sortByColumn(widgets::PlanTreeModel::triangles, Qt::DescendingOrder);
+    tree.setFilter(QStringLiteral("1"));
+    QVERIFY(atWork.beatUntil([] { return true; }));
+    tree.setFilter({});
+    dialog()->draft().choose(all, [](model::StructureChoice& choice) { choice.unit = 10.0f; });
+    QVERIFY(atWork.beatUntil([&] { return dialog()->draft().ready(); }));
+    QVERIFY(alive(atWork, "choosing"));
+
+    Heart adding;
+    QTest::mouseClick(&f.control<QPushButton>("addButton"), Qt::LeftButton);
+    QVERIFY(adding.beatUntil(
+        [&] { return !f.session.busy() && !dialog() && f.viewport().upToDate(); }));
+    QVERIFY(alive(adding, "adding"));
+    Heart undoing;
+    QTest::keyClick(&f.window, Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(undoing.beatUntil([&] { return f.viewport().upToDate(); }));
+    QVERIFY(alive(undoing, "undoing"));
+  }
+
+  /// A person who drops the wrong folder has the window back at once, whatever is under way.
+  void cancelling() {
+    WindowFixture f;
+    for (const int beats : {1, 20, 80, 200}) {
+      Heart heart;
+      int beat = 0;
+      QVERIFY(f.drop(m_crowd.path()));
+      QVERIFY(heart.beatUntil([&] { return ++beat >= beats || !f.session.busy(); }));
+      f.session.cancelJob();
+      QVERIFY(!f.session.busy());
+      QElapsedTimer clock;
+      clock.start();
+      QVERIFY(
+          heart.beatUntil([&] { return f.session.findChildren<widgets::SceneJob*>().isEmpty(); }));
+      qInfo() << "the thread has noticed after" << clock.elapsed() << "ms";
+      QVERIFY(alive(heart, "cancelling"));
+    }
+    // And a second import takes the place of the first.
+    QVERIFY(f.drop(m_crowd.path()));
+    QVERIFY(f.drop(m_crowd.filePath(QStringLiteral("Group 1"))));
+    QVERIFY(f.settled());
+    QCOMPARE(f.session.scene().structuresBelow(model::rootId).size(), std::size_t(45));
+  }
+};
+
+}  // namespace sline::test
+
+int main(int argc, char** argv) {
+  const sline::test::WatchedApplication application(argc, argv);
+  sline::test::HeartbeatTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "heartbeat_test.moc"

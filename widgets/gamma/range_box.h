@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// A number that may stand for several: "1.00 – 3.00" until somebody gives all the same.
+#pragma once
+
+#include <QDoubleSpinBox>
+#include <optional>
+
+namespace sline::widgets {
+
+class RangeBox : public QDoubleSpinBox {
+  Q_OBJECT
+ public:
+  explicit RangeBox(QWidget* parent = nullptr);
+
+  /// Emits nothing.
+  void showRange(double low, double high);
+  bool isMixed() const { return m_mixed; }
+
+  QString textFromValue(double value) const override;
+  QValidator::State validate(QString& text, int& position) const override;
+  void stepBy(int steps) override;
+
+ signals:
+  /// By a person, and also where it is the number that the box has already: of several, it was one.
+  void chosen(double value);
+
+ protected:
+  void wheelEvent(QWheelEvent* event) override;
+
+ private:
+  void finish();
+
+  bool m_mixed = false;
+  bool m_typed = false;
+  double m_low = 0.0;
+  double m_high = 0.0;
+};
+
+}  // namespace sline::widgets

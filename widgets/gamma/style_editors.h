@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// One row of the panel each: a number or a colour of what is selected, and the way back to what
+// the group above says.
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/gamma/look_drag.h"
+#include "widgets/gamma/style_rows.h"
+
+class QLabel;
+class QToolButton;
+
+namespace sline::widgets {
+
+class RangeBox;
+class StyleSlider;
+
+/// A label, and a button that resets what the row says; enabled where anything is said.
+class StyleEditor : public QWidget {
+  Q_OBJECT
+ public:
+  StyleEditor(Session& session, const QString& id, const QString& text, QWidget* parent);
+  virtual void showSelection() = 0;
+
+ protected:
+  Session& session() const { return m_session; }
+  const QString& text() const { return m_text; }
+  QLabel& label() const { return *m_label; }
+  QToolButton& resetButton() const { return *m_reset; }
+  /// One undo step, merged with the one before where that is of the same kind.
+  void apply(const model::Style& look);
+  /// What `which` answers comes from above again.
+  void inherit(const model::Style& which);
+
+ private:
+  Session& m_session;
+  QString m_id;
+  QString m_text;
+  QLabel* m_label;
+  QToolButton* m_reset;
+};
+
+class StyleNumberEditor : public StyleEditor {
+  Q_OBJECT
+ public:
+  StyleNumberEditor(Session& session, StyleNumber row, QWidget* parent = nullptr);
+  void showSelection() override;
+
+ private:
+  model::Style lookOf(double shown) const;
+
+  StyleNumber m_row;
+  LookDrag m_drag;
+  StyleSlider* m_slider;
+  RangeBox* m_number;
+};
+
+class StyleColourEditor : public StyleEditor {
+  Q_OBJECT
+ public:
+  StyleColourEditor(Session& session, StyleColour row, QWidget* parent = nullptr);
+  void showSelection() override;
+
+ private:
+  void choose();
+
+  StyleColour m_row;
+  QToolButton* m_swatch;
+};
+
+}  // namespace sline::widgets

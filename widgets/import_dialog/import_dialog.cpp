@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/import_dialog/import_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/import_dialog/options_panel.h"
+#include "widgets/import_dialog/plan_texts.h"
+#include "widgets/import_dialog/plan_tree.h"
+#include "widgets/import_dialog/selection_panel.h"
+
+namespace sline::widgets {
+
+namespace {
+
+QLabel* plainLabel(const char* name) {
+  auto* label = new QLabel;
+  label->setObjectName(QLatin1String(name));
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+QString nameOf(const std::vector<std::filesystem::path>& inputs) {
+  if (inputs.empty())
+    return {};
+  std::filesystem::path path = inputs.front();
+  if (!path.has_filename())
+    path = path.parent_path();
+  return QString::fromStdString(path.filename().string());
+}
+
+/// As the window's messages: red for what failed, amber for what to know.
+QString dress(const QPalette& palette, bool failed) {
+  const bool dark =
+      palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
+  const char* colours = failed ? (dark ? "background: #54241f; color: #f6d9d5;"
+                                       : "background: #f6d9d5; color: #5a1410;")
+                               : (dark ? "background: #4a3d12; color: #f7ecc9;"
+                                       : "background: #f7ecc9; color: #4d3b05;");
+  return QLatin1String(colours) + QStringLiteral(" padding: 6px 10px; border-radius: 4px;");
+}
+
+QTableWidgetItem* cell(const std::string& text) {
+  auto* item = new QTableWidgetItem(QString::fromStdString(text));
+  item->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);
+  item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+  return item;
+}
+
+}  // namespace
+
+ImportDialog::ImportDialog(std::vector<std::filesystem::path> inputs, bool intoScene,
+                           QWidget* parent)
+    : QDialog(parent),
+      m_intoScene(intoScene),
+      m_summary(plainLabel("importSummary")),
+      m_doubt(plainLabel("importDoubt")),
+      m_tabs(new QTabWidget) {
+  setObjectName(QStringLiteral("importDialog"));
+  setWindowTitle(tr("Import %1").arg(nameOf(inputs)));
+  QFont bold = m_summary->font();
+  bold.setBold(true);
+  m_summary->setFont(bold);
+  m_tabs->setObjectName(QStringLiteral("importTabs"));
+  auto* layout = new QVBoxLayout(this);
+  layout->setSpacing(10);
+  layout->addWidget(m_summary);
+  layout->addWidget(m_doubt);
+  layout->addWidget(new OptionsPanel(m_draft));
+  m_tabs->addTab(makeStructures(), tr("Structures"));
+  m_tabs->addTab(makeLeftOut(), tr("Left out"));
+  layout->addWidget(m_tabs, 1);
+  layout->addWidget(makeButtons());
+  resize(1060, 720);
+  connectDraft();
+  m_draft.begin(std::move(inputs));
+}
+
+ImportDialog::~ImportDialog() = default;
+
+QWidget* ImportDialog::makeStructures() {
+  auto* page = new QWidget;
+  auto* filter = new QLineEdit;
+  filter->setObjectName(QStringLiteral("importFilter"));
+  filter->setPlaceholderText(tr("Filter by name or file"));
+  filter->setAccessibleName(tr("Filter by name or file"));
+  filter->setClearButtonEnabled(true);
+  m_tree = new PlanTree(m_draft);
+  m_selection = new SelectionPanel(m_draft);
+  auto* layout = new QVBoxLayout(page);
+  layout->addWidget(filter);
+  layout->addWidget(m_tree, 1);
+  layout->addWidget(m_selection);
+  connect(filter, &QLineEdit::textChanged, m_tree, &PlanTree::setFilter);
+  connect(m_tree, &PlanTree::selectedNodesChanged, this, [this] {
+    const NodeIds selected = m_tree->selectedNodes();
+    m_selection->show(selected, m_tree->tree().structuresOf(selected));
+  });
+  return page;
+}
+
+QWidget* ImportDialog::makeLeftOut() {
+  m_leftOut = new QTableWidget(0, 2);
+  m_leftOut->setObjectName(QStringLiteral("leftOut"));
+  m_leftOut->setAccessibleName(tr("What is left out or mended"));
+  m_leftOut->setHorizontalHeaderLabels({tr("File"), tr("What happened, and what to do")});
+  m_leftOut->horizontalHeader()->setStretchLastSection(true);
+  m_leftOut->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  m_leftOut->verticalHeader()->hide();
+  m_leftOut->setColumnWidth(0, 240);
+  m_leftOut->setWordWrap(true);
+  m_leftOut->setSelectionBehavior(QAbstractItemView::SelectRows);
+  m_leftOut->setTabKeyNavigation(false);
+  return m_leftOut;
+}
+
+QWidget* ImportDialog::makeButtons() {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  m_state = plainLabel("importState");
+  m_state->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  m_progress = new QProgressBar;
+  m_progress->setObjectName(QStringLiteral("importProgress"));
+  m_progress->setAccessibleName(tr("Progress of reading"));
+  m_progress->setTextVisible(false);
+  m_progress->setFixedWidth(180);
+  auto* buttons = new QDialogButtonBox;
+  m_import = buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
+  m_import->setObjectName(QStringLiteral("importButton"));
+  m_import->setToolTip(tr("Opens what is listed as a scene of its own"));
+  m_import->setDefault(true);
+  m_add = buttons->addButton(tr("Add to Scene"), QDialogButtonBox::ActionRole);
+  m_add->setObjectName(QStringLiteral("addButton"));
+  m_add->setToolTip(tr("Puts what is listed below the structures of the open scene"));
+  QPushButton* cancel = buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
+  cancel->setObjectName(QStringLiteral("cancelImportButton"));
+  connect(m_import, &QPushButton::clicked, this, [this] { give(&ImportDialog::importWanted); });
+  connect(m_add, &QPushButton::clicked, this, [this] { give(&ImportDialog::addWanted); });
+  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+  layout->addWidget(m_progress);
+  layout->addWidget(m_state, 1);
+  layout->addWidget(buttons);
+  return row;
+}
+
+void ImportDialog::connectDraft() {
+  connect(&m_draft, &ImportDraft::planningBegan, this, [this] {
+    m_failure.clear();
+    m_progress->setRange(0, 0);
+    m_state->setText(tr("Reading…"));
+    showState();
+  });
+  connect(&m_draft, &ImportDraft::progressed, this, [this](double done, const QString& what) {
+    m_progress->setRange(0, 1000);
+    m_progress->setValue(int(1000.0 * done));
+    m_state->setText(what);
+  });
+  connect(&m_draft, &ImportDraft::planned, this, [this] {
+    showPlan();
+    showLeftOut();
+    showState();
+  });
+  connect(&m_draft, &ImportDraft::chosen, this, [this] {
+    showPlan();
+    showState();
+  });
+  connect(&m_draft, &ImportDraft::failed, this, [this](const Error& error) {
+    m_failure = QString::fromStdString(error.text());
+    showPlan();
+    showState();
+  });
+}
+
+void ImportDialog::showState() {
+  const bool planning = m_draft.planning();
+  const Status checked = model::checkChoices(m_draft.plan());
+  m_progress->setVisible(planning);
+  if (!planning)
+    m_state->setText(m_draft.plan().read && !checked.ok()
+                         ? QString::fromStdString(checked.error().text())
+                         : QString());
+  const bool able = m_draft.ready() && checked.ok() && m_failure.isEmpty();
+  m_import->setEnabled(able);
+  m_add->setEnabled(able && m_intoScene);
+}
+
+void ImportDialog::showPlan() {
+  const model::ImportPlan& plan = m_draft.plan();
+  QStringList doubts;
+  if (!m_failure.isEmpty())
+    doubts << m_failure;
+  if (plan.read) {
+    m_summary->setText(summaryText(plan, m_draft.figures()));
+    doubts << sideDoubt(plan, m_draft.figures()) << sizeDoubt(plan, m_draft.figures());
+    doubts.removeAll(QString());
+  }
+  m_doubt->setStyleSheet(dress(palette(), !m_failure.isEmpty()));
+  m_doubt->setText(doubts.join(QLatin1Char('\n')));
+  m_doubt->setVisible(!doubts.isEmpty());
+}
+
+void ImportDialog::showLeftOut() {
+  const model::ImportReport& report = m_draft.plan().report;
+  m_leftOut->setRowCount(0);
+  m_leftOut->setRowCount(int(report.warnings.size() + report.notes.size()));
+  int row = 0;
+  for (const model::ImportWarning& warning : report.warnings) {
+    m_leftOut->setItem(row, 0, cell(warning.file));
+    m_leftOut->setItem(row++, 1, cell(warning.reason));
+  }
+  for (const std::string& note : report.notes)
+    m_leftOut->setItem(row++, 1, cell(note));
+  constexpr int fewEnough = 200;  // each row's height is measured
+  if (row <= fewEnough)
+    m_leftOut->resizeRowsToContents();
+  m_tabs->setTabText(1, row == 0 ? tr("Left out or mended")
+                                 : tr("Left out or mended (%1)").arg(QLocale().toString(row)));
+}
+
+void ImportDialog::give(void (ImportDialog::*wanted)(const model::ImportPlan&)) {
+  const model::ImportPlan plan = m_draft.plan();
+  accept();
+  emit(this->*wanted)(plan);
+}
+
+}  // namespace sline::widgets

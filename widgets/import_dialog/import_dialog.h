@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QDialog>
+
+#include "widgets/import_dialog/import_draft.h"
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QTableWidget;
+class QTabWidget;
+
+namespace sline::widgets {
+
+class PlanTree;
+class SelectionPanel;
+
+/// Shows what an import would do and lets it be changed: frame and unit, and of each structure
+/// whether it comes, its name, colour, smoothing and decimation. What is left out is told with the
+/// reason. Reads in the background as soon as it is made; the scene is not touched.
+class ImportDialog : public QDialog {
+  Q_OBJECT
+ public:
+  /// `intoScene`: there is an open scene to add to.
+  ImportDialog(std::vector<std::filesystem::path> inputs, bool intoScene,
+               QWidget* parent = nullptr);
+  ~ImportDialog() override;
+
+  ImportDraft& draft() { return m_draft; }
+
+ signals:
+  /// The dialog has closed itself; the plan is to become a document of its own, or part of the
+  /// open one.
+  void importWanted(const sline::model::ImportPlan& plan);
+  void addWanted(const sline::model::ImportPlan& plan);
+
+ private:
+  QWidget* makeStructures();
+  QWidget* makeLeftOut();
+  QWidget* makeButtons();
+  void connectDraft();
+  void showState();
+  void showPlan();
+  void showLeftOut();
+  void give(void (ImportDialog::*wanted)(const model::ImportPlan&));
+
+  ImportDraft m_draft;
+  bool m_intoScene;
+  QString m_failure;
+  QLabel* m_summary;
+  QLabel* m_doubt;
+  QTabWidget* m_tabs;
+  PlanTree* m_tree = nullptr;
+  SelectionPanel* m_selection = nullptr;
+  QTableWidget* m_leftOut = nullptr;
+  QLabel* m_state = nullptr;
+  QProgressBar* m_progress = nullptr;
+  QPushButton* m_import = nullptr;
+  QPushButton* m_add = nullptr;
+};
+
+}  // namespace sline::widgets

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/import_dialog/plan_figures.h"
+
+#include <algorithm>
+#include <set>
+
+#include "model/import/laterality.h"
+#include "model/import/read_inputs.h"
+
+namespace sline::widgets {
+
+namespace {
+
+void add(StructureFigures& to, const StructureFigures& more) {
+  to.triangles += more.triangles;
+  to.structures += more.structures;
+  to.box.add(more.box);
+}
+
+void compareSides(const model::ImportPlan& plan, PlanFigures& figures) {
+  std::vector<model::NamedPlace> places;
+  std::vector<model::NodeId> ids;
+  for (const auto& [id, part] : plan.parts) {
+    const model::Node& node = *plan.scene.find(id);
+    // Coordinates left as they are have no sides.
+    if (node.provenance.frame == model::frameName(model::Frame::file))
+      continue;
+    places.push_back({node.name, figures.nodes[id.value].box.centre().x});
+    ids.push_back(id);
+  }
+  for (const std::size_t i : model::onTheOtherSide(places)) {
+    figures.otherSide.push_back(ids[i]);
+    figures.nodes[ids[i].value].otherSide = true;
+  }
+  const model::FrameVote vote = model::voteOnFrame(places);
+  figures.sidesAgree = vote.lps;
+}
+
+}  // namespace
+
+PlanFigures figuresOf(const model::ImportPlan& plan) {
+  PlanFigures figures;
+  const std::vector<model::Node>& nodes = plan.scene.nodes();
+  // Children first, so that a group is whole when it is handed up.
+  for (std::size_t i = nodes.size(); i-- > 0;) {
+    const model::Node& node = nodes[i];
+    StructureFigures& own = figures.nodes[node.id.value];
+    if (!node.isGroup())
+      own = {.triangles = node.mesh->triangleCount(), .structures = 1, .box = node.mesh->bounds()};
+    const StructureFigures whole = own;
+    add(node.parent == model::rootId ? figures.all : figures.nodes[node.parent.value], whole);
+  }
+  compareSides(plan, figures);
+  if (!plan.read)
+    return figures;
+  std::set<const void*> entries;
+  std::size_t molecules = 0;
+  for (const model::Part& part : plan.read->parts)
+    if (part.raw.molecule) {
+      ++molecules;
+      entries.insert(part.raw.molecule->backbone.get());
+    }
+  figures.molecules = molecules > 0 && molecules == plan.read->parts.size();
+  figures.entries = int(entries.size());
+  return figures;
+}
+
+float extent(const model::Box& box) {
+  if (box.empty())
+    return 0.0f;
+  const glm::vec3 size = box.size();
+  return std::max({size.x, size.y, size.z});
+}
+
+}  // namespace sline::widgets

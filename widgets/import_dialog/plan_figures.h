@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the dialog tells of a plan's surfaces, worked out once for each plan and off the window's
+// thread: it looks at every structure.
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "model/import/plan.h"
+
+namespace sline::widgets {
+
+struct StructureFigures {
+  std::size_t triangles = 0;  ///< of a group: of all below it
+  std::size_t structures = 0;
+  model::Box box;          ///< millimetres
+  bool otherSide = false;  ///< its name says left and it lies right, or the other way round
+};
+
+struct PlanFigures {
+  StructureFigures all;
+  std::unordered_map<std::uint64_t, StructureFigures> nodes;  ///< by NodeId::value, groups too
+  std::vector<model::NodeId> otherSide;
+  int sidesAgree = 0;      ///< names that say the side they are on
+  bool molecules = false;  ///< nothing but molecules: 1 mm stands for 1 Å
+  int entries = 0;         ///< molecules that could be laid over each other
+};
+
+PlanFigures figuresOf(const model::ImportPlan& plan);
+
+/// The longest side of the box; 0 where it is empty.
+float extent(const model::Box& box);
+
+}  // namespace sline::widgets

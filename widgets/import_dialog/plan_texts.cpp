@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/import_dialog/plan_texts.h"
+
+#include <QLocale>
+#include <algorithm>
+#include <map>
+
+#include "widgets/import_dialog/choice_rows.h"
+#include "widgets/import_dialog/import_draft.h"
+
+namespace sline::widgets {
+
+namespace {
+
+QString number(std::size_t value) {
+  return QLocale().toString(qulonglong(value));
+}
+
+/// "LPS (vote: 20 of 22 left/right names)", or how many different answers there are.
+template <class Decide>
+QString decisions(const model::ImportPlan& plan, const Decide& decide) {
+  std::map<QString, std::size_t> answers;
+  for (const model::Node& node : plan.scene.nodes())
+    if (plan.parts.contains(node.id))
+      ++answers[decide(node.provenance)];
+  if (answers.empty())
+    return ImportDraft::tr("as the scene file has it");
+  if (answers.size() == 1)
+    return answers.begin()->first;
+  QStringList lines;
+  for (const auto& [answer, count] : answers)
+    lines << ImportDraft::tr("%1: %2").arg(number(count), answer);
+  constexpr qsizetype shown = 2;
+  const auto more = int(lines.size() - shown);
+  QString text = QStringList(lines.mid(0, shown)).join(QStringLiteral("; "));
+  if (more > 0)
+    text += ImportDraft::tr("; and %n more", nullptr, more);
+  return text;
+}
+
+QString because(const QString& answer, const std::string& reason) {
+  return reason.empty() ? answer
+                        : ImportDraft::tr("%1 – %2").arg(answer, QString::fromStdString(reason));
+}
+
+QString frameDecision(const model::Provenance& from) {
+  return because(from.frame == model::Provenance().frame ? ImportDraft::tr("unknown")
+                 : from.frame == "file"                  ? ImportDraft::tr("as in the file")
+                                                         : QString::fromStdString(from.frame),
+                 from.frameReason);
+}
+
+QString unitDecision(const model::Provenance& from) {
+  return because(unitText(from.mmPerUnit), from.unitReason);
+}
+
+/// The names of a few of them.
+QString someNames(const model::Scene& scene, const std::vector<model::NodeId>& ids) {
+  constexpr std::size_t shown = 4;
+  QStringList names;
+  for (std::size_t i = 0; i < std::min(ids.size(), shown); ++i)
+    names << ImportDraft::tr("“%1”").arg(QString::fromStdString(scene.find(ids[i])->name));
+  if (ids.size() > shown)
+    names << QStringLiteral("…");
+  return names.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+QString millimetresText(float millimetres) {
+  const QLocale locale;
+  if (millimetres >= 10.0f)
+    return locale.toString(qlonglong(millimetres + 0.5f));
+  return locale.toString(double(millimetres), 'g', 2);
+}
+
+QString boxText(const model::Box& box) {
+  if (box.empty())
+    return {};
+  const glm::vec3 size = box.size();
+  return ImportDraft::tr("%1 × %2 × %3 mm")
+      .arg(millimetresText(size.x), millimetresText(size.y), millimetresText(size.z));
+}
+
+QString summaryText(const model::ImportPlan& plan, const PlanFigures& figures) {
+  int groups = 0;
+  int structures = 0;
+  std::size_t triangles = 0;
+  int skipped = 0;
+  for (const model::Node& node : plan.scene.nodes())
+    if (node.isGroup()) {
+      ++groups;
+    } else if (plan.choiceOf(node.id).include) {
+      ++structures;
+      triangles += figures.nodes.at(node.id.value).triangles;
+    } else {
+      ++skipped;
+    }
+  QStringList parts{ImportDraft::tr("%n structures", nullptr, structures)};
+  if (groups > 0)
+    parts << ImportDraft::tr("%n groups", nullptr, groups);
+  parts << ImportDraft::tr("%1 triangles").arg(number(triangles));
+  if (skipped > 0)
+    parts << ImportDraft::tr("%n skipped", nullptr, skipped);
+  if (!figures.all.box.empty())
+    parts << boxText(figures.all.box);
+  return parts.join(QStringLiteral("  ·  "));
+}
+
+QString sizeDoubt(const model::ImportPlan& plan, const PlanFigures& figures) {
+  constexpr float smallest = 20.0f;
+  constexpr float largest = 3000.0f;
+  constexpr float likelyLow = 50.0f;
+  constexpr float likelyHigh = 2300.0f;
+  const float size = extent(figures.all.box);
+  if (figures.molecules || plan.parts.empty() || size <= 0.0f ||
+      (size >= smallest && size <= largest))
+    return {};
+  const float now = plan.scene.find(plan.parts.begin()->first)->provenance.mmPerUnit;
+  const QString whole =
+      ImportDraft::tr("Everything together is %1 mm large").arg(millimetresText(size));
+  for (const ChoiceRow<float>& row : unitRows()) {
+    const float then = size / now * row.value;
+    if (row.value != now && then >= likelyLow && then <= likelyHigh)
+      return ImportDraft::tr("%1. If the files are in %2, it is %3 mm.")
+          .arg(whole, row.text.section(QLatin1Char(' '), -1), millimetresText(then));
+  }
+  return size < smallest ? ImportDraft::tr("%1, which is small for anatomy.").arg(whole)
+                         : ImportDraft::tr("%1, which is large for anatomy.").arg(whole);
+}
+
+QString sideDoubt(const model::ImportPlan& plan, const PlanFigures& figures) {
+  if (figures.otherSide.empty())
+    return {};
+  const QString names = someNames(plan.scene, figures.otherSide);
+  const int others = int(figures.otherSide.size());
+  return figures.sidesAgree == 0
+             ? ImportDraft::tr(
+                   "Left and right look swapped: all %n structures with a side in their names lie "
+                   "on the other side (%1). Choose the other frame.",
+                   nullptr, others)
+                   .arg(names)
+             : ImportDraft::tr("%n structures lie on the other side than their names say: %1.",
+                               nullptr, others)
+                   .arg(names);
+}
+
+QString frameText(const model::ImportPlan& plan) {
+  return decisions(plan, frameDecision);
+}
+
+QString unitReasonText(const model::ImportPlan& plan) {
+  return decisions(plan, unitDecision);
+}
+
+QString detailsText(const model::ImportPlan& plan, const PlanFigures& figures, model::NodeId id) {
+  const model::Node* node = plan.scene.find(id);
+  if (!node)
+    return {};
+  const StructureFigures& of = figures.nodes.at(id.value);
+  QStringList lines;
+  const QString name = QString::fromStdString(node->name);
+  if (node->isGroup())
+    return ImportDraft::tr("%1: %2, %3 triangles, %4")
+        .arg(name, ImportDraft::tr("%n structures", nullptr, int(of.structures)),
+             number(of.triangles), boxText(of.box));
+  const model::Provenance& from = node->provenance;
+  const QString file = QString::fromStdString(from.file);
+  lines << (file.isEmpty() ? name : ImportDraft::tr("%1, from %2").arg(name, file)) +
+               QStringLiteral("  ·  ") + boxText(of.box) + QStringLiteral("  ·  ") +
+               ImportDraft::tr("%1 triangles").arg(number(of.triangles));
+  if (!plan.parts.contains(id))
+    return (lines << ImportDraft::tr("From a scene file: it keeps its place, size and triangles."))
+        .join('\n');
+  lines << ImportDraft::tr("Frame: %1").arg(frameDecision(from))
+        << ImportDraft::tr("Unit: %1").arg(unitDecision(from));
+  if (from.repairedFaces > 0)
+    lines << ImportDraft::tr("%n faces mended", nullptr, from.repairedFaces);
+  if (of.otherSide)
+    lines << ImportDraft::tr("Its name says the other side than it lies on.");
+  return lines.join(QLatin1Char('\n'));
+}
+
+}  // namespace sline::widgets

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/import_dialog/import_draft.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace sline::widgets {
+
+/// What is chosen of the selected structures, unlike the others; and why they are as they are.
+class SelectionPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit SelectionPanel(ImportDraft& draft, QWidget* parent = nullptr);
+  /// `structures` are those at or below `selected`.
+  void show(const NodeIds& selected, const NodeIds& structures);
+
+ private:
+  using Change = std::function<void(model::StructureChoice&)>;
+  QComboBox* combo(const char* name, const QString& label);
+  void connectControls();
+  void refresh();
+  void chooseColour();
+  void choose(const Change& change) { m_draft.choose(m_structures, change); }
+
+  ImportDraft& m_draft;
+  NodeIds m_selected;
+  NodeIds m_structures;
+  QLabel* m_title;
+  QCheckBox* m_include;
+  QComboBox* m_frame;
+  QComboBox* m_unit;
+  QComboBox* m_smoothing;
+  QComboBox* m_decimation;
+  QPushButton* m_colour;
+  QLabel* m_details;
+};
+
+}  // namespace sline::widgets

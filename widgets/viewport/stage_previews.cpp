@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/viewport/stage_previews.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace sline::widgets {
+
+namespace {
+
+/// Milliseconds after the last change: while something moves, small pictures can wait.
+constexpr int restAfter = 300;
+// Of structures that are shown together.
+constexpr std::size_t mostTriangles = 250'000;
+constexpr std::size_t mostStructures = 24;
+// Drawn twice as large and averaged: edges are all there is of a picture so small.
+constexpr int samples = 2;
+constexpr int mostStages = 16;
+// What is readable, in pixels of the window; a picture's own units would make hairs of lines.
+constexpr double penWidth = 1.5;
+constexpr double strokeSpacing = 3.5;
+
+/// λ in a picture of that height is this many pixels.
+double outputUnit(int height) {
+  return double(height) / 720.0;
+}
+
+std::vector<glm::vec3> somePoints(const model::Scene& subject) {
+  constexpr std::size_t enough = 4000;
+  std::vector<glm::vec3> points;
+  for (const model::Node& node : subject.nodes()) {
+    const auto positions = node.mesh->positions();
+    const std::size_t stride = std::max<std::size_t>(1, positions.size() / enough);
+    for (std::size_t i = 0; i < positions.size(); i += stride)
+      points.push_back(positions[i]);
+  }
+  return points;
+}
+
+}  // namespace
+
+model::Scene previewSubject(const model::Scene& scene, const NodeIds& ids) {
+  NodeIds structures;
+  std::size_t triangles = 0;
+  for (const model::NodeId id : ids)
+    for (const model::NodeId structure : scene.structuresBelow(id)) {
+      const model::MeshPtr& mesh = scene.find(structure)->mesh;
+      if (mesh->triangleCount() == 0 ||
+          std::find(structures.begin(), structures.end(), structure) != structures.end())
+        continue;
+      structures.push_back(structure);
+      triangles += mesh->triangleCount();
+    }
+  const auto size = [&scene](model::NodeId id) {
+    return glm::length(scene.find(id)->mesh->bounds().size());
+  };
+  if (structures.size() > mostStructures || (structures.size() > 1 && triangles > mostTriangles))
+    structures = {
+        *std::max_element(structures.begin(), structures.end(),
+                          [&size](model::NodeId a, model::NodeId b) { return size(a) < size(b); })};
+  model::Scene subject;
+  for (const model::NodeId id : structures) {
+    const model::Node& node = *scene.find(id);
+    const model::ResolvedStyle style = scene.resolve(id);
+    subject.append({.style = {.colour = style.colour,
+                              .inkColour = style.inkColour,
+                              .opacity = style.opacity,
+                              .fill = style.fill,
+                              .visible = true,
+                              .penWeight = style.penWeight,
+                              .hatchDensity = style.hatchDensity,
+                              .hatchTone = style.hatchTone},
+                    .mesh = node.mesh,
+                    .provenance = node.provenance});
+  }
+  return subject;
+}
+
+model::Scene previewScene(const model::Scene& subject, Gamma gamma, int height, double ratio) {
+  constexpr double standardPen = 2.0;  // λ
+  const double unit = outputUnit(height);
+  const double pen = penWidth * ratio * double(samples) / (standardPen * unit);
+  const double closer =
+      double(render::hatchSpacing) * unit / (strokeSpacing * ratio * double(samples));
+  model::Scene result = subject;
+  std::vector<model::Node> nodes = subject.nodes();
+  for (model::Node& node : nodes) {
+    node.style.gamma = gamma;
+    node.style.penWeight = float(pen) * node.style.penWeight.value_or(1.0f);
+    const float density = node.style.hatchDensity ? node.style.hatchDensity->value() : 1.0f;
+    node.style.hatchDensity = HatchDensity::clamped(density * float(closer * closer));
+  }
+  result.setNodes(std::move(nodes));
+  return result;
+}
+
+model::Camera previewCamera(const model::Scene& subject, const model::Camera& camera,
+                            float aspect) {
+  const model::CameraFrame frame = model::cameraFrame(camera);
+  const model::Box bounds = subject.visibleBounds();
+  model::Camera fitting = camera;
+  fitting.target = bounds.centre();
+  fitting.eye = fitting.target + 4.0f * std::max(glm::length(bounds.size()), 1e-3f) * frame.back;
+  fitting.up = frame.up;
+  return model::fitted(fitting, somePoints(subject), aspect);
+}
+
+bool StagePreviews::Key::operator==(const Key& other) const {
+  return subject == other.subject && frame.right == other.frame.right &&
+         frame.up == other.frame.up && projection == other.projection &&
+         background == other.background && keyLight == other.keyLight && size == other.size;
+}
+
+StagePreviews::StagePreviews(Session& session, Viewport& viewport, QObject* parent)
+    : QObject(parent), m_session(session), m_viewport(viewport) {
+  m_rest.setSingleShot(true);
+  m_rest.setInterval(restAfter);
+  connect(&m_rest, &QTimer::timeout, this, &StagePreviews::ask);
+  connect(&session, &Session::selectionChanged, this, &StagePreviews::restart);
+  connect(&session, &Session::documentChanged, this, &StagePreviews::restart);
+  connect(&viewport, &Viewport::cameraChanged, this, &StagePreviews::restart);
+  connect(&viewport, &Viewport::backgroundChanged, this, &StagePreviews::restart);
+  connect(&viewport, &Viewport::previewed, this, &StagePreviews::took);
+}
+
+void StagePreviews::want(std::vector<Gamma> stages, QSize size, double ratio) {
+  m_stages = std::move(stages);
+  m_size = size;
+  m_ratio = ratio;
+  restart();
+}
+
+StagePreviews::Key StagePreviews::keyNow() const {
+  return {.subject = previewSubject(m_session.scene(), m_session.selection()),
+          .frame = model::cameraFrame(m_viewport.camera()),
+          .projection = m_viewport.camera().projection,
+          .background = m_viewport.background(),
+          .keyLight = m_viewport.keyLight(),
+          .size = m_size};
+}
+
+void StagePreviews::restart() {
+  if (m_session.selection() != m_ids) {
+    m_ids = m_session.selection();
+    m_asked = {};
+    m_viewport.askPreviews({});
+    ++m_round;
+    emit cleared();
+  }
+  m_rest.start();
+}
+
+void StagePreviews::took(int id, const QImage& image) {
+  if (id / mostStages == m_round)
+    emit made(id % mostStages, image);
+}
+
+void StagePreviews::ask() {
+  Key key = keyNow();
+  if (key == m_asked || m_size.isEmpty() || key.subject.nodes().empty())
+    return;
+  const int width = samples * m_size.width();
+  const int height = samples * m_size.height();
+  PreviewRequest request;
+  ++m_round;
+  const model::Camera camera =
+      previewCamera(key.subject, m_viewport.camera(), float(width) / float(height));
+  for (std::size_t i = 0; i < m_stages.size(); ++i)
+    request.previews.push_back({.id = m_round * mostStages + int(i),
+                                .scene = previewScene(key.subject, m_stages[i], height, m_ratio),
+                                .camera = camera,
+                                .settings = {.width = width,
+                                             .height = height,
+                                             .background = key.background,
+                                             .keyLight = key.keyLight},
+                                .samples = samples});
+  m_asked = std::move(key);
+  m_viewport.askPreviews(std::move(request));
+}
+
+}  // namespace sline::widgets

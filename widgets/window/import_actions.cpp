@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/window/import_actions.h"
+
+#include <QAction>
+#include <QFileInfo>
+#include <QSettings>
+#include <algorithm>
+
+#include "model/files/scene_file.h"
+#include "widgets/preferences/preferences.h"
+#include "widgets/window/file_dialogs.h"
+#include "widgets/window/message_bar.h"
+#include "widgets/window/window_actions.h"
+
+namespace sline::widgets {
+
+namespace {
+
+constexpr const char* folderKey = "files/folder";
+constexpr const char* alwaysKey = "files/importOptions";
+
+std::vector<std::filesystem::path> pathsOf(const QStringList& texts) {
+  std::vector<std::filesystem::path> paths;
+  for (const QString& text : texts)
+    paths.emplace_back(text.toStdString());
+  return paths;
+}
+
+/// A scene file says itself how it is to be read.
+bool onlyScenes(const std::vector<std::filesystem::path>& paths) {
+  return std::all_of(paths.begin(), paths.end(),
+                     [](const std::filesystem::path& path) { return model::isSceneFile(path); });
+}
+
+}  // namespace
+
+ImportActions::ImportActions(const Parts& parts, QWidget& window)
+    : QObject(&window),
+      m_session(parts.session),
+      m_settings(parts.settings),
+      m_preferences(parts.preferences),
+      m_actions(parts.actions),
+      m_message(parts.message),
+      m_window(window) {
+  connectActions();
+  connect(&m_session, &Session::documentChanged, this, &ImportActions::updateActions);
+  connect(&m_session, &Session::remarked, this, [this] {
+    const QAction& again = m_actions[QStringLiteral("importAgain")];
+    const int opening = m_session.document().opening;
+    if (again.isEnabled() && std::exchange(m_offered, opening) != opening)
+      m_message.offer(m_actions[QStringLiteral("importAgain")]);
+  });
+  updateActions();
+}
+
+void ImportActions::connectActions() {
+  const auto on = [this](const char* id, auto function) {
+    connect(&m_actions[QLatin1String(id)], &QAction::triggered, this, function);
+  };
+  on("importFiles", [this] { choose(false); });
+  on("importFolder", [this] { choose(true); });
+  on("importAgain", [this] { show(m_session.sources()); });
+}
+
+void ImportActions::updateActions() {
+  const std::vector<std::filesystem::path> sources = m_session.sources();
+  m_actions[QStringLiteral("importAgain")].setEnabled(!sources.empty() && !onlyScenes(sources));
+}
+
+bool ImportActions::asksFor(const QStringList& paths, Qt::KeyboardModifiers keys) {
+  const std::vector<std::filesystem::path> inputs = pathsOf(paths);
+  const bool wanted =
+      keys.testFlag(Qt::ShiftModifier) || m_preferences.isOn(QLatin1String(alwaysKey));
+  if (!wanted || inputs.empty() || onlyScenes(inputs))
+    return false;
+  m_settings.setValue(QLatin1String(folderKey), QFileInfo(paths.front()).absolutePath());
+  show(inputs);
+  return true;
+}
+
+void ImportActions::choose(bool folder) {
+  const QString start = m_settings.value(QLatin1String(folderKey)).toString();
+  const auto showThese = [this](const QStringList& paths) {
+    m_settings.setValue(QLatin1String(folderKey), QFileInfo(paths.front()).absolutePath());
+    show(pathsOf(paths));
+  };
+  if (folder)
+    chooseFolder(m_window, start, showThese);
+  else
+    chooseFiles(m_window, start, showThese);
+}
+
+void ImportActions::show(std::vector<std::filesystem::path> inputs) {
+  if (m_dialog)
+    m_dialog->reject();
+  m_dialog = new ImportDialog(std::move(inputs), m_session.document().opening != 0, &m_window);
+  m_dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(m_dialog, &ImportDialog::importWanted, this, [this](const model::ImportPlan& plan) {
+    m_guard([this, plan] { carryOut(plan, false); });
+  });
+  connect(m_dialog, &ImportDialog::addWanted, this,
+          [this](const model::ImportPlan& plan) { carryOut(plan, true); });
+  m_dialog->open();
+}
+
+void ImportActions::carryOut(const model::ImportPlan& plan, bool intoScene) {
+  m_session.openMade(titleOf(plan.inputs), [plan, intoScene](const model::ImportProgress& progress,
+                                                             const std::stop_token&) {
+    Result<model::Imported> imported = model::carriedOut(plan, progress);
+    if (!imported.ok())
+      return Result<Loaded>(imported.error());
+    Loaded loaded = loadedFrom(std::move(*imported), plan.inputs);
+    loaded.added = intoScene;
+    return Result<Loaded>(std::move(loaded));
+  });
+}
+
+}  // namespace sline::widgets

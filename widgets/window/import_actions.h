@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+#include <functional>
+
+#include "widgets/import_dialog/import_dialog.h"
+#include "widgets/session/session.h"
+
+class QSettings;
+
+namespace sline::widgets {
+
+class MessageBar;
+class Preferences;
+class WindowActions;
+
+/// What the actions of import do: the dialog before an import, for those who ask for it; the offer
+/// of it after an import that left something out or had to guess.
+class ImportActions : public QObject {
+  Q_OBJECT
+ public:
+  struct Parts {
+    Session& session;
+    QSettings& settings;
+    Preferences& preferences;
+    const WindowActions& actions;
+    MessageBar& message;
+  };
+  /// Calls what it is given at once, later, or never.
+  using Guard = std::function<void(const std::function<void()>&)>;
+
+  /// All parts must outlive it. It is to be made after the message bar listens to the session, so
+  /// that its offer comes to what the bar says.
+  ImportActions(const Parts& parts, QWidget& window);
+
+  /// Who asks about unsaved changes before another document takes their place.
+  void setGuard(Guard guard) { m_guard = std::move(guard); }
+  /// Shows the dialog where Shift is held or the preferences want it always; a scene file alone is
+  /// never asked about. False: the paths are to be opened at once.
+  bool asksFor(const QStringList& paths, Qt::KeyboardModifiers keys);
+  void show(std::vector<std::filesystem::path> inputs);
+
+ private:
+  void connectActions();
+  void choose(bool folder);
+  void carryOut(const model::ImportPlan& plan, bool intoScene);
+  void updateActions();
+
+  Session& m_session;
+  QSettings& m_settings;
+  Preferences& m_preferences;
+  const WindowActions& m_actions;
+  MessageBar& m_message;
+  QWidget& m_window;
+  Guard m_guard = [](const std::function<void()>& then) { then(); };
+  QPointer<ImportDialog> m_dialog;
+  int m_offered = 0;  ///< the opening that was offered another import
+};
+
+}  // namespace sline::widgets
