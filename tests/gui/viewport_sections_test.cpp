@@ -159,8 +159,18 @@ class ViewportSectionsTest : public QObject {
     press(f, "sectionFlipOne");
     QVERIFY(f.session.scene().sections()[1].plane.normal == -normal);
     QVERIFY(f.settled());
+  }
 
-    // Another row, another section; Del in the list removes it and no structure.
+  /// Another row, another section; Del in the list removes it and no structure.
+  void theListDeletes() {
+    WindowFixture f;
+    f.window.resize(1300, 950);
+    f.control<QDockWidget>("sectionsPanel").raise();
+    QVERIFY(f.drop(m_body.path()));
+    QVERIFY(f.settled());
+    auto& list = f.control<QTreeView>("sectionList");
+    add(f, 0);
+    add(f, 2);
     const std::size_t nodes = f.session.scene().nodes().size();
     QTest::mouseClick(list.viewport(), Qt::LeftButton, {},
                       list.visualRect(list.model()->index(0, 1)).center());
@@ -173,7 +183,7 @@ class ViewportSectionsTest : public QObject {
     press(f, "sectionDelete");
     QVERIFY(f.session.scene().sections().empty());
     QVERIFY(!f.control<QToolButton>("sectionDelete").isEnabled());
-    QVERIFY(!position.isVisible());
+    QVERIFY(!f.control<QDoubleSpinBox>("sectionPosition").isVisible());
     f.session.undo();
     QCOMPARE(list.model()->rowCount(), 1);
     QVERIFY(f.settled());

@@ -70,19 +70,19 @@ std::vector<glm::vec2> withinPicture(std::vector<glm::vec2> polygon, const glm::
   return polygon;
 }
 
-bool inPicture(const std::optional<glm::vec2>& p, const glm::vec2& size) {
-  return p && p->x >= border && p->y >= border && p->x <= size.x - border &&
-         p->y <= size.y - border;
+bool inPicture(const std::optional<glm::vec2>& p, const glm::vec2& size, float by = border) {
+  return p && p->x >= by && p->y >= by && p->x <= size.x - by && p->y <= size.y - by;
 }
 
 /// Where the arrow stands: in the middle of the upper edge, or as far up as the picture reaches.
 std::optional<glm::vec2> footOf(const SectionFrame& frame, const model::Camera& camera,
                                 const glm::vec2& size) {
   constexpr int steps = 50;
+  constexpr float letters = 38.0f;  // pixels: the room of the letters at the picture's edges
   for (int i = steps; i >= -steps; --i) {
     const float part = float(i) / float(steps);
     const auto at = pixelOf(camera, frame.centre + part * frame.halfV * frame.v, size);
-    if (inPicture(at, size))
+    if (inPicture(at, size, letters))
       return at;
   }
   return std::nullopt;

@@ -50,7 +50,7 @@ class SectionHandlesTest : public QObject {
   void handlesStandOnThePlane() {
     const model::Plane plane{.normal = {1, 0, 0}, .offset = 10.0f};
     const SectionFrame frame = sectionFrame(plane, body);
-    const model::Camera c = camera(-50.0f, 15.0f);
+    const model::Camera c = zoomed(camera(-50.0f, 15.0f), {}, 0.8f);
     const auto handles = sectionHandles(frame, c, size);
     QVERIFY(handles);
     QCOMPARE(handles->outline.size(), std::size_t(4));
