@@ -64,7 +64,7 @@ Growth shellGrowth(const Relation& r) {
           .lowGamma = 0.0f,
           .highGamma = 1.0f,
           .lowPen = 0.3f,
-          .highPen = 0.75f};
+          .highPen = 0.55f};
 }
 
 Growth backdropGrowth(const Relation& r) {
@@ -74,7 +74,7 @@ Growth backdropGrowth(const Relation& r) {
           .lowGamma = 0.0f,
           .highGamma = 1.4f,
           .lowPen = 0.25f,
-          .highPen = 0.75f,
+          .highPen = 0.55f,
           .covering = 0.1f + 0.7f * clear(r)};
 }
 

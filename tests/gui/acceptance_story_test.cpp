@@ -122,8 +122,10 @@ class AcceptanceStoryTest : public QObject {
     QTRY_COMPARE(f.session.selection(), widgets::NodeIds{id});
 
     auto& slider = f.control<widgets::GammaSlider>("gammaSlider");
-    hands.drag(slider, {20, slider.height() - 40}, {20, slider.height() / 3});
-    QVERIFY(f.session.scene().resolve(id).gamma.value() > 2.5f);
+    const Gamma before = f.session.scene().resolve(id).gamma;
+    hands.drag(slider, slider.pointOf(before).toPoint(),
+               slider.pointOf(Gamma::clamped(3.5f)).toPoint());
+    QVERIFY(std::abs(f.session.scene().resolve(id).gamma.value() - 3.5f) < 0.1f);
 
     QAction& focus = *f.window.findChild<QAction*>(QStringLiteral("focus"));
     hands.click(*f.control<QToolBar>("tools").widgetForAction(&focus));
@@ -133,7 +135,7 @@ class AcceptanceStoryTest : public QObject {
     f.tree().scrollTo(f.tree().indexOf(id));
     hands.click(*f.tree().viewport(),
                 f.tree().cellOf(id, widgets::StructureTreeModel::swatch).center());
-    auto* colours = dialog<QColorDialog>();
+    auto* colours = dialog<QColorDialog>("colourDialog");
     QVERIFY(colours);
     auto* code = colours->findChild<QLineEdit*>();
     QVERIFY(code);
@@ -142,10 +144,10 @@ class AcceptanceStoryTest : public QObject {
     hands.key(*code, Qt::Key_Return);
     QTRY_COMPARE(f.session.scene().resolve(id).colour, (Colour{0xc0, 0x50, 0x30}));
 
-    const model::Camera before = f.viewport().camera();
+    const model::Camera camera = f.viewport().camera();
     const QPoint middle = f.viewport().rect().center();
     hands.drag(f.viewport(), middle, middle + QPoint(80, 30));
-    QVERIFY(!(f.viewport().camera() == before));
+    QVERIFY(!(f.viewport().camera() == camera));
   }
 
  private slots:

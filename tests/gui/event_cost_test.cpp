@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The window answers within a tenth of a second, whatever is done and however large the scene: no
 // event is more work than that for the window's thread, and none waits for the renderer.
+#include <QMessageBox>
 #include <QtTest>
 
 #include "tests/gui/event_watch.h"
@@ -164,6 +165,8 @@ class EventCostTest : public QObject {
     hands.workTheTree();
     hands.resize();
     QVERIFY(f.drop(m_body.path() + QStringLiteral("/Vessels")));
+    auto& unsaved = f.control<QMessageBox>("unsavedDialog");
+    QTest::mouseClick(unsaved.button(QMessageBox::Discard), Qt::LeftButton);
     QTRY_COMPARE(f.session.scene().structuresBelow(model::rootId).size(), std::size_t(2));
     hands.key(f.window, Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(gate->done.load(), done);

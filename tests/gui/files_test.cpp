@@ -86,18 +86,19 @@ class FilesTest : public QObject {
     QVERIFY(!f.window.isWindowModified());
     edit(f);
     QVERIFY(f.window.isWindowModified());
+    // Turning it is no edit, but where it was looked at from comes back, too.
+    dragMouse(f.viewport(), {400, 300}, {460, 330});
     QVERIFY(press(f, Qt::Key_S));  // it has no name yet
     const QString path = f.folder.filePath(QStringLiteral("mine.sline"));
     typeName(f, f.folder.filePath(QStringLiteral("mine")));
     QTRY_VERIFY(!f.window.isWindowModified());
     QVERIFY(f.window.windowTitle().startsWith(QStringLiteral("mine.sline")));
     const std::string saved = bytesOf(f.session.scene());
+    const model::Camera camera = f.viewport().camera();
     QVERIFY(bytesOf(onDisk(path)) == saved);
     const auto document = model::readSceneFile(path.toStdString());
     const QImage thumbnail = QImage::fromData(QByteArray::fromStdString(document->thumbnail));
     QVERIFY(!thumbnail.isNull() && thumbnail.width() <= 320);
-    QVERIFY(thumbnail.pixelColor(0, 0) != thumbnail.pixelColor(thumbnail.rect().center()) ||
-            thumbnail.pixelColor(0, 0).isValid());
 
     QVERIFY(press(f, Qt::Key_W));
     QVERIFY(startVisible(f));
@@ -106,6 +107,7 @@ class FilesTest : public QObject {
     QTest::mouseClick(&f.control<QWidget>("startRecent-0"), Qt::LeftButton);
     QVERIFY(f.settled());
     QVERIFY(bytesOf(f.session.scene()) == saved);
+    QVERIFY(f.viewport().camera() == camera);
     QVERIFY(!f.window.isWindowModified());
     QVERIFY(model::SceneLock::held(path.toStdString()));
   }

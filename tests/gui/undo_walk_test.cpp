@@ -260,9 +260,7 @@ void editSession(Session& session, Chance& chance, int number) {
     case 4:
       // An edit, or going back, in the midst of a drag.
       session.preview(anyEdit(session.sceneBeforePreview(), chance).scene);
-      if (chance.below(2) == 0)
-        session.apply(name, anyEdit(session.scene(), chance));
-      else
+      if (chance.below(2) == 0 || !session.apply(name, anyEdit(session.scene(), chance)))
         session.cancelPreview();
       break;
     default:

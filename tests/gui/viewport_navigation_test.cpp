@@ -101,7 +101,8 @@ class ViewportNavigationTest : public QObject {
     const QRect area = kidney(f);
     const QRect picture = f.viewport().rect();
     QVERIFY(picture.contains(area));
-    QVERIFY(area.width() > 0.8 * std::min(picture.width(), picture.height()));
+    // Its box fills nine tenths, whose near side is larger than the ball.
+    QVERIFY(area.width() > 0.6 * std::min(picture.width(), picture.height()));
     QVERIFY((area.center() - picture.center()).manhattanLength() < 20);
     QVERIFY(glm::length(f.viewport().pivot() - glm::vec3(60, 0, 0)) < 1.0f);
     QTest::keyClick(&f.window, Qt::Key_Home);

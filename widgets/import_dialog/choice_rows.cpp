@@ -24,9 +24,8 @@ std::vector<ChoiceRow<float>> unitRows() {
 
 std::vector<ChoiceRow<model::Smoothing>> smoothingRows() {
   using Mode = model::Smoothing::Mode;
-  std::vector<ChoiceRow<model::Smoothing>> rows{
-      {"auto", ImportDraft::tr("Where it shows steps"), {}},
-      {"off", ImportDraft::tr("Off"), {Mode::off, 0}}};
+  std::vector<ChoiceRow<model::Smoothing>> rows{{"auto", ImportDraft::tr("Automatic"), {}},
+                                                {"off", ImportDraft::tr("Off"), {Mode::off, 0}}};
   constexpr std::pair<const char*, int> strengths[] = {
       {"5", 5}, {"10", 10}, {"20", 20}, {"50", 50}, {"100", 100}};
   for (const auto& [id, steps] : strengths)

@@ -80,6 +80,7 @@ ImportDialog::ImportDialog(std::vector<std::filesystem::path> inputs, bool intoS
   layout->addWidget(new OptionsPanel(m_draft));
   m_tabs->addTab(makeStructures(), tr("Structures"));
   m_tabs->addTab(makeLeftOut(), tr("Left out"));
+  connect(m_tabs, &QTabWidget::currentChanged, this, &ImportDialog::fitRows);
   layout->addWidget(m_tabs, 1);
   layout->addWidget(makeButtons());
   resize(1060, 720);
@@ -160,6 +161,7 @@ void ImportDialog::connectDraft() {
     m_failure.clear();
     m_progress->setRange(0, 0);
     m_state->setText(tr("Reading…"));
+    showPlan();
     showState();
   });
   connect(&m_draft, &ImportDraft::progressed, this, [this](double done, const QString& what) {
@@ -201,7 +203,9 @@ void ImportDialog::showPlan() {
   QStringList doubts;
   if (!m_failure.isEmpty())
     doubts << m_failure;
-  if (plan.read) {
+  if (!plan.read) {
+    m_summary->setText(m_failure.isEmpty() ? tr("Reading…") : tr("Nothing can be imported"));
+  } else {
     m_summary->setText(summaryText(plan, m_draft.figures()));
     doubts << sideDoubt(plan, m_draft.figures()) << sizeDoubt(plan, m_draft.figures());
     doubts.removeAll(QString());
@@ -222,11 +226,15 @@ void ImportDialog::showLeftOut() {
   }
   for (const std::string& note : report.notes)
     m_leftOut->setItem(row++, 1, cell(note));
-  constexpr int fewEnough = 200;  // each row's height is measured
-  if (row <= fewEnough)
-    m_leftOut->resizeRowsToContents();
+  fitRows();
   m_tabs->setTabText(1, row == 0 ? tr("Left out or mended")
                                  : tr("Left out or mended (%1)").arg(QLocale().toString(row)));
+}
+
+void ImportDialog::fitRows() {
+  constexpr int fewEnough = 200;  // the height of each is measured
+  if (m_leftOut->isVisible() && m_leftOut->rowCount() <= fewEnough)
+    m_leftOut->resizeRowsToContents();
 }
 
 void ImportDialog::give(void (ImportDialog::*wanted)(const model::ImportPlan&)) {

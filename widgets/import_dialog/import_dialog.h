@@ -43,6 +43,7 @@ class ImportDialog : public QDialog {
   void showState();
   void showPlan();
   void showLeftOut();
+  void fitRows();
   void give(void (ImportDialog::*wanted)(const model::ImportPlan&));
 
   ImportDraft m_draft;

@@ -29,6 +29,9 @@ OptionsPanel::OptionsPanel(ImportDraft& draft, QWidget* parent)
   addChoices(*m_frame, found, frameRows());
   addChoices(*m_unit, found, unitRows());
   addChoices(*m_smoothing, QString(), smoothingRows());
+  m_smoothing->setToolTip(
+      tr("Automatic: takes away the steps of label maps, and refines what is too "
+         "coarse to draw; steps: so much everywhere"));
   m_decimation->setObjectName(QStringLiteral("importDecimation"));
   m_decimation->setRange(0.0, 100.0);
   m_decimation->setDecimals(2);
@@ -134,7 +137,8 @@ void OptionsPanel::refresh() {
     return;
   for (const auto& [label, text] :
        {std::pair(m_frameReason, frameText(plan)), std::pair(m_unitReason, unitReasonText(plan))}) {
-    label->setText(text);
+    constexpr int widest = 680;  // of a dialog as it opens; the tip has all of it
+    label->setText(label->fontMetrics().elidedText(text, Qt::ElideRight, widest));
     label->setToolTip(text.toHtmlEscaped());
   }
 }

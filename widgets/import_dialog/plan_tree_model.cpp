@@ -181,6 +181,8 @@ QVariant PlanTreeModel::sortKey(const model::Node& node, int column) const {
 QVariant PlanTreeModel::decoration(const model::Node& node) const {
   const model::StructureChoice choice = m_draft.plan().choiceOf(node.id);
   const std::optional<Colour> own = choice.colour ? choice.colour : node.style.colour;
+  if (!own && node.isGroup())
+    return {};  // its structures differ
   const Colour c = own ? *own : m_draft.plan().scene.resolve(node.id).colour;
   return QColor(c.red, c.green, c.blue);
 }

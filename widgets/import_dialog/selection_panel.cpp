@@ -69,10 +69,10 @@ SelectionPanel::SelectionPanel(ImportDraft& draft, QWidget* parent)
   m_details->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   m_details->setMinimumHeight(4 * m_details->fontMetrics().lineSpacing());
   grid->addWidget(m_title, 0, 0, 1, 8);
-  m_frame = combo("selectionFrame", tr("&Frame"));
-  m_unit = combo("selectionUnit", tr("&Unit"));
-  m_smoothing = combo("selectionSmoothing", tr("&Smoothing"));
-  m_decimation = combo("selectionDecimation", tr("Fewer &triangles"));
+  m_frame = combo("selectionFrame", tr("&Frame"), 24);
+  m_unit = combo("selectionUnit", tr("&Unit"), 14);
+  m_smoothing = combo("selectionSmoothing", tr("&Smoothing"), 12);
+  m_decimation = combo("selectionDecimation", tr("Fewer &triangles"), 12);
   grid->addWidget(m_include, 2, 4);
   grid->addWidget(m_colour, 2, 5);
   grid->setColumnStretch(6, 1);
@@ -88,12 +88,12 @@ SelectionPanel::SelectionPanel(ImportDraft& draft, QWidget* parent)
   refresh();
 }
 
-QComboBox* SelectionPanel::combo(const char* name, const QString& label) {
+QComboBox* SelectionPanel::combo(const char* name, const QString& label, int letters) {
   auto* box = new QComboBox;
   box->setObjectName(QLatin1String(name));
   box->setPlaceholderText(tr("Different"));
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  box->setMinimumContentsLength(14);
+  box->setMinimumContentsLength(letters);
   auto* caption = new QLabel(label);
   caption->setBuddy(box);
   auto* grid = static_cast<QGridLayout*>(layout());
@@ -146,13 +146,16 @@ void SelectionPanel::refresh() {
     control->setEnabled(any);
   for (QComboBox* box : {m_frame, m_unit, m_smoothing, m_decimation})
     box->setEnabled(read);
-  m_title->setText(any ? tr("For the selected %n structures", nullptr, int(m_structures.size()))
-                       : tr("Select structures to treat them unlike the others"));
+  m_title->setText(titleText());
   m_details->setText(m_selected.size() == 1
                          ? detailsText(plan, m_draft.figures(), m_selected.front())
                          : QString());
-  if (!any)
+  if (!any) {
+    for (QComboBox* box : {m_frame, m_unit, m_smoothing, m_decimation})
+      box->setCurrentIndex(0);
+    m_include->setCheckState(Qt::Unchecked);
     return;
+  }
   const auto wanted = std::count_if(m_structures.begin(), m_structures.end(),
                                     [&](auto id) { return plan.choiceOf(id).include; });
   const QSignalBlocker quiet(*m_include);
@@ -164,6 +167,17 @@ void SelectionPanel::refresh() {
   showCommon(*m_unit, common(plan, m_structures, &Choice::unit), unitRows());
   showCommon(*m_smoothing, common(plan, m_structures, &Choice::smoothing), smoothingRows());
   showCommon(*m_decimation, common(plan, m_structures, &Choice::decimateMm), decimationRows());
+}
+
+QString SelectionPanel::titleText() const {
+  if (m_structures.empty())
+    return tr("Select structures to treat them unlike the others");
+  if (m_structures.size() > 1)
+    return tr("For the selected %n structures", nullptr, int(m_structures.size()));
+  const model::ImportPlan& plan = m_draft.plan();
+  const model::NodeId only = m_structures.front();
+  return tr("For “%1”")
+      .arg(QString::fromStdString(plan.choiceOf(only).name.value_or(plan.scene.find(only)->name)));
 }
 
 void SelectionPanel::chooseColour() {

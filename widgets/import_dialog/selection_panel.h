@@ -22,9 +22,11 @@ class SelectionPanel : public QWidget {
 
  private:
   using Change = std::function<void(model::StructureChoice&)>;
-  QComboBox* combo(const char* name, const QString& label);
+  /// At least as wide as so many letters.
+  QComboBox* combo(const char* name, const QString& label, int letters);
   void connectControls();
   void refresh();
+  QString titleText() const;
   void chooseColour();
   void choose(const Change& change) { m_draft.choose(m_structures, change); }
 

@@ -24,7 +24,7 @@ model::Section newSection(const model::Scene& scene, const model::Camera& camera
                           const SectionWish& wish);
 /// The node that holds all of them: the one, or the nearest group above all; the root for none.
 model::NodeId commonNode(const model::Scene& scene, const NodeIds& ids);
-/// What a section cuts, for people.
+/// What a section cuts, for people; plain text.
 QString scopeText(Session& session, model::NodeId scope);
 
 }  // namespace sline::widgets

@@ -173,7 +173,6 @@ bool SectionsPanel::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void SectionsPanel::listScopes(const model::Section& section) {
-  const model::Scene& scene = m_session.scene();
   m_scope->clear();
   const auto add = [&](model::NodeId id, const QString& text) {
     if (m_scope->findData(qulonglong(id.value)) < 0)
@@ -181,7 +180,7 @@ void SectionsPanel::listScopes(const model::Section& section) {
   };
   add(model::rootId, scopeText(m_session, model::rootId));
   add(section.scope, scopeText(m_session, section.scope));
-  const model::NodeId selected = commonNode(scene, m_session.selection());
+  const model::NodeId selected = commonNode(m_session.scene(), m_session.selection());
   if (selected != model::rootId)
     add(selected, tr("Selected: %1").arg(scopeText(m_session, selected)));
   m_scope->setCurrentIndex(m_scope->findData(qulonglong(section.scope.value)));

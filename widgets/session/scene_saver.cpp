@@ -2,6 +2,7 @@
 #include "widgets/session/scene_saver.h"
 
 #include <QBuffer>
+#include <algorithm>
 #include <exception>
 #include <new>
 
@@ -12,7 +13,7 @@ struct SceneSaver::Order {
   As as = As::document;
   int opening = 0;
   DocumentFile file;  ///< of the document when it was asked for; `saved` is what to write
-  QImage picture;
+  Companions companions;
 };
 
 struct SceneSaver::Outcome {
@@ -37,6 +38,20 @@ std::shared_ptr<const std::string> pngOf(const QImage& picture) {
   return std::make_shared<const std::string>(bytes.toStdString());
 }
 
+using Members = std::vector<model::ZipMember>;
+
+/// In the order of names, as they are read again.
+std::shared_ptr<const Members> withMember(const std::shared_ptr<const Members>& before,
+                                          const model::ZipMember& member) {
+  Members members = before ? *before : Members();
+  std::erase_if(members, [&](const model::ZipMember& each) { return each.name == member.name; });
+  const auto place = std::lower_bound(
+      members.begin(), members.end(), member.name,
+      [](const model::ZipMember& each, const std::string& name) { return each.name < name; });
+  members.insert(place, member);
+  return std::make_shared<const Members>(std::move(members));
+}
+
 Error notSaved(const std::filesystem::path& file, const std::string& reason) {
   return {.file = file.string(), .reason = reason, .remedy = "Save under another name"};
 }
@@ -45,12 +60,12 @@ Error notSaved(const std::filesystem::path& file, const std::string& reason) {
 
 SceneSaver::SceneSaver(Session& session, QObject* parent) : QObject(parent), m_session(session) {}
 
-void SceneSaver::save(const std::filesystem::path& file, As as, const QImage& picture) {
+void SceneSaver::save(const std::filesystem::path& file, As as, const Companions& companions) {
   Order order{.path = file,
               .as = as,
               .opening = m_session.document().opening,
               .file = m_session.file(),
-              .picture = picture};
+              .companions = companions};
   order.file.saved = m_session.sceneBeforePreview();
   emit started(QString::fromStdString(file.filename().string()));
   m_queue.add([this, order = std::move(order)](const std::stop_token&) -> BackgroundQueue::Sequel {
@@ -68,8 +83,10 @@ void SceneSaver::save(const std::filesystem::path& file, As as, const QImage& pi
 SceneSaver::Outcome SceneSaver::carryOut(const Order& order) {
   Outcome outcome{.error = {}, .file = order.file};
   DocumentFile& file = outcome.file;
-  if (!order.picture.isNull())
-    file.thumbnail = pngOf(order.picture);
+  if (!order.companions.picture.isNull())
+    file.thumbnail = pngOf(order.companions.picture);
+  if (order.companions.member)
+    file.others = withMember(file.others, *order.companions.member);
   Written& before = m_written[order.path];
   if (!file.lock || !isLockOf(*file.lock, order.path))
     file.lock = before.lock.lock();

@@ -14,6 +14,11 @@ namespace sline::widgets {
 class SceneSaver : public QObject {
   Q_OBJECT
  public:
+  /// What goes along in the file. What is absent stays as it was there.
+  struct Companions {
+    QImage picture;  ///< made small
+    std::optional<model::ZipMember> member;
+  };
   enum class As {
     document,  ///< the document goes by this file from then on
     copy       ///< it goes by the file that it had
@@ -22,8 +27,8 @@ class SceneSaver : public QObject {
   explicit SceneSaver(Session& session, QObject* parent = nullptr);
 
   /// Writes the document as it is now, without a drag that is under way. One that comes while
-  /// another is written waits. The picture goes along as a small one; none: that of before stays.
-  void save(const std::filesystem::path& file, As as, const QImage& picture = {});
+  /// another is written waits.
+  void save(const std::filesystem::path& file, As as, const Companions& companions = {});
   bool busy() const { return m_queue.busy(); }
 
  signals:

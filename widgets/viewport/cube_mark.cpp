@@ -23,11 +23,21 @@ QPolygonF polygon(const std::array<glm::vec2, 4>& corners) {
 
 CubeMark::CubeMark(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("orientationCube"));
-  setAccessibleName(tr("Orientation cube"));
-  setAccessibleDescription(tr("The keys A, P, L, R, S and I look from the same sides."));
+  name();
   setMouseTracking(true);
   resize(sizeHint());
   m_faces = cubeFaces(m_camera, half());
+}
+
+void CubeMark::name() {
+  setAccessibleName(tr("Orientation cube"));
+  setAccessibleDescription(tr("The keys A, P, L, R, S and I look from the same sides."));
+}
+
+void CubeMark::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::LanguageChange)
+    name();
 }
 
 QSize CubeMark::sizeHint() const {

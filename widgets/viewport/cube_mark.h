@@ -34,9 +34,11 @@ class CubeMark : public QWidget {
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void leaveEvent(QEvent* event) override;
+  void changeEvent(QEvent* event) override;
 
  private:
   float half() const;
+  void name();
   std::optional<CubePart> partAt(const QPointF& at) const;
   void mark(std::optional<CubePart> part);
   void paintFace(QPainter& painter, const CubeFace& face) const;

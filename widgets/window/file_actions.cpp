@@ -6,14 +6,17 @@
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMenu>
+#include <QProgressBar>
 #include <QSettings>
 #include <QStatusBar>
 
 #include "widgets/preferences/preferences.h"
 #include "widgets/session/demo_scenes.h"
 #include "widgets/start/recovery_dialog.h"
+#include "widgets/viewport/viewport.h"
 #include "widgets/window/file_dialogs.h"
 #include "widgets/window/message_bar.h"
+#include "widgets/window/saved_camera.h"
 #include "widgets/window/window_actions.h"
 
 namespace sline::widgets {
@@ -40,6 +43,7 @@ FileActions::FileActions(const Parts& parts, QMainWindow& window)
       m_preferences(parts.preferences),
       m_actions(parts.actions),
       m_message(parts.message),
+      m_viewport(parts.viewport),
       m_window(window),
       m_recent(parts.settings),
       m_saver(parts.session),
@@ -49,6 +53,8 @@ FileActions::FileActions(const Parts& parts, QMainWindow& window)
   connect(&m_session, &Session::fileChanged, this, &FileActions::fileChange);
   connect(&m_session, &Session::opened, this,
           [this](const std::vector<std::filesystem::path>& paths) {
+            if (const auto camera = cameraIn(m_session.file()))
+              m_viewport.setCamera(*camera);
             if (paths.size() == 1)
               m_recent.add(textOf(paths.front()));
           });
@@ -64,6 +70,10 @@ FileActions::FileActions(const Parts& parts, QMainWindow& window)
       m_recoverable = found;
       m_actions[QStringLiteral("recover")].setEnabled(!found.empty());
       emit recoverableChanged();
+      // On the start page it is seen anyway.
+      const bool elsewhere = m_session.document().opening != 0 || m_session.busy();
+      if (elsewhere && !found.empty())
+        offerRecovery();
     };
   });
 }
@@ -101,6 +111,14 @@ void FileActions::controlsRemade() {
 void FileActions::connectSaver() {
   connect(&m_saver, &SceneSaver::started, this, [this](const QString& name) {
     m_window.statusBar()->showMessage(tr("Saving %1…").arg(name));
+    if (m_saving)
+      return;
+    m_saving = new QProgressBar;
+    m_saving->setObjectName(QStringLiteral("saveProgress"));
+    m_saving->setAccessibleName(tr("Saving %1…").arg(name));
+    m_saving->setRange(0, 0);  // how long a disk takes nobody knows
+    m_saving->setFixedWidth(120);
+    m_window.statusBar()->addPermanentWidget(m_saving);
   });
   connect(&m_saver, &SceneSaver::failed, this, [this](const Error& error) {
     m_afterSaving = nullptr;
@@ -116,6 +134,7 @@ void FileActions::connectSaver() {
               m_recent.add(textOf(file));
           });
   connect(&m_saver, &SceneSaver::ended, this, [this] {
+    delete m_saving;
     // What was edited while it was written is asked about again.
     if (const auto then = std::exchange(m_afterSaving, nullptr))
       whenSafe(then);
@@ -222,7 +241,8 @@ void FileActions::saveAs(SceneSaver::As as) {
 
 void FileActions::saveTo(const QString& path, SceneSaver::As as) {
   m_settings.setValue(QLatin1String(folderKey), QFileInfo(path).absolutePath());
-  m_saver.save(pathOf(path), as, m_picture ? m_picture() : QImage());
+  m_saver.save(pathOf(path), as,
+               {.picture = m_viewport.grabFramebuffer(), .member = memberFor(m_viewport.camera())});
 }
 
 void FileActions::fileChange() {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QImage>
 #include <QObject>
+#include <QPointer>
 #include <functional>
 
 #include "model/files/autosave.h"
@@ -13,12 +13,14 @@
 
 class QMainWindow;
 class QMenu;
+class QProgressBar;
 class QSettings;
 
 namespace sline::widgets {
 
 class MessageBar;
 class Preferences;
+class Viewport;
 class WindowActions;
 struct DemoScene;
 
@@ -36,6 +38,7 @@ class FileActions : public QObject {
     Preferences& preferences;
     const WindowActions& actions;
     MessageBar& message;
+    Viewport& viewport;
   };
   /// All parts must outlive it.
   FileActions(const Parts& parts, QMainWindow& window);
@@ -43,8 +46,6 @@ class FileActions : public QObject {
   /// The window's actions and menus are others now.
   void controlsRemade();
 
-  /// What is on screen, for the small picture in scene files; until it is said they keep theirs.
-  void setPicture(std::function<QImage()> picture) { m_picture = std::move(picture); }
   /// Who decides what becomes of files that are dropped or chosen where there may be a choice; a
   /// scene file alone is opened, and so is everything until it is said.
   void setDropHandler(PathsHandler handler) { m_dropHandler = std::move(handler); }
@@ -88,16 +89,17 @@ class FileActions : public QObject {
   Preferences& m_preferences;
   const WindowActions& m_actions;
   MessageBar& m_message;
+  Viewport& m_viewport;
   QMainWindow& m_window;
   RecentFiles m_recent;
   SceneSaver m_saver;
   Autosaver m_autosaver;
   BackgroundQueue m_seeker;
   std::vector<model::Recoverable> m_recoverable;
-  std::function<QImage()> m_picture;
   PathsHandler m_dropHandler;
   std::function<void()> m_afterSaving;
-  bool m_closing = false;  ///< asked, and answered
+  QPointer<QProgressBar> m_saving;  ///< in the status bar, while something is written
+  bool m_closing = false;           ///< asked, and answered
 };
 
 }  // namespace sline::widgets

@@ -278,9 +278,9 @@ void MainWindow::makeFiles() {
                              .settings = m_settings,
                              .preferences = m_preferences,
                              .actions = m_actions,
-                             .message = *m_message},
+                             .message = *m_message,
+                             .viewport = *m_viewport},
                             *this);
-  m_files->setPicture([this] { return m_viewport->grabFramebuffer(); });
 }
 
 void MainWindow::makeStart() {

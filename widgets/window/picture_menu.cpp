@@ -32,10 +32,9 @@ PictureMenu::PictureMenu(Session& session, Viewport& viewport, SectionActions& s
 void PictureMenu::addStructure(QMenu& menu, const std::optional<Pick>& pick) {
   const model::Node* first = m_session.scene().find(m_session.selection().front());
   const int others = int(m_session.selection().size()) - 1;
-  QAction* heading = menu.addAction(
-      others > 0
-          ? tr("%1 and %n more", nullptr, others).arg(plain(m_session.names().shown(first->name)))
-          : plain(m_session.names().shown(first->name)));
+  const QString name = plain(m_session.names().shown(first->name));
+  QAction* heading =
+      menu.addAction(others > 0 ? tr("%1 and %n more", nullptr, others).arg(name) : name);
   heading->setEnabled(false);
   menu.addSeparator();
   menu.addActions(m_menus[QStringLiteral("structureMenu")].actions());

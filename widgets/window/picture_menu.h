@@ -10,7 +10,6 @@
 #include "widgets/window/menu_table.h"
 
 class QMenu;
-class QWidget;
 
 namespace sline::widgets {
 

@@ -86,8 +86,9 @@ class NewSectionTest : public QObject {
     QVERIFY(section.scope == group);
     QCOMPARE(std::abs(section.plane.offset), 10.0f);  // the middle of the kidneys
     Session session;
-    QVERIFY(session.apply("kidneys", {scene, true}));
+    session.apply("body", {scene, true});
     QCOMPARE(scopeText(session, section.scope), QStringLiteral("kidneys"));
+    QCOMPARE(scopeText(session, model::rootId), QStringLiteral("Whole scene"));
   }
 
   void positions_data() {
@@ -121,5 +122,5 @@ class NewSectionTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(NewSectionTest)
+QTEST_GUILESS_MAIN(NewSectionTest)
 #include "new_section_test.moc"
