@@ -1962,6 +1962,10 @@ OpenGL: %3</translation>
         <source>Left out or mended (%1)</source>
         <translation>Weggelassen oder ausgebessert (%1)</translation>
     </message>
+    <message>
+        <source>Nothing can be imported</source>
+        <translation>Es gibt nichts zu importieren</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ImportDraft</name>
@@ -2000,10 +2004,6 @@ OpenGL: %3</translation>
     <message>
         <source>Å – ångström</source>
         <translation>Å – Ångström</translation>
-    </message>
-    <message>
-        <source>Where it shows steps</source>
-        <translation>Wo Stufen zu sehen sind</translation>
     </message>
     <message>
         <source>Off</source>
@@ -2160,6 +2160,10 @@ OpenGL: %3</translation>
     <message>
         <source>Its name says the other side than it lies on.</source>
         <translation>Ihr Name sagt die andere Seite als die, auf der sie liegt.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
     </message>
 </context>
 <context>
@@ -2322,6 +2326,10 @@ OpenGL: %3</translation>
     <message>
         <source>S&amp;moothing</source>
         <translation>&amp;Glättung</translation>
+    </message>
+    <message>
+        <source>Automatic: takes away the steps of label maps, and refines what is too coarse to draw; steps: so much everywhere</source>
+        <translation>Automatisch: nimmt Labelkarten die Stufen und verfeinert, was zum Zeichnen zu grob ist; Schritte: überall so viel</translation>
     </message>
 </context>
 <context>
@@ -2768,6 +2776,10 @@ OpenGL: %3</translation>
     <message>
         <source>Select structures to treat them unlike the others</source>
         <translation>Wähle Strukturen, um sie anders zu behandeln als die übrigen</translation>
+    </message>
+    <message>
+        <source>For “%1”</source>
+        <translation>Für „%1“</translation>
     </message>
 </context>
 <context>

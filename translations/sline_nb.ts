@@ -1962,6 +1962,10 @@ OpenGL: %3</translation>
         <source>Left out or mended (%1)</source>
         <translation>Utelatt eller reparert (%1)</translation>
     </message>
+    <message>
+        <source>Nothing can be imported</source>
+        <translation>Det er ingenting å importere</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ImportDraft</name>
@@ -2000,10 +2004,6 @@ OpenGL: %3</translation>
     <message>
         <source>Å – ångström</source>
         <translation>Å – ångström</translation>
-    </message>
-    <message>
-        <source>Where it shows steps</source>
-        <translation>Der det vises trinn</translation>
     </message>
     <message>
         <source>Off</source>
@@ -2160,6 +2160,10 @@ OpenGL: %3</translation>
     <message>
         <source>Its name says the other side than it lies on.</source>
         <translation>Navnet sier den andre siden enn den ligger på.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisk</translation>
     </message>
 </context>
 <context>
@@ -2322,6 +2326,10 @@ OpenGL: %3</translation>
     <message>
         <source>S&amp;moothing</source>
         <translation>&amp;Glatting</translation>
+    </message>
+    <message>
+        <source>Automatic: takes away the steps of label maps, and refines what is too coarse to draw; steps: so much everywhere</source>
+        <translation>Automatisk: tar bort trinnene fra etikettkart, og forfiner det som er for grovt til å tegnes; trinn: like mye overalt</translation>
     </message>
 </context>
 <context>
@@ -2768,6 +2776,10 @@ OpenGL: %3</translation>
     <message>
         <source>Select structures to treat them unlike the others</source>
         <translation>Velg strukturer for å behandle dem annerledes enn de andre</translation>
+    </message>
+    <message>
+        <source>For “%1”</source>
+        <translation>For «%1»</translation>
     </message>
 </context>
 <context>

@@ -1962,6 +1962,10 @@ OpenGL: %3</translation>
         <source>Left out or mended (%1)</source>
         <translation>Weggelaten of hersteld (%1)</translation>
     </message>
+    <message>
+        <source>Nothing can be imported</source>
+        <translation>Er is niets te importeren</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ImportDraft</name>
@@ -2000,10 +2004,6 @@ OpenGL: %3</translation>
     <message>
         <source>Å – ångström</source>
         <translation>Å – ångström</translation>
-    </message>
-    <message>
-        <source>Where it shows steps</source>
-        <translation>Waar treden te zien zijn</translation>
     </message>
     <message>
         <source>Off</source>
@@ -2160,6 +2160,10 @@ OpenGL: %3</translation>
     <message>
         <source>Its name says the other side than it lies on.</source>
         <translation>De naam zegt de andere kant dan waar het ligt.</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
     </message>
 </context>
 <context>
@@ -2322,6 +2326,10 @@ OpenGL: %3</translation>
     <message>
         <source>S&amp;moothing</source>
         <translation>Glad&amp;maken</translation>
+    </message>
+    <message>
+        <source>Automatic: takes away the steps of label maps, and refines what is too coarse to draw; steps: so much everywhere</source>
+        <translation>Automatisch: haalt de treden uit labelmaps en verfijnt wat te grof is om te tekenen; stappen: overal zoveel</translation>
     </message>
 </context>
 <context>
@@ -2768,6 +2776,10 @@ OpenGL: %3</translation>
     <message>
         <source>Select structures to treat them unlike the others</source>
         <translation>Kies structuren om ze anders te behandelen dan de rest</translation>
+    </message>
+    <message>
+        <source>For “%1”</source>
+        <translation>Voor ‘%1’</translation>
     </message>
 </context>
 <context>

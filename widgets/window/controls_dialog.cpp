@@ -54,7 +54,7 @@ ControlsDialog::ControlsDialog(const std::vector<ControlRow>& mouse, QWidget* pa
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   layout->addWidget(buttons);
   connect(text, &QLineEdit::textChanged, this, &ControlsDialog::filter);
-  resize(720, 620);
+  resize(900, 660);
 }
 
 void ControlsDialog::fill(const std::vector<ControlRow>& mouse) {
