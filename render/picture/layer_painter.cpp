@@ -313,9 +313,9 @@ void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
   drawAll(strokes, m_atlas.inkTarget());
 }
 
-void LayerPainter::resolve(gpu::Device& device, const PictureInput& input, const gpu::Rect& region,
-                           const gpu::Target& target, std::span<const Layer> layers,
-                           std::span<const std::size_t> changed) {
+LayerPainter::Canvas LayerPainter::canvas(const gpu::Target& target, const gpu::Rect& region,
+                                          std::span<const Layer> layers,
+                                          std::span<const std::size_t> changed) {
   // A target that was resized is another region's; one that another paint had is not ours any more.
   const bool keeps = !m_freshAtlas && &target == m_target;
   TileMask wanted = keeps ? m_left : TileMask(region);
@@ -326,6 +326,12 @@ void LayerPainter::resolve(gpu::Device& device, const PictureInput& input, const
     for (const Layer& layer : layers)
       wanted.mark(layer.mask);
   m_target = &target;
+  return {target, region, std::move(wanted), keeps};
+}
+
+void LayerPainter::resolve(gpu::Device& device, Background background, const Canvas& canvas,
+                           std::span<const Layer> layers) {
+  const gpu::Rect& region = canvas.region;
   std::vector<ListedLayer> listed;
   for (const Layer& layer : layers) {
     const gpu::Rect seen = gpu::intersection(layer.area, region);
@@ -336,18 +342,18 @@ void LayerPainter::resolve(gpu::Device& device, const PictureInput& input, const
          .layer = {.area = {seen.x - region.x, seen.y - region.y, seen.width, seen.height},
                    .offsetX = layer.slot.x - layer.area.x + region.x,
                    .offsetY = layer.slot.y - layer.area.y + region.y,
-                   .ink = inkColour(layer.members.front().style, input.background),
+                   .ink = inkColour(layer.members.front().style, background),
                    .filled = layer.filled,
                    .inked = layer.inked}});
   }
-  const TileLists lists = tileLists(listed, wanted);
+  const TileLists lists = tileLists(listed, canvas.wanted);
   m_resolvePass->upload(lists.tiles, lists.entries);
-  m_resolvePass->draw(device, target,
+  m_resolvePass->draw(device, canvas.target,
                       {.colours = m_atlas.colours(),
                        .inks = m_atlas.inks(),
                        .depths = m_atlas.layerDepths(),
-                       .background = backgroundColour(input.background),
-                       .keepOthers = keeps});
+                       .background = backgroundColour(background),
+                       .keepOthers = canvas.keeps});
 }
 
 /// Draws a little from other textures, to and fro. Drivers hold on to what they last drew with, a
@@ -423,7 +429,7 @@ Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const Pic
     return s.error();
   drawInk(device, input, layers, changed);
   stopwatch.pass(device, "ink");
-  resolve(device, input, region, target, layers, changed);
+  resolve(device, input.background, canvas(target, region, layers, changed), layers);
   stopwatch.pass(device, "resolve");
   for (Layer& layer : layers)
     for (Coverage& drawn : layer.coverage)

@@ -83,9 +83,17 @@ class LayerPainter {
   static passes::InkDraw inkDraw(const PictureInput& input, const Layer& layer, const Shown& shown);
   void drawInk(gpu::Device& device, const PictureInput& input, std::vector<Layer>& layers,
                std::span<const std::size_t> changed);
-  void resolve(gpu::Device& device, const PictureInput& input, const gpu::Rect& region,
-               const gpu::Target& target, std::span<const Layer> layers,
-               std::span<const std::size_t> changed);
+  /// What of a target is to be blended anew; the rest stays as it is.
+  struct Canvas {
+    const gpu::Target& target;
+    gpu::Rect region;
+    TileMask wanted;
+    bool keeps = false;  ///< what is not wanted is good
+  };
+  Canvas canvas(const gpu::Target& target, const gpu::Rect& region, std::span<const Layer> layers,
+                std::span<const std::size_t> changed);
+  void resolve(gpu::Device& device, Background background, const Canvas& canvas,
+               std::span<const Layer> layers);
 
   Atlas m_atlas;
   std::shared_ptr<passes::SurfacePass> m_surfacePass;

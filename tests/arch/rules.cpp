@@ -145,7 +145,7 @@ struct Function {
 bool opensFunction(const std::string& signature) {
   static const std::regex other(
       R"(\s*(namespace|class|struct|enum|union|extern|static const std::|const std::|if|for|while|switch|do|else|return|public|private|constexpr std::array)\b.*)");
-  static const std::regex lambda(R"(\[[&=\w, ]*\] ?[({])");
+  static const std::regex lambda(R"(\[[^\[\]]*\] ?[({])");
   return signature.find('(') != std::string::npos && signature.ends_with("{") &&
          !std::regex_match(signature, other) && !std::regex_search(signature, lambda);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The window answers within a tenth of a second, whatever is done and however large the scene: no
 // event is more work than that for the window's thread, and none waits for the renderer.
+#include <QAbstractButton>
 #include <QMessageBox>
 #include <QtTest>
 
