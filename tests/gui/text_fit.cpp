@@ -74,7 +74,8 @@ Fit buttonFit(const QAbstractButton& button) {
     extra += button.iconSize().width() + 4;
   if (tool && tool->menu())
     extra += style.pixelMetric(QStyle::PM_MenuButtonIndicator);
-  return {button.text(), button.width(), textWidth(button, button.text()) + extra};
+  const int needed = textWidth(button, button.text()) + extra;
+  return {button.text(), button.width(), std::min(needed, button.sizeHint().width())};
 }
 
 Fit fitOf(const QWidget& widget) {
