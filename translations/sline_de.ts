@@ -296,7 +296,7 @@
     </message>
     <message>
         <source>&amp;Remove</source>
-        <translation>&amp;Entfernen</translation>
+        <translation>En&amp;tfernen</translation>
     </message>
     <message>
         <source>Take the selected structures out of the scene</source>
@@ -1511,10 +1511,6 @@
         <translation>Sehen und ändern, was ein Import tun würde, bevor er geschieht</translation>
     </message>
     <message>
-        <source>Import Fol&amp;der…</source>
-        <translation>O&amp;rdner importieren …</translation>
-    </message>
-    <message>
         <source>Ctrl+Shift+I</source>
         <translation>Ctrl+Shift+I</translation>
     </message>
@@ -1537,6 +1533,10 @@
     <message>
         <source>Facing the &amp;View</source>
         <translation>&amp;Quer zum Blick</translation>
+    </message>
+    <message>
+        <source>I&amp;mport Folder…</source>
+        <translation>O&amp;rdner importieren …</translation>
     </message>
 </context>
 <context>

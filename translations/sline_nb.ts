@@ -296,7 +296,7 @@
     </message>
     <message>
         <source>&amp;Remove</source>
-        <translation>Fj&amp;ern</translation>
+        <translation>F&amp;jern</translation>
     </message>
     <message>
         <source>Take the selected structures out of the scene</source>
@@ -1196,7 +1196,7 @@
     </message>
     <message>
         <source>&amp;Inherit</source>
-        <translation>A&amp;rv</translation>
+        <translation>Ar&amp;v</translation>
     </message>
     <message>
         <source>&amp;Over the Picture</source>
@@ -1220,7 +1220,7 @@
     </message>
     <message>
         <source>Co&amp;lour…</source>
-        <translation>Far&amp;ge …</translation>
+        <translation>Fa&amp;rge …</translation>
     </message>
     <message>
         <source>Another colour for the selected</source>
@@ -1300,7 +1300,7 @@
     </message>
     <message>
         <source>Ne&amp;w Group</source>
-        <translation>Ny gru&amp;ppe</translation>
+        <translation>Ny grupp&amp;e</translation>
     </message>
     <message>
         <source>Ctrl+Shift+N</source>
@@ -1511,10 +1511,6 @@
         <translation>Se og endre hva en import vil gjøre, før den gjøres</translation>
     </message>
     <message>
-        <source>Import Fol&amp;der…</source>
-        <translation>Importer m&amp;appe …</translation>
-    </message>
-    <message>
         <source>Ctrl+Shift+I</source>
         <translation>Ctrl+Shift+I</translation>
     </message>
@@ -1532,11 +1528,15 @@
     </message>
     <message>
         <source>Proper&amp;ties…</source>
-        <translation>Egens&amp;kaper …</translation>
+        <translation>E&amp;genskaper …</translation>
     </message>
     <message>
         <source>Facing the &amp;View</source>
         <translation>På &amp;tvers av blikket</translation>
+    </message>
+    <message>
+        <source>I&amp;mport Folder…</source>
+        <translation>Importer mapp&amp;e …</translation>
     </message>
 </context>
 <context>

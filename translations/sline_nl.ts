@@ -1324,7 +1324,7 @@
     </message>
     <message>
         <source>&amp;Ungroup</source>
-        <translation>Groep op&amp;heffen</translation>
+        <translation>Groep opheffe&amp;n</translation>
     </message>
     <message>
         <source>Ctrl+Shift+G</source>
@@ -1336,7 +1336,7 @@
     </message>
     <message>
         <source>Loc&amp;k</source>
-        <translation>Ver&amp;grendelen</translation>
+        <translation>Vergrende&amp;len</translation>
     </message>
     <message>
         <source>Ctrl+L</source>
@@ -1511,10 +1511,6 @@
         <translation>Zien en wijzigen wat een import zou doen, voordat het gebeurt</translation>
     </message>
     <message>
-        <source>Import Fol&amp;der…</source>
-        <translation>Ma&amp;p importeren…</translation>
-    </message>
-    <message>
         <source>Ctrl+Shift+I</source>
         <translation>Ctrl+Shift+I</translation>
     </message>
@@ -1532,11 +1528,15 @@
     </message>
     <message>
         <source>Proper&amp;ties…</source>
-        <translation>Eigens&amp;chappen…</translation>
+        <translation>&amp;Eigenschappen…</translation>
     </message>
     <message>
         <source>Facing the &amp;View</source>
         <translation>&amp;Dwars op de blik</translation>
+    </message>
+    <message>
+        <source>I&amp;mport Folder…</source>
+        <translation>Ma&amp;p importeren…</translation>
     </message>
 </context>
 <context>
@@ -2182,7 +2182,7 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>History</source>
-        <translation>Geschiedenis</translation>
+        <translation>Verloop</translation>
     </message>
     <message>
         <source>As opened</source>

@@ -191,9 +191,6 @@ class EveryControlTest : public QObject {
         .showRemarks({QStringLiteral("one"), QStringLiteral("two")});
     QCoreApplication::processEvents();
     clipped << clippedTexts(f.window);
-    f.window.preferences().set(QStringLiteral("appearance/toolTexts"), true);
-    QCoreApplication::processEvents();
-    clipped << clippedTexts(f.control<QToolBar>("tools"));
     clipped.removeDuplicates();
     QCOMPARE(f.window.size(), QSize(1280, 800));
     QVERIFY2(clipped.isEmpty(), qPrintable('\n' + clipped.join('\n')));

@@ -74,7 +74,8 @@ Fit buttonFit(const QAbstractButton& button) {
     extra += button.iconSize().width() + 4;
   if (tool && tool->menu())
     extra += style.pixelMetric(QStyle::PM_MenuButtonIndicator);
-  return {button.text(), button.width(), textWidth(button, button.text()) + extra};
+  const int needed = textWidth(button, button.text()) + extra;
+  return {button.text(), button.width(), std::min(needed, button.sizeHint().width())};
 }
 
 Fit fitOf(const QWidget& widget) {
@@ -108,13 +109,12 @@ Fit fitOf(const QWidget& widget) {
 }
 
 void addTabs(const QTabBar& bar, QStringList& out) {
-  for (int i = 0; i < bar.count(); ++i) {
-    const int needed = textWidth(bar, bar.tabText(i)) + 8;
-    if (bar.isTabVisible(i) && bar.tabRect(i).width() < needed)
-      out << report(bar, bar.tabText(i), bar.tabRect(i).width(), needed);
-  }
-  if (bar.count() > 0 && bar.tabRect(bar.count() - 1).right() > bar.width())
-    out << report(bar, QStringLiteral("tabs"), bar.width(), bar.tabRect(bar.count() - 1).right());
+  QStringList texts;
+  for (int i = 0; i < bar.count(); ++i)
+    texts << bar.tabText(i);
+  // Where there is less, tabs are cut short or hidden behind arrows.
+  if (bar.width() < bar.sizeHint().width())
+    out << report(bar, texts.join(QStringLiteral(", ")), bar.width(), bar.sizeHint().width());
 }
 
 void addColumns(const QHeaderView& header, QStringList& out) {

@@ -31,9 +31,9 @@ HelpBrowser::HelpBrowser(QWidget* parent) : QTextBrowser(parent) {
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
   document()->setDocumentMargin(22.0);
   connect(this, &QTextBrowser::anchorClicked, this, &HelpBrowser::follow);
-  connect(this, &QTextBrowser::sourceChanged, this, [this] {
+  connect(this, &QTextBrowser::sourceChanged, this, [this](const QUrl& address) {
     dress();
-    emit pageShown(page());
+    emit pageShown(idOf(address));
   });
 }
 

@@ -159,7 +159,7 @@ void MainWindow::makePanels() {
   steps->hide();
   resizeDocks({findChild<QDockWidget*>(QStringLiteral("structuresPanel")),
                findChild<QDockWidget*>(QStringLiteral("gammaPanel"))},
-              {380, 250}, Qt::Horizontal);
+              {366, 304}, Qt::Horizontal);
 }
 
 void MainWindow::makeControls() {

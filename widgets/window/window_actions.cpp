@@ -28,7 +28,7 @@ std::vector<ActionRow> fileRows() {
            tr("Open all meshes in a folder"), "open_folder"},
           {QStringLiteral("importFiles"), tr("&Import…"), key(tr("Ctrl+I")),
            tr("See and change what an import would do, before it is done")},
-          {QStringLiteral("importFolder"), tr("Import Fol&der…"), key(tr("Ctrl+Shift+I")),
+          {QStringLiteral("importFolder"), tr("I&mport Folder…"), key(tr("Ctrl+Shift+I")),
            tr("The same for all meshes in a folder")},
           {QStringLiteral("importAgain"),
            tr("Import Op&tions…"),
