@@ -11,6 +11,7 @@
 #include <QToolBar>
 #include <QtTest>
 
+#include "model/edit/visibility.h"
 #include "tests/gui/window_fixture.h"
 #include "widgets/language/language_switch.h"
 #include "widgets/language/languages.h"
@@ -142,8 +143,10 @@ class LanguageTest : public QObject {
     QCOMPARE(f.session.scene().resolve(id).gamma.value(), 2.0f);
     QTest::keyClick(&f.window, Qt::Key_P);
     QVERIFY(model::cameraFrame(f.viewport().camera()).back.y > 0.9f);
-    QVERIFY(f.drop(m_body.path() + QStringLiteral("/Vessels")) && f.settled());
-    QCOMPARE(int(f.session.scene().structuresBelow(model::rootId).size()), 2);
+    f.control<QAction>("showAll").trigger();
+    f.control<QAction>("isolate").trigger();
+    QCOMPARE(model::shownOf(f.session.scene(), f.session.scene().find(id)->parent),
+             model::Shown::some);
   }
 
   void filterKnowsAllNames_data() {
