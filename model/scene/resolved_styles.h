@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "model/scene/scene.h"
@@ -9,5 +10,13 @@ namespace sline::model {
 
 /// `Scene::resolve` of every node, in the order of `Scene::nodes`, in one pass.
 std::vector<ResolvedStyle> resolveAll(const Scene& scene);
+
+struct ResolvedStructure {
+  const Node* node = nullptr;  ///< of the scene that was asked
+  ResolvedStyle style;
+};
+/// The structures at or below any of the nodes (the root: all), each once, in tree order, in one
+/// pass however many are asked for.
+std::vector<ResolvedStructure> resolvedBelow(const Scene& scene, std::span<const NodeId> ids);
 
 }  // namespace sline::model

@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "model/edit/emphasis.h"
+#include "model/scene/resolved_styles.h"
 #include "widgets/gamma/gamma_slider.h"
 #include "widgets/gamma/look_drag.h"
 #include "widgets/gamma/more_panel.h"
@@ -32,14 +33,21 @@ QLabel* caption(const QString& text) {
   return label;
 }
 
-/// The Γ of all items together.
+/// The Γ of the structures that are shown, or of all where none is; a group without any has its
+/// own.
 model::GammaRange rangeOf(const model::Scene& scene, const NodeIds& ids) {
-  model::GammaRange all = model::gammaRangeOf(scene, ids.front());
-  for (const model::NodeId id : ids) {
-    const model::GammaRange one = model::gammaRangeOf(scene, id);
-    all = {std::min(all.low, one.low), std::max(all.high, one.high)};
+  std::optional<model::GammaRange> shown;
+  std::optional<model::GammaRange> any;
+  const auto add = [](std::optional<model::GammaRange>& range, Gamma gamma) {
+    range = range ? model::GammaRange{std::min(range->low, gamma), std::max(range->high, gamma)}
+                  : model::GammaRange{gamma, gamma};
+  };
+  for (const auto& [node, style] : model::resolvedBelow(scene, ids)) {
+    add(any, style.gamma);
+    if (style.visible)
+      add(shown, style.gamma);
   }
-  return all;
+  return shown ? *shown : any ? *any : model::gammaRangeOf(scene, ids.front());
 }
 
 QString titleOf(Session& session, const NodeIds& ids) {

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "model/edit/node_sets.h"
+#include "model/scene/resolved_styles.h"
 #include "widgets/gamma/range_box.h"
 #include "widgets/gamma/style_slider.h"
 
@@ -17,24 +19,23 @@ namespace sline::widgets {
 
 namespace {
 
-/// The structures whose looks the selection stands for; a group without any stands for itself.
-NodeIds structuresOf(const model::Scene& scene, const NodeIds& ids) {
-  NodeIds structures;
-  for (const model::NodeId id : ids) {
-    const NodeIds below = scene.structuresBelow(id);
-    structures.insert(structures.end(), below.begin(), below.end());
-    if (below.empty() && scene.find(id))
-      structures.push_back(id);
-  }
-  return structures;
+/// How the structures look that the selection stands for; a group without any stands for itself.
+std::vector<model::ResolvedStyle> looksOf(const model::Scene& scene, const NodeIds& ids) {
+  std::vector<model::ResolvedStyle> looks;
+  for (const model::ResolvedStructure& structure : model::resolvedBelow(scene, ids))
+    looks.push_back(structure.style);
+  if (looks.empty() && !ids.empty())
+    looks.push_back(scene.resolve(ids.front()));
+  return looks;
 }
 
 /// True where one of the nodes, or one below them, says it itself.
 template <class Says>
 bool anySays(const model::Scene& scene, const NodeIds& ids, const Says& says) {
-  return std::any_of(ids.begin(), ids.end(), [&](model::NodeId id) {
-    const model::Node* node = scene.find(id);
-    return node && says(node->style);
+  const std::vector<model::Node>& nodes = scene.nodes();
+  const model::NodeSet asked = model::setOf(ids);
+  return std::any_of(nodes.begin(), nodes.end(), [&](const model::Node& node) {
+    return asked.contains(node.id.value) && says(node.style);
   });
 }
 
@@ -143,8 +144,8 @@ void StyleNumberEditor::showSelection() {
   const NodeIds& ids = session().selection();
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
-  for (const model::NodeId id : structuresOf(scene, ids)) {
-    const double value = double(m_row.value(scene.resolve(id))) * m_row.shown;
+  for (const model::ResolvedStyle& look : looksOf(scene, ids)) {
+    const double value = double(m_row.value(look)) * m_row.shown;
     low = std::min(low, value);
     high = std::max(high, value);
   }
@@ -182,13 +183,12 @@ StyleColourEditor::StyleColourEditor(Session& session, StyleColour row, QWidget*
 
 void StyleColourEditor::showSelection() {
   const model::Scene& scene = session().scene();
-  const NodeIds structures = structuresOf(scene, session().selection());
-  if (structures.empty())
+  const std::vector<model::ResolvedStyle> looks = looksOf(scene, session().selection());
+  if (looks.empty())
     return;
-  const auto first = m_row.value(scene.resolve(structures.front()));
-  const bool mixed = std::any_of(structures.begin(), structures.end(), [&](model::NodeId id) {
-    return m_row.value(scene.resolve(id)) != first;
-  });
+  const auto first = m_row.value(looks.front());
+  const bool mixed = std::any_of(looks.begin(), looks.end(),
+                                 [&](const auto& look) { return m_row.value(look) != first; });
   m_swatch->setIcon(
       swatch(first ? std::optional<QColor>(qColour(*first)) : std::nullopt, palette(), mixed));
   m_swatch->setToolTip(mixed   ? tr("Several")
@@ -201,10 +201,10 @@ void StyleColourEditor::showSelection() {
 
 void StyleColourEditor::choose() {
   const model::Scene& scene = session().scene();
-  const NodeIds structures = structuresOf(scene, session().selection());
-  if (structures.empty())
+  const std::vector<model::ResolvedStyle> looks = looksOf(scene, session().selection());
+  if (looks.empty())
     return;
-  const auto before = m_row.value(scene.resolve(structures.front()));
+  const auto before = m_row.value(looks.front());
   auto* dialog = new QColorDialog(before ? qColour(*before) : QColor(Qt::black), this);
   dialog->setObjectName(m_row.id + QStringLiteral("Dialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);

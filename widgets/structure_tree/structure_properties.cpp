@@ -15,7 +15,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "model/edit/node_sets.h"
+#include "model/scene/resolved_styles.h"
 #include "widgets/gamma/stages.h"
 
 namespace sline::widgets {
@@ -117,15 +117,6 @@ void addLooks(std::vector<Property>& rows, const model::Scene& scene, const mode
                                             : tr("no")});
 }
 
-NodeIds structuresOf(const model::Scene& scene, const NodeIds& ids) {
-  NodeIds all;
-  for (const model::NodeId id : model::topmost(scene, ids)) {
-    const NodeIds below = scene.structuresBelow(id);
-    all.insert(all.end(), below.begin(), below.end());
-  }
-  return all;
-}
-
 }  // namespace
 
 std::vector<Property> propertiesOf(const model::Scene& scene, const NodeIds& ids) {
@@ -139,13 +130,13 @@ std::vector<Property> propertiesOf(const model::Scene& scene, const NodeIds& ids
     if (const std::string path = scene.groupPath(first.id); !path.empty())
       rows.push_back({QStringLiteral("group"), tr("In"), QString::fromStdString(path)});
   }
-  const NodeIds structures = structuresOf(scene, ids);
+  const std::vector<model::ResolvedStructure> structures = model::resolvedBelow(scene, ids);
   if (!one || first.isGroup())
     rows.push_back({QStringLiteral("structures"), tr("Structures"), count(structures.size())});
   std::size_t triangles = 0;
   model::Box bounds;
-  for (const model::NodeId id : structures) {
-    const model::MeshPtr& mesh = scene.find(id)->mesh;
+  for (const model::ResolvedStructure& structure : structures) {
+    const model::MeshPtr& mesh = structure.node->mesh;
     triangles += mesh->triangleCount();
     if (!mesh->bounds().empty())
       bounds.add(mesh->bounds());
@@ -219,8 +210,8 @@ StructureProperties::StructureProperties(const Session& session, const NodeIds& 
 
   add(propertiesOf(session.scene(), ids));
   std::vector<model::MeshPtr> meshes;
-  for (const model::NodeId id : structuresOf(session.scene(), ids))
-    meshes.push_back(session.scene().find(id)->mesh);
+  for (const auto& [node, style] : model::resolvedBelow(session.scene(), ids))
+    meshes.push_back(node->mesh);
   // A million triangles take longer than a window may stand still.
   QThreadPool::globalInstance()->start([meshes, dialog = QPointer(this)] {
     const std::vector<Property> rows = extentProperties(meshes);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "model/scene/resolved_styles.h"
+
 namespace sline::widgets {
 
 namespace {
@@ -40,28 +42,22 @@ std::vector<glm::vec3> somePoints(const model::Scene& subject) {
 }  // namespace
 
 model::Scene previewSubject(const model::Scene& scene, const NodeIds& ids) {
-  NodeIds structures;
+  std::vector<model::ResolvedStructure> structures = model::resolvedBelow(scene, ids);
+  std::erase_if(structures, [](const model::ResolvedStructure& structure) {
+    return structure.node->mesh->triangleCount() == 0;
+  });
   std::size_t triangles = 0;
-  for (const model::NodeId id : ids)
-    for (const model::NodeId structure : scene.structuresBelow(id)) {
-      const model::MeshPtr& mesh = scene.find(structure)->mesh;
-      if (mesh->triangleCount() == 0 ||
-          std::find(structures.begin(), structures.end(), structure) != structures.end())
-        continue;
-      structures.push_back(structure);
-      triangles += mesh->triangleCount();
-    }
-  const auto size = [&scene](model::NodeId id) {
-    return glm::length(scene.find(id)->mesh->bounds().size());
+  for (const model::ResolvedStructure& structure : structures)
+    triangles += structure.node->mesh->triangleCount();
+  const auto size = [](const model::ResolvedStructure& structure) {
+    return glm::length(structure.node->mesh->bounds().size());
   };
   if (structures.size() > mostStructures || (structures.size() > 1 && triangles > mostTriangles))
     structures = {
         *std::max_element(structures.begin(), structures.end(),
-                          [&size](model::NodeId a, model::NodeId b) { return size(a) < size(b); })};
+                          [&size](const auto& a, const auto& b) { return size(a) < size(b); })};
   model::Scene subject;
-  for (const model::NodeId id : structures) {
-    const model::Node& node = *scene.find(id);
-    const model::ResolvedStyle style = scene.resolve(id);
+  for (const auto& [node, style] : structures)
     subject.append({.style = {.colour = style.colour,
                               .inkColour = style.inkColour,
                               .opacity = style.opacity,
@@ -70,9 +66,8 @@ model::Scene previewSubject(const model::Scene& scene, const NodeIds& ids) {
                               .penWeight = style.penWeight,
                               .hatchDensity = style.hatchDensity,
                               .hatchTone = style.hatchTone},
-                    .mesh = node.mesh,
-                    .provenance = node.provenance});
-  }
+                    .mesh = node->mesh,
+                    .provenance = node->provenance});
   return subject;
 }
 
