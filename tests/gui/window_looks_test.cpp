@@ -2,7 +2,9 @@
 // What the window looks like in the states a person meets first, light and dark. The pictures are
 // for eyes: SLINE_SCREENSHOTS names a folder that takes them. Here it is only checked that they are
 // there, dressed as asked for and drawn.
+#include <QAbstractButton>
 #include <QDir>
+#include <QDockWidget>
 #include <QFileInfo>
 #include <QLineEdit>
 #include <QtTest>
@@ -69,6 +71,19 @@ class WindowLooksTest : public QObject {
     QTest::keyClick(&f.viewport(), Qt::Key_A);
     shoot(f, "scene-" + theme);
 
+    const std::vector<model::NodeId> kidney = f.session.scene().named("left kidney");
+    QVERIFY(!kidney.empty());
+    f.session.select({kidney.front()});
+    const int steps = f.session.history().count();
+    QTest::keyClick(&f.viewport(), Qt::Key_F);
+    QVERIFY(QTest::qWaitFor([&] { return f.session.history().count() > steps; }, 60'000));
+    f.control<QDockWidget>("focusPanel").raise();
+    shoot(f, "focus-" + theme);
+
+    f.control<QAbstractButton>("more").click();
+    shoot(f, "expert-" + theme);
+    f.control<QAbstractButton>("more").click();
+
     auto& filter = f.control<QLineEdit>("structureFilter");
     filter.setFocus();
     QTest::keyClicks(&filter, "kid");
@@ -82,6 +97,13 @@ class WindowLooksTest : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return !f.session.busy(); }, 300'000));
     if (f.session.document().opening != 0)
       QVERIFY(f.settled());
+    // The window system answers in its own time.
+    auto& start = f.control<QWidget>("startPage");
+    QVERIFY(QTest::qWaitFor([&] {
+      return f.window.size() == QSize(1280, 800) &&
+             (!start.isVisible() || start.width() == f.window.width());
+    }));
+    QCoreApplication::processEvents();
     const QImage picture = f.window.grab().toImage();
     QCOMPARE(picture.size(), f.window.size() * f.window.devicePixelRatio());
     QVERIFY(colours(picture) > 20);

@@ -2,6 +2,7 @@
 #include "widgets/gamma/gamma_panel.h"
 
 #include <QButtonGroup>
+#include <QCoreApplication>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -110,8 +111,11 @@ void GammaPanel::layOut() {
   outer->addWidget(area);
   // What was folded away is to be seen when it opens.
   connect(m_more, &MorePanel::opened, area, [this, area] {
-    QMetaObject::invokeMethod(
-        area, [this, area] { area->ensureWidgetVisible(m_more); }, Qt::QueuedConnection);
+    const auto show = [this, area] {
+      QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+      area->ensureWidgetVisible(m_more, 0, 0);
+    };
+    QMetaObject::invokeMethod(area, show, Qt::QueuedConnection);
   });
 }
 
@@ -119,6 +123,7 @@ QLayout* GammaPanel::makeGamma() {
   m_slider = new GammaSlider;
   m_slider->setObjectName(QStringLiteral("gammaSlider"));
   m_slider->setAccessibleName(tr("Gamma, from silhouette to surface"));
+  m_slider->setMinimumHeight(m_slider->minimumSizeHint().height());
   m_stages = new StageStrip(*m_slider);
   m_stages->setObjectName(QStringLiteral("stages"));
   m_number = new RangeBox;
