@@ -147,6 +147,22 @@ std::vector<NodeId> absent(const Scene& scene, const std::set<NodeId>& gone) {
   return ids;
 }
 
+/// Locked or not: a lock holds for the scene once it is open, not for what is taken into it.
+Scene withoutNodes(Scene scene, std::span<const NodeId> ids) {
+  std::set<NodeId> locked;
+  std::vector<Node> nodes = scene.nodes();
+  for (Node& node : nodes)
+    if (std::exchange(node.locked, false))
+      locked.insert(node.id);
+  scene.setNodes(std::move(nodes));
+  Scene left = removed(scene, ids).scene;
+  nodes = left.nodes();
+  for (Node& node : nodes)
+    node.locked = locked.contains(node.id);
+  left.setNodes(std::move(nodes));
+  return left;
+}
+
 /// The plan's tree with the surfaces that came of it.
 Scene furnished(const ImportPlan& plan, std::vector<Part> parts) {
   std::map<std::size_t, Part*> byNumber;
@@ -171,7 +187,7 @@ Scene furnished(const ImportPlan& plan, std::vector<Part> parts) {
   }
   Scene scene = plan.scene;
   scene.setNodes(std::move(nodes));
-  return removed(scene, absent(plan.scene, gone)).scene;
+  return withoutNodes(scene, absent(plan.scene, gone));
 }
 
 double expectedWork(const std::vector<Part>& parts, const ImportOptions& options) {
