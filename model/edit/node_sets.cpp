@@ -20,9 +20,10 @@ NodeSet withAllBelow(const Scene& scene, NodeSet ids) {
 }
 
 NodeSet withAllAbove(const Scene& scene, NodeSet ids) {
-  for (auto node = scene.nodes().rbegin(); node != scene.nodes().rend(); ++node)
-    if (ids.contains(node->id.value) && node->parent != rootId)
-      ids.insert(node->parent.value);
+  const std::vector<Node>& nodes = scene.nodes();
+  for (std::size_t i = nodes.size(); i-- > 0;)
+    if (ids.contains(nodes[i].id.value) && nodes[i].parent != rootId)
+      ids.insert(nodes[i].parent.value);
   return ids;
 }
 

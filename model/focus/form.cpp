@@ -84,7 +84,7 @@ bool ofSheet(const Widths& w) {
 
 Form::Form(MeshPtr surface) : mesh(std::move(surface)), tree(mesh, spatialOrder(*mesh)) {}
 
-FormPtr formOf(MeshPtr mesh) {
+FormPtr formOf(const MeshPtr& mesh) {
   auto form = std::make_shared<Form>(mesh);
   form->samples = surfaceSamples(*mesh, samplesPerForm);
   form->area = surfaceArea(*mesh);

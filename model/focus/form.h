@@ -29,7 +29,7 @@ struct Form {
 };
 using FormPtr = std::shared_ptr<const Form>;
 
-FormPtr formOf(MeshPtr mesh);
+FormPtr formOf(const MeshPtr& mesh);
 
 /// Forms that were worked out before, by mesh. May be asked from any thread.
 class FormIndex {
