@@ -68,6 +68,10 @@ Viewport::Viewport(Session& session, QWidget* parent)
 }
 
 Viewport::~Viewport() {
+  // QOpenGLWidget's destructor takes the context away when there is no Viewport any more to hear
+  // it.
+  if (context())
+    context()->disconnect(this);
   closeGraphics();
 }
 
