@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/anatomy/name_words.h"
 
+#include "model/base/letters.h"
+
 namespace sline::model {
 
 namespace {
-
-bool isDigit(char c) {
-  return c >= '0' && c <= '9';
-}
-bool isUpper(char c) {
-  return c >= 'A' && c <= 'Z';
-}
-bool isLower(char c) {
-  return c >= 'a' && c <= 'z';
-}
-bool isLetter(char c) {
-  return isUpper(c) || isLower(c) || (c & '\x80') != 0;
-}
 
 /// Of UTF-8: ASCII and the letters of Western Europe (À to Þ, which follow the byte C3).
 std::string lowered(std::string text) {

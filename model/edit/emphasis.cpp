@@ -2,31 +2,12 @@
 #include "model/edit/emphasis.h"
 
 #include <algorithm>
-#include "model/edit/locks.h"
+
+#include "model/edit/styled_nodes.h"
 
 namespace sline::model {
 
 namespace {
-
-Edited withNodes(const Scene& scene, std::vector<Node> nodes) {
-  if (nodes == scene.nodes())
-    return {scene, false};
-  Scene after = scene;
-  after.setNodes(std::move(nodes));
-  return withLocksKept(scene, std::move(after));
-}
-
-/// Calls change(style, named) for the named nodes and for all below them.
-template <class Change>
-Edited withStyles(const Scene& scene, std::span<const NodeId> ids, const Change& change) {
-  const NodeSet named = setOf(ids);
-  const NodeSet meant = withAllBelow(scene, named);
-  std::vector<Node> nodes = scene.nodes();
-  for (Node& node : nodes)
-    if (meant.contains(node.id.value))
-      change(node.style, named.contains(node.id.value));
-  return withNodes(scene, std::move(nodes));
-}
 
 template <class T>
 Edited withField(const Scene& scene, std::span<const NodeId> ids, std::optional<T> Style::*field,
@@ -124,7 +105,7 @@ Edited withFocus(const Scene& scene, std::span<const NodeId> ids) {
       node.style.fill = focus ? Fill::paper : Fill::veil;
     }
   }
-  return withNodes(scene, std::move(nodes));
+  return withNodesRestyled(scene, std::move(nodes));
 }
 
 Edited withContext(const Scene& scene, std::span<const NodeId> ids) {

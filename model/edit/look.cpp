@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/edit/look.h"
 
-#include "model/edit/locks.h"
+#include "model/edit/styled_nodes.h"
 
 namespace sline::model {
 
@@ -26,22 +26,6 @@ void forget(Style& style, const Style& which) {
     if (which.*field)
       (style.*field).reset();
   });
-}
-
-/// Calls change(style, named) for the named nodes and for all below them.
-template <class Change>
-Edited withStyles(const Scene& scene, std::span<const NodeId> ids, const Change& change) {
-  const NodeSet named = setOf(ids);
-  const NodeSet meant = withAllBelow(scene, named);
-  std::vector<Node> nodes = scene.nodes();
-  for (Node& node : nodes)
-    if (meant.contains(node.id.value))
-      change(node.style, named.contains(node.id.value));
-  if (nodes == scene.nodes())
-    return {scene, false};
-  Scene after = scene;
-  after.setNodes(std::move(nodes));
-  return withLocksKept(scene, std::move(after));
 }
 
 }  // namespace

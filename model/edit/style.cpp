@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <unordered_set>
 
-#include "model/edit/locks.h"
+#include "model/edit/styled_nodes.h"
 
 namespace sline::model {
 
@@ -24,11 +24,7 @@ Edited withNodes(const Scene& scene, std::span<const NodeId> ids, const Change& 
   for (Node& node : nodes)
     if (meant.contains(node.id.value))
       change(node);
-  if (nodes == scene.nodes())
-    return {scene, false};
-  Scene after = scene;
-  after.setNodes(std::move(nodes));
-  return withLocksKept(scene, std::move(after));
+  return withNodesRestyled(scene, std::move(nodes));
 }
 
 }  // namespace

@@ -6,22 +6,12 @@
 #include <map>
 #include <set>
 
+#include "model/base/letters.h"
+
 namespace sline::model {
 
 namespace {
 
-bool isDigit(char c) {
-  return c >= '0' && c <= '9';
-}
-bool isUpper(char c) {
-  return c >= 'A' && c <= 'Z';
-}
-bool isLower(char c) {
-  return c >= 'a' && c <= 'z';
-}
-bool isLetter(char c) {
-  return isUpper(c) || isLower(c) || (c & '\x80') != 0;
-}
 char lower(char c) {
   return isUpper(c) ? char(c - 'A' + 'a') : c;
 }
