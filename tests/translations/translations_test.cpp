@@ -68,8 +68,8 @@ QString file(const QString& name) {
   return QStringLiteral(SLINE_SOURCE "/translations/") + name + QStringLiteral(".ts");
 }
 
-/// Each placeholder as often as it stands there, sorted.
-QStringList placeholders(const QString& text) {
+/// %1, %2 … and %n, each as often as it stands there, sorted.
+QStringList argumentsOf(const QString& text) {
   static const QRegularExpression pattern(QStringLiteral("%L?\\d|%n"));
   QStringList found;
   for (auto match = pattern.globalMatch(text); match.hasNext();)
@@ -108,15 +108,15 @@ QString faultOf(const Message& message) {
   for (const QString& form : message.forms) {
     if (form.isEmpty())
       return QStringLiteral("empty");
-    QStringList wanted = placeholders(message.source);
-    QStringList there = placeholders(form);
+    QStringList wanted = argumentsOf(message.source);
+    QStringList there = argumentsOf(form);
     if (message.plural) {
       // "One structure" may say its number in a word.
       there.removeAll(QStringLiteral("%n"));
       wanted.removeAll(QStringLiteral("%n"));
     }
     if (there != wanted)
-      return QStringLiteral("other placeholders");
+      return QStringLiteral("other arguments");
     if (hasAccelerator(form) != hasAccelerator(message.source))
       return QStringLiteral("accelerator");
     if (!(edges(form) == edges(message.source)))
@@ -255,8 +255,8 @@ void TranslationsTest::faults_data() {
     QTest::newRow(name) << QString::fromUtf8(source) << forms << plural << good;
   };
   row("whole", "&Open %1…", {"%1 ö&ffnen…"}, false, true);
-  row("placeholder lost", "Open %1", {"Öffnen"}, false, false);
-  row("placeholder twice", "Open %1", {"%1 %1"}, false, false);
+  row("argument lost", "Open %1", {"Öffnen"}, false, false);
+  row("argument twice", "Open %1", {"%1 %1"}, false, false);
   row("accelerator lost", "&Open", {"Öffnen"}, false, false);
   row("accelerator too many", "Open", {"Ö&ffnen"}, false, false);
   row("ampersand", "A && B", {"A && B"}, false, true);
