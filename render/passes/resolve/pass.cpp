@@ -31,7 +31,7 @@ gpu::ProgramRecipe recipe() {
                        {"inks", UniformType::texture},
                        {"depths", UniformType::texture},
                        {"entries", UniformType::intTexture},
-                       {"entriesPerRow", UniformType::integer},
+                       {"rowBits", UniformType::integer},
                        {"background", UniformType::vec4}}};
 }
 
@@ -97,7 +97,7 @@ void ResolvePass::draw(gpu::Device& device, const gpu::Target& target,
   m_program->set("inks", inputs.inks);
   m_program->set("depths", inputs.depths);
   m_program->set("entries", *m_entries);
-  m_program->set("entriesPerRow", entriesPerRow);
+  m_program->set("rowBits", rowBits);
   m_program->set("background", inputs.background);
   const gpu::DrawState state{.viewport = {0, 0, size.width, size.height}};
   std::size_t first = 0;

@@ -56,7 +56,8 @@ class ResolvePass {
 
  private:
   ResolvePass();
-  static constexpr int entriesPerRow = 1024;
+  static constexpr int rowBits = 10;
+  static constexpr int entriesPerRow = 1 << rowBits;
   std::unique_ptr<gpu::Program> m_program;
   gpu::Buffer m_tiles;
   gpu::Geometry m_geometry;

@@ -7,7 +7,7 @@ uniform sampler2D colours;       // premultiplied fills
 uniform sampler2D inks;          // coverage
 uniform sampler2D depths;        // 1 where a layer has nothing
 uniform highp isampler2D entries;
-uniform int entriesPerRow;
+uniform int rowBits;              // a row holds 1 << rowBits entries: whole divisions are slow
 uniform vec4 background;         // premultiplied
 
 out vec4 fragment;
@@ -16,7 +16,7 @@ const int filled = 1 << 24;
 const int inked = 1 << 25;
 
 ivec4 entryAt(int index) {
-  return texelFetch(entries, ivec2(index % entriesPerRow, index / entriesPerRow), 0);
+  return texelFetch(entries, ivec2(index & ((1 << rowBits) - 1), index >> rowBits), 0);
 }
 
 vec4 layerColour(ivec4 entry, ivec2 texel) {
