@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// sline-bench-window: from a move of the Γ slider to the picture on screen, through the whole
-// window, beside a full frame through the same window. Needs a display (xvfb-run).
+// sline-bench-window: from a move of the Γ slider, of the mouse that turns, and of a section's
+// arrow to the picture on screen, through the whole window, beside a full frame through the same
+// window. Needs a display (xvfb-run).
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QtTest>
@@ -9,6 +10,7 @@
 #include "tests/bench/measure.h"
 #include "tests/gui/window_fixture.h"
 #include "widgets/gamma/gamma_slider.h"
+#include "widgets/viewport/section_handles.h"
 
 using namespace sline;
 
@@ -71,6 +73,58 @@ Times drag(test::WindowFixture& f, model::NodeId id) {
   return times;
 }
 
+/// A drag in the picture to and fro along a line, the mouse telling its place 60 times a second:
+/// from one picture to the next.
+void dragInPicture(test::WindowFixture& f, const char* what, QPoint from, glm::vec2 along) {
+  constexpr int moves = 300;
+  constexpr int half = 100;  // steps of a pixel one way
+  constexpr int interval = 16;
+  std::vector<double> gaps;
+  std::vector<double> drawing;
+  QElapsedTimer clock;
+  const QObject listener;
+  QObject::connect(&f.viewport(), &widgets::Viewport::pictureShown, &listener, [&] {
+    gaps.push_back(double(clock.nsecsElapsed()) * 1e-6);
+    clock.start();
+    drawing.push_back(f.viewport().lastMilliseconds());
+  });
+  test::sendMouse(f.viewport(), QEvent::MouseButtonPress, from);
+  clock.start();
+  QPoint last = from;
+  for (int i = 1; i <= moves; ++i) {
+    const int step = std::abs((i + half) % (4 * half) - 2 * half) - half;
+    last = from +
+           QPoint(int(std::lround(float(step) * along.x)), int(std::lround(float(step) * along.y)));
+    test::sendMouse(f.viewport(), QEvent::MouseMove, last);
+    QTest::qWait(interval);
+  }
+  QObject::disconnect(&f.viewport(), nullptr, &listener, nullptr);
+  test::sendMouse(f.viewport(), QEvent::MouseButtonRelease, last);
+  const double fine = shownAfter(f);
+  const bench::Spread spread = bench::spreadOf(gaps);
+  std::cout << what << ": " << gaps.size() << " pictures, one each " << spread.median
+            << " ms (drawing " << bench::spreadOf(drawing).median << "), p95 " << spread.p95
+            << " ms; fine after " << fine << " ms" << std::endl;
+}
+
+/// A section through the middle, pushed by its arrow.
+void dragSection(test::WindowFixture& f, const char* what, Qt::Key key) {
+  QTest::keyClick(&f.window, key, Qt::ControlModifier);
+  f.settled();
+  const model::Section& section = f.session.scene().sections().back();
+  const QSizeF size = f.viewport().size();
+  const auto handles = widgets::sectionHandles(
+      widgets::sectionFrame(section.plane, f.session.scene().visibleBounds(section.scope)),
+      f.viewport().camera(), {float(size.width()), float(size.height())});
+  if (!handles)
+    return;
+  dragInPicture(f, what, QPoint(int(handles->slide.x), int(handles->slide.y)),
+                glm::normalize(handles->tip - handles->slide));
+  f.session.undo();
+  f.session.undo();
+  f.settled();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -84,6 +138,13 @@ int main(int argc, char** argv) {
   if (!f.drop(QString::fromLocal8Bit(argv[1])) || !f.settled())
     return 1;
   std::cout << "viewport " << f.viewport().width() << "x" << f.viewport().height() << '\n';
+  dragInPicture(f, "turn", {600, 400}, {1.5f, 0.5f});
+  QTest::keyClick(&f.window, Qt::Key_L);
+  f.settled();
+  dragSection(f, "axial section", Qt::Key_3);
+  dragSection(f, "coronal section", Qt::Key_2);
+  QTest::keyClick(&f.window, Qt::Key_A);
+  f.settled();
   for (int i = 2; i < argc; ++i)
     for (const model::NodeId id : f.session.scene().named(argv[i])) {
       const Times times = drag(f, id);

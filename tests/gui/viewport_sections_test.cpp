@@ -69,7 +69,7 @@ class ViewportSectionsTest : public QObject {
       sendMouse(f.viewport(), QEvent::MouseMove, grip - QPoint(10 * i, 0));
     QVERIFY(f.session.previewing());
     QCOMPARE(f.session.history().count(), steps);
-    QVERIFY((point(handles(f).slide) - to).manhattanLength() < 5);
+    QTRY_VERIFY((point(handles(f).slide) - to).manhattanLength() < 5);
     sendMouse(f.viewport(), QEvent::MouseButtonRelease, to);
     QCOMPARE(f.session.history().count(), steps + 1);
     QVERIFY(only(f).plane.offset != before.offset);

@@ -92,7 +92,53 @@ class WaitingTest : public QObject {
     gate->pass.release();
     QVERIFY(f.settled());
     QVERIFY2(gate->begun <= begun + 4, "outdated pictures were drawn");
-    QVERIFY(gate->last > held + 100);
+    QVERIFY(gate->last >= held + 30);
+  }
+
+  /// The camera follows a drag once for each picture and ends where the mouse does, also where no
+  /// picture comes for long.
+  void aDragGoesOnWithThePictures() {
+    const auto gate = std::make_shared<Gate>();
+    WindowFixture f(gated(gate));
+    QVERIFY(f.drop(m_body.path()));
+    QVERIFY(f.settled());
+    const QPoint middle = f.viewport().rect().center();
+    const auto goTo = [&](int x) {
+      sendMouse(f.viewport(), QEvent::MouseMove, middle + QPoint(x, 0));
+      return f.viewport().camera();
+    };
+    // Where the camera is when nothing holds it back.
+    sendMouse(f.viewport(), QEvent::MouseButtonPress, middle);
+    const model::Camera begun = f.viewport().camera();
+    goTo(90);
+    sendMouse(f.viewport(), QEvent::MouseButtonRelease, middle + QPoint(90, 0));
+    const model::Camera wanted = f.viewport().camera();
+    f.viewport().setCamera(begun);
+    QVERIFY(f.settled());
+
+    gate->open = false;
+    sendMouse(f.viewport(), QEvent::MouseButtonPress, middle);
+    const model::Camera first = goTo(30);
+    QVERIFY(first != begun);
+    QCOMPARE(goTo(60), first);
+    QCOMPARE(goTo(90), first);
+    gate->open = true;
+    gate->pass.release();
+    QTRY_COMPARE(f.viewport().camera(), wanted);
+    QVERIFY(f.settled());
+
+    gate->open = false;
+    const model::Camera second = goTo(50);
+    QVERIFY(second != wanted);
+    QTest::qWait(350);
+    QVERIFY(goTo(20) != second);
+    goTo(90);
+    sendMouse(f.viewport(), QEvent::MouseButtonRelease, middle + QPoint(90, 0));
+    const model::Camera released = f.viewport().camera();
+    gate->open = true;
+    gate->pass.release();
+    QCOMPARE(released, wanted);
+    QVERIFY(f.settled());
   }
 
   /// A window that closes while the renderer is at work comes down in order.

@@ -179,6 +179,7 @@ void Viewport::askPreviews(PreviewRequest request) {
 
 void Viewport::took(const PictureReport& report) {
   m_rebuilt = false;
+  m_took = report.number;
   m_lastMilliseconds = report.milliseconds;
   m_lastLayersDrawn = report.layersDrawn;
   // Only pictures of a moving camera are drawn anew as a whole; others keep most layers.
@@ -186,7 +187,12 @@ void Viewport::took(const PictureReport& report) {
     m_quality.took(report.milliseconds, report.scale);
   m_marks->showTime(report.milliseconds, report.scale);
   m_drawnCamera = report.camera;
-  showSection();
+  if (report.moving)
+    placeMarks();
+  else
+    showSection();
+  if (m_took == m_asked)
+    dragOn();
   update();
 }
 
@@ -206,7 +212,7 @@ void Viewport::move(const model::Camera& camera) {
   m_camera = camera;
   m_cutting = false;
   keepMoving();
-  placeMarks();
+  // The marks follow with the picture: painting them costs a software driver the whole window.
   refresh();
   emit cameraChanged();
 }
@@ -337,7 +343,8 @@ void Viewport::documentChange(const Document& before, const Document& now) {
 }
 
 void Viewport::placeMarks() {
-  m_marks->place(m_camera, m_pivot, !m_session.scene().nodes().empty());
+  m_marks->place(m_moving ? m_drawnCamera.value_or(m_camera) : m_camera, m_pivot,
+                 !m_session.scene().nodes().empty());
   showSection();
 }
 

@@ -121,6 +121,7 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   void zoomAt(const QPointF& at, float factor);
   bool nativeGesture(const QNativeGestureEvent& event);
   void cancelDrag();
+  void dragOn();
   void wantName();
   void forgetName();
   void turnByCube(const glm::vec2& way);
@@ -146,7 +147,9 @@ class Viewport : public QOpenGLWidget, private ViewControl {
 
   CameraTool m_cameraTool;
   SectionTool m_sectionTool;
-  Tool* m_held = nullptr;  ///< has the mouse
+  Tool* m_held = nullptr;             ///< has the mouse
+  std::optional<Pointer> m_heldBack;  ///< the newest move that it has not heard of
+  QElapsedTimer m_lastHeard;
   Qt::MouseButton m_button = Qt::NoButton;
   QPointF m_pressed;
   bool m_dragged = false;  ///< the mouse went far enough that the release is no click
@@ -162,6 +165,7 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   bool m_moving = false;
   std::uint64_t m_asked = 0;  ///< the newest request
   float m_askedScale = 1.0f;
+  std::uint64_t m_took = 0;   ///< the newest that was drawn
   std::uint64_t m_shown = 0;  ///< on screen
   double m_lastMilliseconds = 0.0;
   std::optional<model::Camera> m_drawnCamera;  ///< of the newest picture

@@ -6,6 +6,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "widgets/viewport/framing.h"
 #include "widgets/viewport/viewport.h"
@@ -22,6 +23,7 @@ constexpr float perNotch = 1.15f;    ///< of a wheel, or a key
 constexpr float keyDegrees = 5.0f;   ///< by an arrow key
 constexpr float keyPixels = 40.0f;   ///< by an arrow key with Ctrl
 constexpr float cubeDegrees = 1.1f;  ///< for each pixel that the cube is dragged
+constexpr int longestUnheard = 300;  ///< milliseconds
 
 /// One step of each arrow key; the scene's near side goes that way.
 glm::vec2 arrowStep(int key) {
@@ -63,6 +65,8 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
   for (Tool* tool : {static_cast<Tool*>(&m_sectionTool), static_cast<Tool*>(&m_cameraTool)})
     if (!m_held && tool->press(mouse))
       m_held = tool;
+  m_heldBack.reset();
+  m_lastHeard.start();
   showSection();
 }
 
@@ -80,14 +84,30 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
   const QPointF way = event->position() - m_pressed;
   m_dragged = m_dragged || way.manhattanLength() >= QApplication::startDragDistance();
   // A handle follows at once; elsewhere a hand that shakes in a click must not turn the scene.
-  if (m_held && (m_dragged || m_held == &m_sectionTool))
-    m_held->move(pointer(event->position(), m_button, event->modifiers()));
+  if (!m_held || (!m_dragged && m_held != &m_sectionTool))
+    return;
+  m_heldBack = pointer(event->position(), m_button, event->modifiers());
+  // Once for each picture: what is changed and painted in between would only take time from
+  // drawing. Where no picture comes, the drag goes on all the same.
+  if (m_took == m_asked || m_lastHeard.hasExpired(longestUnheard))
+    dragOn();
+  else if (m_moving)
+    m_rest.start();
+}
+
+void Viewport::dragOn() {
+  const std::optional<Pointer> mouse = std::exchange(m_heldBack, std::nullopt);
+  if (!m_held || !mouse)
+    return;
+  m_lastHeard.start();
+  m_held->move(*mouse);
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != m_button)
     return;
   const bool onSection = m_held == &m_sectionTool;
+  dragOn();
   if (m_held)
     m_held->release(pointer(event->position(), m_button, event->modifiers()));
   m_held = nullptr;
@@ -116,6 +136,7 @@ void Viewport::cancelDrag() {
   if (m_held)
     m_held->cancel();
   m_held = nullptr;
+  m_heldBack.reset();
   m_marks->cube().cancel();
   showSection();
 }
