@@ -71,6 +71,8 @@ const std::vector<Room>& rooms() {
       {"widgets/structure_tree", {"model", "widgets/session", "widgets/gamma"}},
       {"widgets/sections", {"model", "widgets/session"}},
       {"widgets/viewport", {"model", "render", "widgets/session", "widgets/sections"}},
+      {"widgets/views",
+       {"model", "render", "widgets/session", "widgets/theme", "widgets/viewport"}},
       {"widgets/import_dialog", {"model", "widgets/session"}},
       {"widgets/window", {"model", "render", "widgets"}},
       {"widgets", {"model", "render", "widgets"}},

@@ -77,13 +77,19 @@ void RenderThread::ask(PictureRequest request) {
 void RenderThread::ask(PreviewRequest request) {
   {
     const std::lock_guard lock(m_mutex);
-    m_previews = std::move(request.previews);
-    std::reverse(m_previews.begin(), m_previews.end());
-    ++m_previewRound;
-    if (m_previewing)
+    Waiting& waiting = m_waiting[std::size_t(request.asker)];
+    waiting.previews = std::move(request.previews);
+    std::reverse(waiting.previews.begin(), waiting.previews.end());
+    ++waiting.round;
+    if (m_previewing == request.asker)
       m_unwanted = true;
   }
   m_wake.notify_one();
+}
+
+bool RenderThread::previewsWait() const {
+  return std::any_of(m_waiting.begin(), m_waiting.end(),
+                     [](const Waiting& waiting) { return !waiting.previews.empty(); });
 }
 
 RenderThread::Work RenderThread::next() {
@@ -91,19 +97,23 @@ RenderThread::Work RenderThread::next() {
   constexpr std::chrono::milliseconds quiet(200);
   std::unique_lock lock(m_mutex);
   for (;;) {
-    m_wake.wait(lock, [this] { return m_quit || m_request || !m_previews.empty(); });
+    m_wake.wait(lock, [this] { return m_quit || m_request || previewsWait(); });
     if (m_quit)
       return {};
-    const auto other = [this] { return m_quit || m_request || m_previews.empty(); };
+    const auto other = [this] { return m_quit || m_request || !previewsWait(); };
     if (m_request || !m_wake.wait_until(lock, m_pictureEnd + quiet, other))
       break;
   }
   m_unwanted = false;
   m_resting.reset();
-  m_previewing = !m_request;
-  if (m_previewing) {
-    Work work{.preview = std::move(m_previews.back())};
-    m_previews.pop_back();
+  m_previewing.reset();
+  for (std::size_t i = 0; !m_request && i < previewAskers; ++i) {
+    std::vector<PreviewRequest::Preview>& previews = m_waiting[i].previews;
+    if (previews.empty())
+      continue;
+    m_previewing = PreviewsOf(i);
+    Work work{.preview = std::move(previews.back()), .asker = *m_previewing};
+    previews.pop_back();
     return work;
   }
   // Pictures of a moving camera are always finished, or a long move would show none.
@@ -146,11 +156,13 @@ void RenderThread::drawPicture(PicturePainter& painter, const PictureRequest& re
   m_pictureEnd = std::chrono::steady_clock::now();
 }
 
-void RenderThread::drawPreview(PicturePainter& painter, const PreviewRequest::Preview& preview) {
+void RenderThread::drawPreview(PicturePainter& painter, const PreviewRequest::Preview& preview,
+                               PreviewsOf asker) {
+  Waiting& waiting = m_waiting[std::size_t(asker)];
   std::uint64_t round = 0;
   {
     const std::lock_guard lock(m_mutex);
-    round = m_previewRound;
+    round = waiting.round;
   }
   std::optional<render::Image> image;
   try {
@@ -165,15 +177,16 @@ void RenderThread::drawPreview(PicturePainter& painter, const PreviewRequest::Pr
   if (!image) {
     // The large picture comes first; then this one again, unless others are wanted instead.
     const std::lock_guard lock(m_mutex);
-    if (m_unwanted && m_previewRound == round && !m_quit)
-      m_previews.push_back(preview);
+    if (m_unwanted && waiting.round == round && !m_quit)
+      waiting.previews.push_back(preview);
     return;
   }
   const render::Image small =
       preview.samples > 1 ? render::averaged(*image, preview.samples) : std::move(*image);
-  emit previewed(preview.id, QImage(small.rgba.data(), small.width, small.height, 4 * small.width,
-                                    QImage::Format_RGBA8888)
-                                 .copy());
+  emit previewed(
+      asker, preview.id,
+      QImage(small.rgba.data(), small.width, small.height, 4 * small.width, QImage::Format_RGBA8888)
+          .copy());
 }
 
 void RenderThread::run() {
@@ -191,7 +204,7 @@ void RenderThread::run() {
     if (work.picture)
       drawPicture(**painter, *work.picture);
     else if (work.preview)
-      drawPreview(**painter, *work.preview);
+      drawPreview(**painter, *work.preview, work.asker);
     else
       break;
   }

@@ -6,6 +6,7 @@
 #include <QImage>
 #include <QOffscreenSurface>
 #include <QThread>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -33,8 +34,12 @@ struct PictureRequest {
                         ///< is given up when they move on
 };
 
+/// Who asks for small pictures; the first come first.
+enum class PreviewsOf { stages, views };
+inline constexpr std::size_t previewAskers = 2;
+
 /// Small pictures beside the large one; drawn only while nobody has asked for another large one for
-/// a while. A newer request replaces those that are not drawn yet.
+/// a while. A newer request replaces those of the same asker that are not drawn yet.
 struct PreviewRequest {
   struct Preview {
     int id = 0;  ///< whoever asks knows which
@@ -44,6 +49,7 @@ struct PreviewRequest {
     int samples = 1;  ///< across a pixel; the picture comes as many times smaller
   };
   std::vector<Preview> previews;
+  PreviewsOf asker = PreviewsOf::stages;
 };
 
 /// Draws requests; lives on the render thread, whose context is current.
@@ -88,7 +94,7 @@ class RenderThread : public QThread {
 
  signals:
   void drawn(const sline::widgets::PictureReport& report);
-  void previewed(int id, const QImage& image);
+  void previewed(sline::widgets::PreviewsOf asker, int id, const QImage& image);
   void failed(const sline::Error& error);
 
  protected:
@@ -99,10 +105,12 @@ class RenderThread : public QThread {
   struct Work {
     std::optional<PictureRequest> picture;
     std::optional<PreviewRequest::Preview> preview;
+    PreviewsOf asker = PreviewsOf::stages;
   };
   Work next();
   void drawPicture(PicturePainter& painter, const PictureRequest& request);
-  void drawPreview(PicturePainter& painter, const PreviewRequest::Preview& preview);
+  void drawPreview(PicturePainter& painter, const PreviewRequest::Preview& preview,
+                   PreviewsOf asker);
   Result<bool> draw(PicturePainter& painter, const PictureRequest& request);
 
   render::gpu::Handoff& m_handoff;
@@ -112,11 +120,16 @@ class RenderThread : public QThread {
   std::mutex m_mutex;
   std::condition_variable m_wake;
   std::optional<PictureRequest> m_request;
-  std::vector<PreviewRequest::Preview> m_previews;  ///< the next one last
-  std::uint64_t m_previewRound = 0;                 ///< counts requests of previews
+  /// What an asker still waits for.
+  struct Waiting {
+    std::vector<PreviewRequest::Preview> previews;  ///< the next one last
+    std::uint64_t round = 0;                        ///< counts requests
+  };
+  bool previewsWait() const;
+  std::array<Waiting, previewAskers> m_waiting;  ///< by PreviewsOf
   std::chrono::steady_clock::time_point m_pictureEnd;
   bool m_quit = false;
-  bool m_previewing = false;
+  std::optional<PreviewsOf> m_previewing;
   /// Of the picture under way: its camera, where it rests.
   std::optional<model::Camera> m_resting;
   std::atomic<bool> m_unwanted = false;

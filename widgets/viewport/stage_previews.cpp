@@ -71,19 +71,22 @@ model::Scene previewSubject(const model::Scene& scene, const NodeIds& ids) {
   return subject;
 }
 
-model::Scene previewScene(const model::Scene& subject, Gamma gamma, int height, double ratio) {
+SmallLines smallLines(int height, double ratio, double pen) {
   constexpr double standardPen = 2.0;  // λ
   const double unit = outputUnit(height);
-  const double pen = penWidth * ratio * double(samples) / (standardPen * unit);
-  const double closer =
-      double(render::hatchSpacing) * unit / (strokeSpacing * ratio * double(samples));
+  const double closer = double(render::hatchSpacing) * unit / (strokeSpacing * ratio);
+  return {.pen = float(pen * ratio / (standardPen * unit)), .hatchDensity = float(closer * closer)};
+}
+
+model::Scene previewScene(const model::Scene& subject, Gamma gamma, int height, double ratio) {
+  const SmallLines lines = smallLines(height, ratio * double(samples), penWidth);
   model::Scene result = subject;
   std::vector<model::Node> nodes = subject.nodes();
   for (model::Node& node : nodes) {
     node.style.gamma = gamma;
-    node.style.penWeight = float(pen) * node.style.penWeight.value_or(1.0f);
+    node.style.penWeight = lines.pen * node.style.penWeight.value_or(1.0f);
     const float density = node.style.hatchDensity ? node.style.hatchDensity->value() : 1.0f;
-    node.style.hatchDensity = HatchDensity::clamped(density * float(closer * closer));
+    node.style.hatchDensity = HatchDensity::clamped(density * lines.hatchDensity);
   }
   result.setNodes(std::move(nodes));
   return result;
@@ -145,8 +148,8 @@ void StagePreviews::restart() {
   m_rest.start();
 }
 
-void StagePreviews::took(int id, const QImage& image) {
-  if (id / mostStages == m_round)
+void StagePreviews::took(PreviewsOf asker, int id, const QImage& image) {
+  if (asker == PreviewsOf::stages && id / mostStages == m_round)
     emit made(id % mostStages, image);
 }
 

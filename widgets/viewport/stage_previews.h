@@ -20,6 +20,14 @@ namespace sline::widgets {
 model::Scene previewSubject(const model::Scene& scene, const NodeIds& ids);
 /// The subject at that Γ, with lines and hatching as coarse as a picture of so many pixels needs.
 model::Scene previewScene(const model::Scene& subject, Gamma gamma, int height, double ratio);
+/// How much wider lines, and how much fewer strokes of hatching, a small picture of so many pixels
+/// needs to be read; `pen` is a line's width in pixels of the window, of which `ratio` of the
+/// picture's make one.
+struct SmallLines {
+  float pen = 1.0f;
+  float hatchDensity = 1.0f;
+};
+SmallLines smallLines(int height, double ratio, double pen);
 /// Looks as the other camera does, at the middle of the subject, which fills the picture.
 model::Camera previewCamera(const model::Scene& subject, const model::Camera& camera, float aspect);
 
@@ -50,7 +58,7 @@ class StagePreviews : public QObject {
   Key keyNow() const;
   void restart();
   void ask();
-  void took(int id, const QImage& image);
+  void took(PreviewsOf asker, int id, const QImage& image);
 
   Session& m_session;
   Viewport& m_viewport;

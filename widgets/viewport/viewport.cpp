@@ -18,6 +18,8 @@ namespace {
 constexpr int restAfter = 150;
 /// Milliseconds that a flight takes.
 constexpr int flightTime = 220;
+/// And one in which looks change: long enough to see what becomes of what.
+constexpr int travelTime = 700;
 constexpr int flightStep = 15;
 /// Milliseconds that the mouse rests on a structure before its name is shown.
 constexpr int nameAfter = 180;
@@ -155,13 +157,17 @@ void Viewport::resizeGL(int, int) {
 }
 
 void Viewport::refresh() {
+  refresh(m_blend ? m_blend->at(flownPart()) : shownScene());
+}
+
+void Viewport::refresh(model::Scene scene) {
   if (!m_thread)
     return;
   // A section keeps to what the camera's moves allow: another size draws everything anew.
   m_askedScale = m_moving ? m_quality.scale() : 1.0f;
   const render::gpu::TextureSize size = pixels();
   PictureRequest request{.number = ++m_asked,
-                         .scene = m_session.scene(),
+                         .scene = std::move(scene),
                          .camera = m_camera,
                          .settings = {.width = scaled(size.width, m_askedScale),
                                       .height = scaled(size.height, m_askedScale),
@@ -227,6 +233,50 @@ void Viewport::rest() {
 void Viewport::stopFlight() {
   m_flight.reset();
   m_flightTick.stop();
+  if (!m_blend)
+    return;
+  m_blend.reset();
+  refresh();
+}
+
+double Viewport::flownPart() const {
+  return double(m_flown.elapsed()) / double(m_flightTime);
+}
+
+void Viewport::startFlight(const model::Camera& camera, int milliseconds) {
+  m_flight.emplace(m_camera, camera);
+  m_flightTime = milliseconds;
+  m_flown.start();
+  m_flightTick.start();
+}
+
+void Viewport::travelTo(const model::Camera& camera, const model::Scene& from,
+                        const model::Scene& to) {
+  if (model::cameraFault(camera))
+    return;
+  m_pivot = camera.target;
+  if (!m_flights || !isVisible()) {
+    stopFlight();
+    m_camera = camera;
+    placeMarks();
+    // At once with the looks that are about to be the document's: in between there is no picture.
+    refresh(to);
+    emit cameraChanged();
+    return;
+  }
+  m_blend.emplace(from, to);
+  startFlight(camera, travelTime);
+  keepMoving();
+}
+
+const model::Scene& Viewport::shownScene() const {
+  return m_instead ? *m_instead : m_session.scene();
+}
+
+void Viewport::showInstead(std::optional<model::Scene> scene) {
+  m_instead = std::move(scene);
+  forgetName();
+  refresh();
 }
 
 void Viewport::setCamera(const model::Camera& camera) {
@@ -244,23 +294,30 @@ void Viewport::flyTo(const model::Camera& camera) {
     setCamera(camera);
     return;
   }
-  m_flight.emplace(m_camera, camera);
-  m_flown.start();
-  m_flightTick.start();
+  stopFlight();
+  startFlight(camera, flightTime);
 }
 
 void Viewport::flyOn() {
   if (!m_flight)
     return;
-  const double part = double(m_flown.elapsed()) / flightTime;
+  const double part = flownPart();
   const model::Camera camera = m_flight->at(part);
-  if (part >= 1.0)
-    stopFlight();
+  const bool looks = m_blend.has_value();
+  if (part >= 1.0) {
+    m_flight.reset();
+    m_blend.reset();
+    m_flightTick.stop();
+  }
+  if (looks && camera == m_camera) {
+    keepMoving();
+    refresh();
+  }
   move(camera);
 }
 
 void Viewport::pivotToMiddle() {
-  const model::Box bounds = m_session.scene().visibleBounds();
+  const model::Box bounds = shownScene().visibleBounds();
   if (!bounds.empty())
     m_pivot = bounds.centre();
 }
@@ -301,7 +358,7 @@ void Viewport::setBackground(render::Background background) {
 }
 
 bool Viewport::keyLight() const {
-  const auto& own = m_session.scene().keyLight();
+  const auto& own = shownScene().keyLight();
   return own ? own->shades : m_keyLight;
 }
 
@@ -321,7 +378,10 @@ void Viewport::documentChange(const Document& before, const Document& now) {
   if (!another && before.scene == now.scene)
     return;
   forgetName();
+  if (m_blend && !m_instead && !(m_blend->end() == now.scene))
+    m_blend.reset();  // somebody changed the looks meanwhile
   if (another) {
+    m_instead.reset();
     cancelDrag();
     m_drawnCamera.reset();
     m_quality = {};

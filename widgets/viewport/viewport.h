@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "model/edit/blend.h"
 #include "widgets/session/session.h"
 #include "widgets/viewport/camera_flight.h"
 #include "widgets/viewport/camera_tool.h"
@@ -40,6 +41,14 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   /// In a short flight, where these are wanted; any move by hand takes over.
   void flyTo(const model::Camera& camera);
   void setFlights(bool wanted) { m_flights = wanted; }
+  /// The same for the looks too, which go along with the camera in a longer flight from those of
+  /// one scene to those of the scene that is shown or about to be; a move by hand ends it there.
+  void travelTo(const model::Camera& camera, const model::Scene& from, const model::Scene& to);
+  /// This one in place of the document's, which it leaves alone; nothing can be chosen in it. With
+  /// none it is the document's again.
+  void showInstead(std::optional<model::Scene> scene);
+  /// What the picture is of, when no flight is under way.
+  const model::Scene& shownScene() const;
   void showFrom(model::AnatomicalView view);
   /// Turns around the pivot until that side of the orientation cube faces the eye.
   void lookFrom(const CubePart& from);
@@ -81,7 +90,7 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   void pivotChosen(const QString& structure);
   /// What can be done with the structure there, or where there is none with the picture.
   void menuWanted(const QPoint& onScreen, const std::optional<sline::widgets::Pick>& pick);
-  void previewed(int id, const QImage& image);
+  void previewed(sline::widgets::PreviewsOf asker, int id, const QImage& image);
   void failed(const sline::Error& error);
 
  protected:
@@ -106,11 +115,14 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   void closeGraphics();
   void rebuildGraphics();
   void refresh();
+  void refresh(model::Scene scene);
   void move(const model::Camera& camera) override;
   void keepMoving();
   void rest();
   void flyOn();
   void stopFlight();
+  double flownPart() const;
+  void startFlight(const model::Camera& camera, int milliseconds);
   void took(const PictureReport& report);
   void failure(const Error& error);
   void documentChange(const Document& before, const Document& now);
@@ -155,7 +167,10 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   bool m_dragged = false;  ///< the mouse went far enough that the release is no click
   model::Camera m_beforeTurn;
   std::optional<CameraFlight> m_flight;
+  std::optional<model::SceneBlend> m_blend;  ///< of the flight, where looks change in it
+  std::optional<model::Scene> m_instead;
   QElapsedTimer m_flown;
+  int m_flightTime = 0;  ///< milliseconds
   QTimer m_flightTick;
   bool m_flights = false;
 

@@ -49,7 +49,7 @@ Pointer Viewport::pointer(const QPointF& at, Qt::MouseButton button,
 }
 
 Picker::Question Viewport::question(const QPointF& at) const {
-  return {.scene = m_session.scene(), .rays = sightsAround(m_camera, vec(at), size2())};
+  return {.scene = shownScene(), .rays = sightsAround(m_camera, vec(at), size2())};
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
@@ -144,7 +144,7 @@ void Viewport::cancelDrag() {
 void Viewport::zoomAt(const QPointF& at, float factor) {
   const glm::vec3 place = pointAtDepthOf(m_camera, m_pivot, vec(at), size2());
   const model::Camera camera = zoomed(m_camera, place, factor);
-  if (withinReach(camera, m_pivot, m_session.scene()))
+  if (withinReach(camera, m_pivot, shownScene()))
     move(camera);
 }
 
@@ -224,6 +224,8 @@ void Viewport::clicked(const Picks& picks, const QPoint& at, ClickFor purpose) {
   const std::optional<Pick> pick =
       purpose == ClickFor::deeper ? deeper(picks.all, m_session.selection()) : picks.seen;
   const model::Node* node = pick ? m_session.scene().find(pick->id) : nullptr;
+  if (m_instead && purpose != ClickFor::pivot)
+    return;
   if (purpose == ClickFor::menu) {
     emit menuWanted(mapToGlobal(at), node ? pick : std::nullopt);
     return;

@@ -34,6 +34,7 @@
 #include "widgets/structure_tree/structure_tree_view.h"
 #include "widgets/viewport/stage_previews.h"
 #include "widgets/viewport/viewport.h"
+#include "widgets/views/view_tour.h"
 #include "widgets/window/about_dialog.h"
 #include "widgets/window/controls_dialog.h"
 #include "widgets/window/controls_memory.h"
@@ -44,6 +45,7 @@
 #include "widgets/window/picture_menu.h"
 #include "widgets/window/section_actions.h"
 #include "widgets/window/structure_actions.h"
+#include "widgets/window/tour_actions.h"
 #include "widgets/window/view_actions.h"
 
 namespace sline::widgets {
@@ -157,6 +159,7 @@ void MainWindow::makePanels() {
   // Three above each other would be too tall for a small screen.
   tabifyDockWidget(findChild<QDockWidget*>(QStringLiteral("focusPanel")), steps);
   steps->hide();
+  m_tours = new TourActions(*this, m_session, *m_viewport, m_actions, m_parts);
   resizeDocks({findChild<QDockWidget*>(QStringLiteral("structuresPanel")),
                findChild<QDockWidget*>(QStringLiteral("gammaPanel"))},
               {366, 304}, Qt::Horizontal);
@@ -259,6 +262,7 @@ void MainWindow::makeMenus() {
     m_tree->view().addAction(action);
   m_views = new ViewActions(m_session, *m_viewport, m_settings, m_actions,
                             menus[QStringLiteral("savedViews")]);
+  connect(m_views, &ViewActions::viewChosen, &m_tours->tour(), &ViewTour::goTo);
   m_structures = new StructureActions(m_session, *m_tree, *m_viewport, m_actions, m_parts);
   m_sections = new SectionActions(m_session, *m_viewport, m_actions, m_parts);
   connect(m_sections, &SectionActions::refused, m_message, &MessageBar::showError);

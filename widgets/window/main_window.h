@@ -30,6 +30,7 @@ class StartPage;
 class StructureActions;
 class SectionsPanel;
 class StructureTree;
+class TourActions;
 class ViewActions;
 class Viewport;
 
@@ -98,6 +99,7 @@ class MainWindow : public QMainWindow {
   StructureActions* m_structures = nullptr;
   SectionsPanel* m_sectionsPanel = nullptr;
   ViewActions* m_views = nullptr;
+  TourActions* m_tours = nullptr;
   QLabel* m_summary = nullptr;
   QLabel* m_job = nullptr;
   QProgressBar* m_progress = nullptr;

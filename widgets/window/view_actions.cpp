@@ -7,6 +7,7 @@
 
 #include "model/edit/views.h"
 #include "widgets/viewport/viewport.h"
+#include "widgets/views/view_list.h"
 
 namespace sline::widgets {
 
@@ -42,17 +43,14 @@ void ViewActions::lightKey(bool on) {
 
 void ViewActions::listViews() {
   m_savedViews.clear();
-  for (const model::View& view : m_session.scene().views())
-    m_savedViews.addAction(QString::fromStdString(view.name), this, [this, view] { show(view); });
+  const std::vector<model::View>& views = m_session.scene().views();
+  for (int i = 0; i < int(views.size()); ++i) {
+    // An ampersand in a name is no key.
+    const QString name =
+        shownName(views[std::size_t(i)]).replace(QLatin1Char('&'), QStringLiteral("&&"));
+    m_savedViews.addAction(name, this, [this, i] { emit viewChosen(i); });
+  }
   m_savedViews.setEnabled(!m_savedViews.isEmpty());
-}
-
-void ViewActions::show(const model::View& view) {
-  m_viewport.setCamera(view.camera);
-  model::Scene shown = model::shown(m_session.scene(), view).scene;
-  const bool changed = !(shown == m_session.scene());
-  m_session.apply(tr("View “%1”").arg(QString::fromStdString(view.name)),
-                  {std::move(shown), changed});
 }
 
 void ViewActions::documentChange(const Document& before, const Document& now) {

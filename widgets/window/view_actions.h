@@ -21,10 +21,12 @@ class ViewActions : public QObject {
   ViewActions(Session& session, Viewport& viewport, QSettings& settings,
               const WindowActions& actions, QMenu& savedViews);
 
+ signals:
+  void viewChosen(int index);
+
  private:
   void lightKey(bool on);
   void listViews();
-  void show(const model::View& view);
   void documentChange(const Document& before, const Document& now);
 
   Session& m_session;

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QByteArray>
+#include <QObject>
+#include <QRect>
+#include <optional>
+
+#include "widgets/session/session.h"
+#include "widgets/viewport/viewport.h"
+
+class QKeyEvent;
+class QLabel;
+class QMainWindow;
+
+namespace sline::widgets {
+
+/// The tour on the whole screen: the picture and the view's name, nothing else. Arrow keys, space,
+/// Page Up and Page Down go from view to view, Home and End to the first and last, Escape ends it.
+/// The mouse turns the scene, but nothing of the document can be changed, and it is as it was, and
+/// so are window and camera, when the presentation ends.
+class Presentation : public QObject {
+  Q_OBJECT
+ public:
+  Presentation(QMainWindow& window, Session& session, Viewport& viewport, QObject* parent);
+  ~Presentation() override;
+
+  /// From that view on; nothing where there are none.
+  void begin(int index);
+  void end();
+  bool running() const { return m_before.has_value(); }
+  /// Which view is shown.
+  int at() const { return m_at; }
+
+ signals:
+  void ended();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  /// What the window was like.
+  struct Before {
+    QByteArray docks;
+    Qt::WindowStates states;
+    QRect place;
+    QWidget* focus = nullptr;
+    MarkChoice marks;
+    model::Camera camera;
+    glm::vec3 pivot{0.0f};
+    std::optional<model::SectionId> section;
+    int opening = 0;
+  };
+  void showBars(bool shown);
+  void show(int index);
+  void key(const QKeyEvent& event);
+  void placeName();
+  void documentChange();
+
+  QMainWindow& m_window;
+  Session& m_session;
+  Viewport& m_viewport;
+  QLabel* m_name;
+  std::optional<Before> m_before;
+  int m_at = 0;
+};
+
+}  // namespace sline::widgets

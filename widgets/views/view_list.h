@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QAbstractListModel>
+#include <QImage>
+#include <vector>
+
+#include "widgets/session/session.h"
+
+namespace sline::widgets {
+
+class ViewTour;
+
+/// What a view goes by on screen: on one line, and no longer than anybody reads. Plain text.
+QString shownName(const model::View& view);
+
+/// The scene's views as rows, in the tour's order, each with its small picture
+/// (`Qt::DecorationRole`) and how much of what it speaks of is gone (`absentRole`). Names and
+/// places change through the tour.
+class ViewList : public QAbstractListModel {
+  Q_OBJECT
+ public:
+  static constexpr int absentRole = Qt::UserRole;
+  ViewList(Session& session, ViewTour& tour, QObject* parent = nullptr);
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+  Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
+  QStringList mimeTypes() const override;
+  QMimeData* mimeData(const QModelIndexList& indexes) const override;
+  bool moveRows(const QModelIndex& from, int row, int count, const QModelIndex& to,
+                int before) override;
+
+  const QImage& picture(int row) const { return m_cards[std::size_t(row)].picture; }
+  void setPicture(int row, const QImage& picture);
+
+ private:
+  struct Card {
+    model::View view;
+    QImage picture;  ///< may be of how it was
+    std::size_t absent = 0;
+  };
+  void documentChange(const Document& before, const Document& now);
+  void follow(std::vector<Card> cards);
+  std::vector<Card> cardsNow(bool another) const;
+  bool moveAlone(const std::vector<Card>& cards);
+
+  Session& m_session;
+  ViewTour& m_tour;
+  std::vector<Card> m_cards;
+};
+
+}  // namespace sline::widgets
