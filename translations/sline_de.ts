@@ -1538,6 +1538,30 @@
         <source>I&amp;mport Folder…</source>
         <translation>O&amp;rdner importieren …</translation>
     </message>
+    <message>
+        <source>A&amp;dd View</source>
+        <translation>An&amp;sicht hinzufügen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+V</source>
+        <translation>Ctrl+Shift+V</translation>
+    </message>
+    <message>
+        <source>Save what you see as a view: camera, what is shown, Γ, colours and sections</source>
+        <translation>Was du siehst als Ansicht speichern: Kamera, was gezeigt wird, Γ, Farben und Schnitte</translation>
+    </message>
+    <message>
+        <source>Presen&amp;t</source>
+        <translation>Vor&amp;führen</translation>
+    </message>
+    <message>
+        <source>Shift+F5</source>
+        <translation>Shift+F5</translation>
+    </message>
+    <message>
+        <source>The saved views one after the other on the whole screen</source>
+        <translation>Die gespeicherten Ansichten nacheinander auf dem ganzen Bildschirm</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -2423,6 +2447,14 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::Presentation</name>
+    <message>
+        <source>%1 / %2   %3</source>
+        <comment>number of the view, of so many, its name</comment>
+        <translation>%1 / %2   %3</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::PresetPanel</name>
     <message>
         <source>Focus</source>
@@ -3083,14 +3115,76 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::TourActions</name>
+    <message>
+        <source>Views</source>
+        <translation>Ansichten</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::ViewActions</name>
     <message>
         <source>Key Light</source>
         <translation>Hauptlicht</translation>
     </message>
+</context>
+<context>
+    <name>sline::widgets::ViewCard</name>
+    <message>
+        <source>Name of the view</source>
+        <translation>Name der Ansicht</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ViewList</name>
+    <message numerus="yes">
+        <source>%n of the structures and labels it shows are no longer in the scene</source>
+        <translation>
+            <numerusform>%n der Strukturen und Beschriftungen, die sie zeigt, gibt es in der Szene nicht mehr</numerusform>
+            <numerusform>%n der Strukturen und Beschriftungen, die sie zeigt, gibt es in der Szene nicht mehr</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ViewRow</name>
+    <message>
+        <source>Saved views</source>
+        <translation>Gespeicherte Ansichten</translation>
+    </message>
+    <message>
+        <source>A view keeps what you see: camera, what is shown, Γ, colours and sections</source>
+        <translation>Eine Ansicht behält, was du siehst: Kamera, was gezeigt wird, Γ, Farben und Schnitte</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ViewTour</name>
     <message>
         <source>View “%1”</source>
-        <translation>Ansicht „%1“</translation>
+        <translation type="unfinished">Ansicht „%1“</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Ansicht %1</translation>
+    </message>
+    <message>
+        <source>Add View</source>
+        <translation>Ansicht hinzufügen</translation>
+    </message>
+    <message>
+        <source>Update View “%1”</source>
+        <translation>Ansicht „%1“ aktualisieren</translation>
+    </message>
+    <message>
+        <source>Delete View “%1”</source>
+        <translation>Ansicht „%1“ löschen</translation>
+    </message>
+    <message>
+        <source>Rename View</source>
+        <translation>Ansicht umbenennen</translation>
+    </message>
+    <message>
+        <source>Move View</source>
+        <translation>Ansicht verschieben</translation>
     </message>
 </context>
 <context>
@@ -3098,6 +3192,25 @@ OpenGL: %3</translation>
     <message>
         <source>Picture</source>
         <translation>Bild</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ViewsPanel</name>
+    <message>
+        <source>Update View</source>
+        <translation>Ansicht aktualisieren</translation>
+    </message>
+    <message>
+        <source>The chosen view shows from now on what is seen now</source>
+        <translation>Die gewählte Ansicht zeigt von jetzt an, was jetzt zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished">Löschen</translation>
+    </message>
+    <message>
+        <source>Take the chosen view away</source>
+        <translation>Die gewählte Ansicht wegnehmen</translation>
     </message>
 </context>
 </TS>

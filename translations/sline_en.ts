@@ -158,4 +158,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>sline::widgets::ViewList</name>
+    <message numerus="yes">
+        <source>%n of the structures and labels it shows are no longer in the scene</source>
+        <translation>
+            <numerusform>%n of the structures and labels it shows is no longer in the scene</numerusform>
+            <numerusform>%n of the structures and labels it shows are no longer in the scene</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

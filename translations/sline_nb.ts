@@ -1538,6 +1538,30 @@
         <source>I&amp;mport Folder…</source>
         <translation>Importer mapp&amp;e …</translation>
     </message>
+    <message>
+        <source>A&amp;dd View</source>
+        <translation>L&amp;egg til visning</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+V</source>
+        <translation>Ctrl+Shift+V</translation>
+    </message>
+    <message>
+        <source>Save what you see as a view: camera, what is shown, Γ, colours and sections</source>
+        <translation>Lagre det du ser som en visning: kamera, hva som vises, Γ, farger og snitt</translation>
+    </message>
+    <message>
+        <source>Presen&amp;t</source>
+        <translation>P&amp;resenter</translation>
+    </message>
+    <message>
+        <source>Shift+F5</source>
+        <translation>Shift+F5</translation>
+    </message>
+    <message>
+        <source>The saved views one after the other on the whole screen</source>
+        <translation>De lagrede visningene etter hverandre på hele skjermen</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -2423,6 +2447,14 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::Presentation</name>
+    <message>
+        <source>%1 / %2   %3</source>
+        <comment>number of the view, of so many, its name</comment>
+        <translation>%1 / %2   %3</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::PresetPanel</name>
     <message>
         <source>Focus</source>
@@ -3083,14 +3115,76 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::TourActions</name>
+    <message>
+        <source>Views</source>
+        <translation>Visninger</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::ViewActions</name>
     <message>
         <source>Key Light</source>
         <translation>Hovedlys</translation>
     </message>
+</context>
+<context>
+    <name>sline::widgets::ViewCard</name>
+    <message>
+        <source>Name of the view</source>
+        <translation>Navn på visningen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ViewList</name>
+    <message numerus="yes">
+        <source>%n of the structures and labels it shows are no longer in the scene</source>
+        <translation>
+            <numerusform>%n av strukturene og etikettene den viser, finnes ikke lenger i scenen</numerusform>
+            <numerusform>%n av strukturene og etikettene den viser, finnes ikke lenger i scenen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ViewRow</name>
+    <message>
+        <source>Saved views</source>
+        <translation>Lagrede visninger</translation>
+    </message>
+    <message>
+        <source>A view keeps what you see: camera, what is shown, Γ, colours and sections</source>
+        <translation>En visning tar vare på det du ser: kamera, hva som vises, Γ, farger og snitt</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ViewTour</name>
     <message>
         <source>View “%1”</source>
-        <translation>Visning «%1»</translation>
+        <translation type="unfinished">Visning «%1»</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Visning %1</translation>
+    </message>
+    <message>
+        <source>Add View</source>
+        <translation>Legg til visning</translation>
+    </message>
+    <message>
+        <source>Update View “%1”</source>
+        <translation>Oppdater visning «%1»</translation>
+    </message>
+    <message>
+        <source>Delete View “%1”</source>
+        <translation>Slett visning «%1»</translation>
+    </message>
+    <message>
+        <source>Rename View</source>
+        <translation>Gi visning nytt navn</translation>
+    </message>
+    <message>
+        <source>Move View</source>
+        <translation>Flytt visning</translation>
     </message>
 </context>
 <context>
@@ -3098,6 +3192,25 @@ OpenGL: %3</translation>
     <message>
         <source>Picture</source>
         <translation>Bilde</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ViewsPanel</name>
+    <message>
+        <source>Update View</source>
+        <translation>Oppdater visning</translation>
+    </message>
+    <message>
+        <source>The chosen view shows from now on what is seen now</source>
+        <translation>Den valgte visningen viser fra nå av det som ses nå</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished">Slett</translation>
+    </message>
+    <message>
+        <source>Take the chosen view away</source>
+        <translation>Ta bort den valgte visningen</translation>
     </message>
 </context>
 </TS>

@@ -1538,6 +1538,30 @@
         <source>I&amp;mport Folder…</source>
         <translation>Ma&amp;p importeren…</translation>
     </message>
+    <message>
+        <source>A&amp;dd View</source>
+        <translation>Aan&amp;zicht toevoegen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+V</source>
+        <translation>Ctrl+Shift+V</translation>
+    </message>
+    <message>
+        <source>Save what you see as a view: camera, what is shown, Γ, colours and sections</source>
+        <translation>Bewaar wat u ziet als aanzicht: camera, wat wordt getoond, Γ, kleuren en doorsneden</translation>
+    </message>
+    <message>
+        <source>Presen&amp;t</source>
+        <translation>Presen&amp;teren</translation>
+    </message>
+    <message>
+        <source>Shift+F5</source>
+        <translation>Shift+F5</translation>
+    </message>
+    <message>
+        <source>The saved views one after the other on the whole screen</source>
+        <translation>De opgeslagen aanzichten na elkaar op het hele scherm</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -2423,6 +2447,14 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::Presentation</name>
+    <message>
+        <source>%1 / %2   %3</source>
+        <comment>number of the view, of so many, its name</comment>
+        <translation>%1 / %2   %3</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::PresetPanel</name>
     <message>
         <source>Focus</source>
@@ -3083,14 +3115,76 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::TourActions</name>
+    <message>
+        <source>Views</source>
+        <translation>Aanzichten</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::ViewActions</name>
     <message>
         <source>Key Light</source>
         <translation>Hoofdlicht</translation>
     </message>
+</context>
+<context>
+    <name>sline::widgets::ViewCard</name>
+    <message>
+        <source>Name of the view</source>
+        <translation>Naam van het aanzicht</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ViewList</name>
+    <message numerus="yes">
+        <source>%n of the structures and labels it shows are no longer in the scene</source>
+        <translation>
+            <numerusform>%n van de structuren en labels die het toont, is niet meer in de scène</numerusform>
+            <numerusform>%n van de structuren en labels die het toont, zijn niet meer in de scène</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ViewRow</name>
+    <message>
+        <source>Saved views</source>
+        <translation>Opgeslagen aanzichten</translation>
+    </message>
+    <message>
+        <source>A view keeps what you see: camera, what is shown, Γ, colours and sections</source>
+        <translation>Een aanzicht bewaart wat u ziet: camera, wat wordt getoond, Γ, kleuren en doorsneden</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ViewTour</name>
     <message>
         <source>View “%1”</source>
-        <translation>Aanzicht ‘%1’</translation>
+        <translation type="unfinished">Aanzicht ‘%1’</translation>
+    </message>
+    <message>
+        <source>View %1</source>
+        <translation>Aanzicht %1</translation>
+    </message>
+    <message>
+        <source>Add View</source>
+        <translation>Aanzicht toevoegen</translation>
+    </message>
+    <message>
+        <source>Update View “%1”</source>
+        <translation>Aanzicht “%1” bijwerken</translation>
+    </message>
+    <message>
+        <source>Delete View “%1”</source>
+        <translation>Aanzicht “%1” verwijderen</translation>
+    </message>
+    <message>
+        <source>Rename View</source>
+        <translation>Aanzicht hernoemen</translation>
+    </message>
+    <message>
+        <source>Move View</source>
+        <translation>Aanzicht verplaatsen</translation>
     </message>
 </context>
 <context>
@@ -3098,6 +3192,25 @@ OpenGL: %3</translation>
     <message>
         <source>Picture</source>
         <translation>Beeld</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ViewsPanel</name>
+    <message>
+        <source>Update View</source>
+        <translation>Aanzicht bijwerken</translation>
+    </message>
+    <message>
+        <source>The chosen view shows from now on what is seen now</source>
+        <translation>Het gekozen aanzicht toont voortaan wat nu te zien is</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished">Verwijderen</translation>
+    </message>
+    <message>
+        <source>Take the chosen view away</source>
+        <translation>Het gekozen aanzicht weghalen</translation>
     </message>
 </context>
 </TS>

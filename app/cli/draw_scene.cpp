@@ -3,20 +3,27 @@
 
 namespace sline::cli {
 
-Exit drawScene(const model::Scene& scene, const PictureOrder& order, Progress& progress) {
+Result<ArrangedScene> arrangedFor(const model::Scene& scene, const PictureOrder& order) {
   const Result<model::Scene> focus = inFocus(asSaved(scene, order), order);
   if (!focus.ok())
-    return complain(focus.error(), Exit::wrongUse);
+    return focus.error();
   const Result<model::Scene> dressed = styled(*focus, order);
   if (!dressed.ok())
-    return complain(dressed.error(), Exit::wrongUse);
+    return dressed.error();
   const Result<model::Scene> cut = cutOpen(*dressed, order);
   if (!cut.ok())
-    return complain(cut.error(), Exit::wrongUse);
+    return cut.error();
   const Result<model::Camera> camera = cameraFor(*cut, order);
   if (!camera.ok())
-    return complain(camera.error(), Exit::wrongUse);
-  const Status drawn = drawToFile(*cut, *camera, order, progress);
+    return camera.error();
+  return ArrangedScene{*cut, *camera};
+}
+
+Exit drawScene(const model::Scene& scene, const PictureOrder& order, Progress& progress) {
+  const Result<ArrangedScene> arranged = arrangedFor(scene, order);
+  if (!arranged.ok())
+    return complain(arranged.error(), Exit::wrongUse);
+  const Status drawn = drawToFile(arranged->scene, arranged->camera, order, progress);
   if (!drawn.ok()) {
     progress.wipe();
     return complain(drawn.error(), Exit::failed);

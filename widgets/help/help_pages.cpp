@@ -25,7 +25,7 @@ constexpr Place places[] = {
     {"savePresetDialog", "gamma"}, {"managePresetsDialog", "gamma"}, {"focusPanel", "focus"},
     {"sectionsPanel", "sections"}, {"viewport", "picture"},          {"startPage", "start"},
     {"historyPanel", "start"},     {"recoveryDialog", "files"},      {"saveDialog", "files"},
-    {"importDialog", "import"},    {"controlsDialog", "keys"},
+    {"importDialog", "import"},    {"controlsDialog", "keys"},       {"viewsPanel", "views"},
 };
 
 QString read(const QString& path) {
@@ -39,8 +39,8 @@ QString read(const QString& path) {
 std::vector<QString> helpPageIds() {
   std::vector<QString> ids;
   for (const char* id :
-       {"start", "tree", "gamma", "focus", "sections", "picture", "files", "import", "keys",
-        "label_volumes", "dicom", "slicer", "molecules", "scene_file"})
+       {"start", "tree", "gamma", "focus", "sections", "picture", "views", "files", "import",
+        "keys", "label_volumes", "dicom", "slicer", "molecules", "scene_file"})
     ids.push_back(QLatin1String(id));
   return ids;
 }
