@@ -3160,7 +3160,7 @@ OpenGL: %3</translation>
     <name>sline::widgets::ViewTour</name>
     <message>
         <source>View “%1”</source>
-        <translation type="unfinished">Ansicht „%1“</translation>
+        <translation>Ansicht „%1“</translation>
     </message>
     <message>
         <source>View %1</source>
@@ -3206,7 +3206,7 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Delete</source>
-        <translation type="unfinished">Löschen</translation>
+        <translation>Löschen</translation>
     </message>
     <message>
         <source>Take the chosen view away</source>

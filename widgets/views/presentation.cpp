@@ -3,7 +3,6 @@
 
 #include <QDockWidget>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLocale>
 #include <QMainWindow>
 #include <QMenuBar>
@@ -64,6 +63,8 @@ Presentation::Presentation(QMainWindow& window, Session& session, Viewport& view
 }
 
 Presentation::~Presentation() {
+  if (!m_name)
+    return;  // the window itself goes, and the picture has gone before
   end();
   delete m_name;
 }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <QByteArray>
+#include <QLabel>
 #include <QObject>
+#include <QPointer>
 #include <QRect>
 #include <optional>
 
@@ -10,7 +12,6 @@
 #include "widgets/viewport/viewport.h"
 
 class QKeyEvent;
-class QLabel;
 class QMainWindow;
 
 namespace sline::widgets {
@@ -60,7 +61,7 @@ class Presentation : public QObject {
   QMainWindow& m_window;
   Session& m_session;
   Viewport& m_viewport;
-  QLabel* m_name;
+  QPointer<QLabel> m_name;  ///< the viewport's
   std::optional<Before> m_before;
   int m_at = 0;
 };

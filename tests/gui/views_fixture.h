@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// A window with two balls in it, and hands for its panel of views.
+#pragma once
+
+#include <QAction>
+#include <QDockWidget>
+#include <QLabel>
+#include <QLineEdit>
+#include <QToolButton>
+#include <QtTest>
+#include <array>
+
+#include "model/edit/style.h"
+#include "tests/gui/window_fixture.h"
+#include "tests/support/shapes.h"
+#include "widgets/views/view_list.h"
+#include "widgets/views/view_pictures.h"
+#include "widgets/views/view_row.h"
+#include "widgets/views/views_panel.h"
+
+namespace sline::test {
+
+struct Views : WindowFixture {
+  model::NodeId left;
+  model::NodeId right;
+
+  explicit Views(const std::vector<model::View>& views = {}) {
+    session.openMade(QStringLiteral("Balls"), [this, views](const auto&, const auto&) {
+      model::Scene scene;
+      left = scene.append(
+          {.name = "left ball", .mesh = moved(*sphere(20, 3), 1.0f, {30.0f, 0.0f, 0.0f})});
+      right = scene.append(
+          {.name = "right ball", .mesh = moved(*sphere(20, 3), 1.0f, {-30.0f, 0.0f, 0.0f})});
+      scene.setViews(views);
+      return Result<widgets::Loaded>(
+          widgets::Loaded{.scene = std::move(scene), .title = QStringLiteral("Balls")});
+    });
+    if (!settled())
+      qFatal("the scene does not come");
+  }
+
+  const model::Scene& scene() const { return session.scene(); }
+  QString names() const {
+    QStringList all;
+    for (const model::View& view : scene().views())
+      all << QString::fromStdString(view.name);
+    return all.join(QLatin1Char('|'));
+  }
+  QDockWidget& dock() { return control<QDockWidget>("viewsPanel"); }
+  widgets::ViewRow& row() { return control<widgets::ViewRow>("viewRow"); }
+  QRect card(int index) { return row().visualRect(row().model()->index(index, 0)); }
+  void clickCard(int index) {
+    QTest::mouseClick(row().viewport(), Qt::LeftButton, {}, card(index).center());
+  }
+  void press(const char* button) {
+    QTest::mouseClick(&control<QToolButton>(button), Qt::LeftButton);
+  }
+  void add(const char* key) {
+    QTest::keyClick(&viewport(), Qt::Key(key[0]));
+    QTest::keyClick(&viewport(), Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
+  }
+  /// Front, back and left.
+  void addThree() {
+    for (const char* key : {"A", "P", "L"})
+      add(key);
+    QVERIFY(settled());
+  }
+  void setGamma(model::NodeId id, float gamma) {
+    session.apply(QStringLiteral("Γ"),
+                  model::withStyle(scene(), std::array{id}, {.gamma = Gamma::clamped(gamma)}));
+  }
+  void type(const QString& name) {
+    auto* editor = row().findChild<QLineEdit*>(QStringLiteral("viewName"));
+    if (!editor)
+      qFatal("no name is being typed");
+    editor->selectAll();
+    QTest::keyClicks(editor, name);
+    QTest::keyClick(editor, Qt::Key_Return);
+    typed();
+  }
+  /// What was typed is taken over when the event loop comes to it.
+  void typed() {
+    if (!QTest::qWaitFor(
+            [this] { return !row().findChild<QLineEdit*>(QStringLiteral("viewName")); }))
+      qFatal("the name is still being typed");
+  }
+  int steps() { return session.history().index(); }
+  void undo() { QTest::keyClick(&viewport(), Qt::Key_Z, Qt::ControlModifier); }
+  void fly() {
+    settings.setValue(QStringLiteral("navigation/flights"), true);
+    viewport().setFlights(true);
+  }
+  QString presented() {
+    const auto& label = control<QLabel>("presentedView");
+    return label.isVisible() ? label.text() : QString();
+  }
+  const widgets::ViewPictures& pictures() {
+    return window.findChild<widgets::ViewsPanel*>(QStringLiteral("views"))->pictures();
+  }
+  QImage cardPicture(int index) {
+    return row().model()->index(index, 0).data(Qt::DecorationRole).value<QImage>();
+  }
+  bool pictured(int count) {
+    constexpr int minute = 60'000;
+    return QTest::qWaitFor(
+        [&] {
+          for (int i = 0; i < count; ++i)
+            if (cardPicture(i).isNull())
+              return false;
+          return true;
+        },
+        minute);
+  }
+};
+
+}  // namespace sline::test
