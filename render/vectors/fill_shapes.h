@@ -13,9 +13,16 @@ struct FillShapes {
   float opacity = 1.0f;  ///< of all of them together
 };
 
+struct FilledLayer {
+  const DepthLayer& layer;
+  std::size_t index = 0;  ///< in the stack
+  /// Pixels by which the fill goes on outside of its triangles: to the contours, which run where
+  /// normals turn away, and a little below their strokes.
+  int beyond = 0;
+};
+
 /// What of the layer's fill other fills do not hide.
-FillShapes fillShapes(const DepthLayer& layer, std::size_t index, const LayerStack& stack,
-                      const PageMapping& page);
+FillShapes fillShapes(const FilledLayer& filled, const LayerStack& stack, const PageMapping& page);
 
 /// Mean depth of the layer's pixels, 0 … 1.
 float meanDepth(const DepthLayer& layer);

@@ -66,7 +66,7 @@ class Drawing {
     parallelFor(m_work.size(), 1, [&](std::size_t i) { findLines(m_work[i]); });
     tell(0.5, "finding what hides what");
     std::vector<DepthLayer> layers(m_work.size());
-    const LayerInput input{*m_view, m_settings.background, m_keyLight};
+    const LayerInput input{*m_view, m_settings.background, m_keyLight, pixelsPerTone()};
     parallelFor(m_work.size(), 1, [&](std::size_t i) {
       layers[i] = depthLayer(m_work[i].shown, input, m_work[i].area);
     });
@@ -94,6 +94,14 @@ class Drawing {
     const glm::vec4 c = 255.0f * backgroundColour(m_settings.background);
     return {std::uint8_t(std::lround(c.r)), std::uint8_t(std::lround(c.g)),
             std::uint8_t(std::lround(c.b))};
+  }
+
+  /// The more structures are shaded the fewer tones each has: files are to stay handy.
+  double pixelsPerTone() const {
+    const auto shaded = std::count_if(m_work.begin(), m_work.end(), [](const Work& work) {
+      return transitions(work.shown.style.gamma).shading > 0.0f;
+    });
+    return std::clamp(double(shaded) / 9.0, 3.0, 9.0);
   }
 
   void findShown() {
@@ -167,12 +175,20 @@ class Drawing {
     joinLines(shown.surface(), *m_view, shown.style, work.lines.lines);
   }
 
+  /// See FilledLayer.
+  int beyondTriangles(const Shown& shown) const {
+    const float error =
+        2.0f * (contourProbes(shown.surface(), *m_view, shown.style).reach.x - 1.0f);
+    return int(std::lround(error)) + (showsLines(shown.style) ? 1 : 0);
+  }
+
   VectorStructure drawn(Work& work, std::span<const DepthLayer> layers, std::size_t index,
                         const LayerStack& stack) const {
     VectorStructure structure;
     structure.id = work.shown.id;
     structure.depth = meanDepth(layers[index]);
-    FillShapes fills = fillShapes(layers[index], index, stack, m_page);
+    FillShapes fills =
+        fillShapes({layers[index], index, beyondTriangles(work.shown)}, stack, m_page);
     structure.fills = std::move(fills.shapes);
     structure.fillOpacity = fills.opacity;
     if (!hasLines(work.shown))
