@@ -22,24 +22,29 @@ constexpr float partTolerance = 0.75f;
 constexpr float spotTolerance = 1.3f;
 
 /// 1 where the layer has a fill that is seen, and a little beyond.
-std::vector<std::uint8_t> seenFill(const DepthLayer& layer, std::size_t index,
-                                   const LayerStack& stack) {
+std::vector<std::uint8_t> seenFill(const FilledLayer& filled, const LayerStack& stack) {
+  const DepthLayer& layer = filled.layer;
+  const std::size_t width = std::size_t(layer.area.width);
   std::vector<std::uint8_t> seen(layer.tones.size());
+  std::vector<std::uint8_t> below(layer.tones.size());  // of what is painted later
   for (int y = 0; y < layer.area.height; ++y)
     for (int x = 0; x < layer.area.width; ++x) {
-      const std::size_t i = std::size_t(y) * std::size_t(layer.area.width) + std::size_t(x);
-      seen[i] = layer.tones[i] > 0 &&
-                !stack.hidden(layer.area.x + x, layer.area.y + y, layer.depths[i], index);
+      const std::size_t i = std::size_t(y) * width + std::size_t(x);
+      if (layer.tones[i] == 0)
+        continue;
+      const std::optional<std::size_t> hider =
+          stack.hider(layer.area.x + x, layer.area.y + y, layer.depths[i], filled.index);
+      seen[i] = !hider;
+      below[i] = hider && filled.ranks[*hider] > filled.ranks[filled.index];
     }
   for (int round = 0; round < underlap; ++round) {
     const std::vector<std::uint8_t> before = seen;
     for (int y = 1; y + 1 < layer.area.height; ++y)
       for (int x = 1; x + 1 < layer.area.width; ++x) {
-        const std::size_t i = std::size_t(y) * std::size_t(layer.area.width) + std::size_t(x);
-        if (layer.tones[i] > 0)
-          seen[i] = before[i] | before[i - 1] | before[i + 1] |
-                    before[i - std::size_t(layer.area.width)] |
-                    before[i + std::size_t(layer.area.width)];
+        const std::size_t i = std::size_t(y) * width + std::size_t(x);
+        if (below[i] != 0)
+          seen[i] =
+              before[i] | before[i - 1] | before[i + 1] | before[i - width] | before[i + width];
       }
   }
   return seen;
@@ -69,7 +74,8 @@ bool variesInOpacity(const DepthLayer& layer) {
   return high - low > 0.02f;
 }
 
-/// Lets tones go on beyond the structure's own edge.
+/// Lets tones go on beyond the structure's own edge, below its contour. The densest tone is a thin
+/// rim there, and what outlines cut off of it would show the lightest below.
 void widenRim(SeenTones& seen, const DepthLayer& layer, int rimGrowth) {
   const std::size_t width = std::size_t(seen.area.width);
   for (int round = 0; round < rimGrowth; ++round) {
@@ -85,9 +91,8 @@ void widenRim(SeenTones& seen, const DepthLayer& layer, int rimGrowth) {
   }
 }
 
-SeenTones seenTones(const DepthLayer& layer, const std::vector<std::uint8_t>& seen, int beyond) {
-  // The densest tone is a thin rim, and what outlines cut off of it would show the lightest below.
-  const int rimGrowth = beyond > 0 && variesInOpacity(layer) ? beyond + 1 : beyond;
+SeenTones seenTones(const DepthLayer& layer, const std::vector<std::uint8_t>& seen) {
+  const int rimGrowth = variesInOpacity(layer) ? underlap : 0;
   glm::ivec2 low(layer.area.width, layer.area.height);
   glm::ivec2 high(0);
   const auto at = [&layer](int x, int y) {
@@ -151,7 +156,7 @@ FillShapes fillShapes(const FilledLayer& filled, const LayerStack& stack, const 
   if (!(densest > 0.0f))
     return result;
   result.opacity = densest;
-  ShapeMaker maker(seenTones(layer, seenFill(layer, filled.index, stack), filled.beyond), page);
+  ShapeMaker maker(seenTones(layer, seenFill(filled, stack)), page);
   // Each tone adds to what lies below it what makes it its own: P_k = c·d + P_(k−1)·(1 − d).
   glm::vec4 below(0.0f);
   const std::size_t tones = layer.firstCapTone;

@@ -16,9 +16,8 @@ struct FillShapes {
 struct FilledLayer {
   const DepthLayer& layer;
   std::size_t index = 0;  ///< in the stack
-  /// Pixels by which the fill goes on outside of its triangles: to the contours, which run where
-  /// normals turn away, and a little below their strokes.
-  int beyond = 0;
+  /// Of each layer of the stack: those of higher rank are painted later.
+  std::span<const std::size_t> ranks;
 };
 
 /// What of the layer's fill other fills do not hide.

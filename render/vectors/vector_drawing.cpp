@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <numeric>
 
 #include "model/base/parallel.h"
 #include "render/picture/layer.h"
@@ -71,6 +72,9 @@ class Drawing {
       layers[i] = depthLayer(m_work[i].shown, input, m_work[i].area);
     });
     tell(0.7, "setting strokes");
+    m_depths.resize(layers.size());
+    parallelFor(layers.size(), 1, [&](std::size_t i) { m_depths[i] = meanDepth(layers[i]); });
+    m_ranks = paintRanks(m_depths);
     const LayerStack stack(layers, m_view->size());
     std::vector<VectorStructure> structures(m_work.size());
     parallelFor(m_work.size(), 1,
@@ -175,20 +179,24 @@ class Drawing {
     joinLines(shown.surface(), *m_view, shown.style, work.lines.lines);
   }
 
-  /// See FilledLayer.
-  int beyondTriangles(const Shown& shown) const {
-    const float error =
-        2.0f * (contourProbes(shown.surface(), *m_view, shown.style).reach.x - 1.0f);
-    return int(std::lround(error)) + (showsLines(shown.style) ? 1 : 0);
+  /// The farthest structure is painted first.
+  static std::vector<std::size_t> paintRanks(const std::vector<float>& depths) {
+    std::vector<std::size_t> order(depths.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return depths[a] > depths[b]; });
+    std::vector<std::size_t> ranks(depths.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+      ranks[order[i]] = i;
+    return ranks;
   }
 
   VectorStructure drawn(Work& work, std::span<const DepthLayer> layers, std::size_t index,
                         const LayerStack& stack) const {
     VectorStructure structure;
     structure.id = work.shown.id;
-    structure.depth = meanDepth(layers[index]);
-    FillShapes fills =
-        fillShapes({layers[index], index, beyondTriangles(work.shown)}, stack, m_page);
+    structure.depth = m_depths[index];
+    FillShapes fills = fillShapes({layers[index], index, m_ranks}, stack, m_page);
     structure.fills = std::move(fills.shapes);
     structure.fillOpacity = fills.opacity;
     if (!hasLines(work.shown))
@@ -236,6 +244,8 @@ class Drawing {
   model::Box m_bounds;
   std::optional<PictureView> m_view;
   PageMapping m_page;
+  std::vector<float> m_depths;       ///< of each layer
+  std::vector<std::size_t> m_ranks;  ///< see FilledLayer
   glm::vec3 m_light{0.0f};
   glm::vec3 m_keyLight{0.0f};  ///< patient frame; 0: there is none
 };
