@@ -3,8 +3,12 @@
 
 namespace sline::cli {
 
-Exit drawScene(const model::Scene& scene, const PictureOrder& order, Progress& progress) {
-  const Result<model::Scene> focus = inFocus(asSaved(scene, order), order);
+Exit drawScene(const model::Scene& scene, const PictureOrder& given, Progress& progress) {
+  const model::Scene saved = asSaved(scene, given);
+  PictureOrder order = given;
+  if (const Status ready = prepareLabels(order.labels, saved, order.size.aspect()); !ready.ok())
+    return complain(ready.error(), Exit::failed);
+  const Result<model::Scene> focus = inFocus(saved, order);
   if (!focus.ok())
     return complain(focus.error(), Exit::wrongUse);
   const Result<model::Scene> dressed = styled(*focus, order);
