@@ -10,7 +10,8 @@ namespace {
 
 // Millimetres of the output.
 constexpr qreal leaderWidth = 0.2;
-constexpr qreal haloWidth = 0.55;  // on either side
+constexpr qreal haloWidth = 0.5;  // on either side of letters
+constexpr qreal lineHalo = 0.35;  // and of lines
 constexpr qreal dotRadius = 0.5;
 constexpr qreal pinRadius = 0.8;
 
@@ -47,7 +48,7 @@ class Painting {
 
  private:
   QPen pen(qreal width, bool halo) const {
-    return {halo ? m_ground : m_ink, halo ? width + 2.0 * haloWidth : width, Qt::SolidLine,
+    return {halo ? m_ground : m_ink, halo ? width + 2.0 * lineHalo : width, Qt::SolidLine,
             halo ? Qt::RoundCap : Qt::FlatCap, Qt::RoundJoin};
   }
 
@@ -181,7 +182,7 @@ class Painting {
     }
     letters.setFillRule(Qt::WindingFill);
     if (halo)
-      m_painter.strokePath(letters, pen(0.0, true));
+      m_painter.strokePath(letters, pen(2.0 * (haloWidth - lineHalo), true));
     else
       m_painter.fillPath(letters, m_ink);
   }
@@ -200,7 +201,10 @@ LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const Lab
                    .labels = shownLabels(scene, screen, style.language, trees),
                    .texts = {},
                    .layout = {}};
-  LabelRequest request{.items = {}, .space = {screen.size()}, .obstacles = {}};
+  LabelRequest request{.items = {},
+                       .space = {screen.size()},
+                       .obstacles = {},
+                       .towardsEye = model::cameraFrame(screen.camera()).back};
   for (ShownLabel& label : plate.labels) {
     plate.texts.push_back(textOf(label, style, widestText(screen.size().x, style)));
     label.item.box = plate.texts.back().box;

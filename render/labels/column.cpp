@@ -98,7 +98,7 @@ void uncross(const Column& column, std::vector<ColumnItem>& items) {
 }
 
 std::optional<ColumnPlace> placeAmong(const Column& column, const ColumnItem& item,
-                                      const std::vector<ColumnPlace>& others) {
+                                      const std::vector<ColumnPlace>& others, float reach) {
   const float half = 0.5f * item.box.y;
   std::vector<float> heights{item.wanted, column.top + half, column.bottom - half};
   for (const ColumnPlace& other : others) {
@@ -110,7 +110,8 @@ std::optional<ColumnPlace> placeAmong(const Column& column, const ColumnItem& it
   });
   constexpr float rounding = 1e-3f;
   for (const float height : heights) {
-    if (height - half < column.top - rounding || height + half > column.bottom + rounding)
+    if (std::abs(height - item.wanted) > reach || height - half < column.top - rounding ||
+        height + half > column.bottom + rounding)
       continue;
     const glm::vec2 corner(column.left ? column.edge - item.box.x : column.edge, height - half);
     const ColumnPlace place{{corner, corner + item.box}, leaderOf(column, item, height)};

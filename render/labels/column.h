@@ -20,8 +20,9 @@ inline constexpr float levelPiece = 2.0f;
 struct ColumnItem {
   std::size_t item = 0;  ///< whose it is, for whoever asks
   glm::vec2 place{0.0f};
-  glm::vec2 box{0.0f};  ///< width and height
-  float wanted = 0.0f;  ///< height of the box's middle; of its place, or not far from it
+  glm::vec2 box{0.0f};   ///< width and height
+  bool resting = false;  ///< had better not be pushed far
+  float wanted = 0.0f;   ///< height of the box's middle; of its place, or not far from it
 };
 
 struct Column {
@@ -54,8 +55,8 @@ std::optional<std::pair<std::size_t, std::size_t>> firstCrossing(
 void uncross(const Column& column, std::vector<ColumnItem>& items);
 
 /// Where a further box finds room beside those that stay, nearest to its wanted height, its leader
-/// crossing none of theirs; nothing where there is no such place.
+/// crossing none of theirs; nothing where there is no such place within `reach` of it.
 std::optional<ColumnPlace> placeAmong(const Column& column, const ColumnItem& item,
-                                      const std::vector<ColumnPlace>& others);
+                                      const std::vector<ColumnPlace>& others, float reach);
 
 }  // namespace sline::render

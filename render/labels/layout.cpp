@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <limits>
 #include <tuple>
 
@@ -20,6 +21,9 @@ constexpr float anatomyGapMost = 14.0f;  // the anatomy draws back that far befo
 constexpr float stay = 0.25f;            // of the anatomy's width past its middle: sides stay
 constexpr float slack = 12.0f;           // between a place's height and that of its box
 constexpr float mostAir = 4.0f;          // between boxes of a column, where there is room
+constexpr float restDegrees = 20.0f;     // a label that has jumped stays where it is for so long
+constexpr float nearGap = 25.0f;         // how far a box looks for a gap before it pushes others
+constexpr float farGap = 1e6f;           // and where it cannot push
 constexpr float besideGap = 1.8f;        // between a place and a box beside it
 constexpr float clearance = 0.4f;        // between a leader and another's box
 
@@ -65,6 +69,14 @@ Leader leaderTo(const LabelBox& box, const glm::vec2& place) {
   return {place, *nearest};
 }
 
+/// Of moving a box that far: jumps, and above all those of who has just jumped, are dear.
+float costOf(float way, const ColumnItem& item) {
+  constexpr float jump = 2.5f;
+  constexpr float dear = 10.0f;
+  const float far = std::abs(way);
+  return far > jump ? far + (item.resting ? dear * dear : dear) : far;
+}
+
 /// Puts the item between the others where they move least for it, no leaders crossing.
 bool pushIn(const Column& column, const ColumnItem& item, std::vector<ColumnItem>& items,
             std::vector<ColumnPlace>& places) {
@@ -78,7 +90,7 @@ bool pushIn(const Column& column, const ColumnItem& item, std::vector<ColumnItem
     const std::vector<ColumnPlace> found = placesIn(column, tried);
     float moved = 0.0f;
     for (std::size_t k = 0; k < tried.size(); ++k)
-      moved += std::abs(found[k].box.middle().y - tried[k].wanted);
+      moved += costOf(found[k].box.middle().y - tried[k].wanted, tried[k]);
     if (moved < least && !firstCrossing(found)) {
       least = moved;
       best = std::move(tried);
@@ -89,6 +101,14 @@ bool pushIn(const Column& column, const ColumnItem& item, std::vector<ColumnItem
   items = *std::move(best);
   places = placesIn(column, items);
   return true;
+}
+
+/// Without that one of the others there would be a place for the item.
+bool makesWay(const Column& column, const ColumnItem& item, std::vector<ColumnItem> others,
+              std::size_t without) {
+  others.erase(others.begin() + std::ptrdiff_t(without));
+  std::vector<ColumnPlace> places = placesIn(column, others);
+  return placeAmong(column, item, places, farGap) || pushIn(column, item, others, places);
 }
 
 class Layouter {
@@ -127,6 +147,9 @@ class Layouter {
   }
 
   void setColumns();
+  /// How many degrees the camera has turned since the label last jumped.
+  float calm(std::size_t i) const;
+  float medianOfPlaces() const;
   void choosePosts();
   LabelPost sideOf(std::size_t i) const;
   /// Until both columns' boxes fit in, those nearest to the middle change sides or go out.
@@ -157,6 +180,16 @@ class Layouter {
   std::vector<std::optional<PlacedLabel>> m_placed;
 };
 
+float Layouter::medianOfPlaces() const {
+  std::vector<float> xs;
+  for (const LabelItem& one : m_request.items)
+    xs.push_back(placeOf(one).x);
+  if (xs.empty())
+    return 0.5f * m_request.space.size.x;
+  std::sort(xs.begin(), xs.end());
+  return 0.5f * (xs[(xs.size() - 1) / 2] + xs[xs.size() / 2]);
+}
+
 void Layouter::setColumns() {
   float widest = 0.0f;
   LabelBox all{glm::vec2(std::numeric_limits<float>::infinity()),
@@ -168,7 +201,8 @@ void Layouter::setColumns() {
   }
   if (m_request.obstacles.extent)
     all = *m_request.obstacles.extent;
-  m_middle = all.middle().x;
+  // Between the middle of the anatomy and that of the places, so that neither column is crowded.
+  m_middle = 0.5f * (all.middle().x + medianOfPlaces());
   m_width = all.size().x;
   m_edges = {all.low.x - anatomyGap, all.high.x + anatomyGap};
   if (m_before && !m_before->labels.empty()) {
@@ -180,12 +214,21 @@ void Layouter::setColumns() {
   m_edges[1] = std::min(m_edges[1], m_frame.high.x - widest);
 }
 
+float Layouter::calm(std::size_t i) const {
+  constexpr float never = 360.0f;
+  const PlacedLabel* was = before(i);
+  if (!was || was->jumpedAt == glm::vec3(0.0f))
+    return never;
+  return glm::degrees(
+      std::acos(std::clamp(glm::dot(was->jumpedAt, m_request.towardsEye), -1.0f, 1.0f)));
+}
+
 LabelPost Layouter::sideOf(std::size_t i) const {
   const float x = placeOf(item(i)).x - m_middle;
   const PlacedLabel* was = before(i);
   if (was && isColumn(was->post)) {
     const float past = was->post == LabelPost::left ? x : -x;
-    return past > stay * m_width ? otherSide(was->post) : was->post;
+    return past > stay * m_width && calm(i) > restDegrees ? otherSide(was->post) : was->post;
   }
   return x < 0.0f ? LabelPost::left : LabelPost::right;
 }
@@ -222,7 +265,7 @@ std::vector<ColumnItem> Layouter::inColumn(LabelPost post) const {
   std::vector<ColumnItem> items;
   for (std::size_t i = 0; i < m_fates.size(); ++i)
     if (!m_fates[i].out && m_fates[i].post == post)
-      items.push_back({i, placeOf(item(i)), item(i).box, wantedHeight(i)});
+      items.push_back({i, placeOf(item(i)), item(i).box, calm(i) <= restDegrees, wantedHeight(i)});
   const auto height = [&](const ColumnItem& one) {
     const PlacedLabel* was = before(one.item);
     return was && was->post == post ? was->box.middle().y : one.wanted;
@@ -232,14 +275,16 @@ std::vector<ColumnItem> Layouter::inColumn(LabelPost post) const {
   return items;
 }
 
-/// Its place's, or where it stood before, while that is near enough: then it need not move when
-/// others come and go.
+/// Its place's, or where it stood before, while that is near enough or no farther than it was: then
+/// it need not move when others come and go.
 float Layouter::wantedHeight(std::size_t i) const {
   const float height = placeOf(item(i)).y;
   const PlacedLabel* was = before(i);
-  return was && was->post == m_fates[i].post
-             ? std::clamp(was->box.middle().y, height - slack, height + slack)
-             : height;
+  if (!was || was->post != m_fates[i].post || was->leader.empty())
+    return height;
+  const float stood = was->box.middle().y;
+  const float far = std::max(slack, std::abs(stood - was->leader.front().y));
+  return std::clamp(stood, height - far, height + far);
 }
 
 void Layouter::place() {
@@ -300,24 +345,45 @@ bool Layouter::placeSteadily(LabelPost post, const std::vector<ColumnItem>& item
   std::vector<ColumnPlace> places = placesIn(column(post), staying);
   while (const auto crossing = firstCrossing(places)) {
     // Who has not jumped for longer jumps.
-    const auto calm = [&](std::size_t k) { return before(staying[k].item)->calm; };
     const std::size_t goes =
-        calm(crossing->first) > calm(crossing->second) ? crossing->first : crossing->second;
+        calm(staying[crossing->first].item) > calm(staying[crossing->second].item)
+            ? crossing->first
+            : crossing->second;
     moving.push_back(staying[goes]);
     moving.back().wanted = placeOf(item(staying[goes].item)).y;
     staying.erase(staying.begin() + std::ptrdiff_t(goes));
     places.erase(places.begin() + std::ptrdiff_t(goes));
   }
-  for (const ColumnItem& one : moving) {
-    const auto place = placeAmong(column(post), one, places);
+  std::vector<std::size_t> moved;
+  while (!moving.empty()) {
+    const ColumnItem one = moving.front();
+    moving.erase(moving.begin());
+    moved.push_back(one.item);
+    auto place = placeAmong(column(post), one, places, nearGap);
+    const bool pushed = !place && pushIn(column(post), one, staying, places);
+    if (!place && !pushed)
+      place = placeAmong(column(post), one, places, farGap);
     if (place) {
       const auto above = std::count_if(places.begin(), places.end(), [&](const ColumnPlace& other) {
         return other.box.low.y < place->box.low.y;
       });
       staying.insert(staying.begin() + above, one);
       places.insert(places.begin() + above, *place);
-    } else if (!pushIn(column(post), one, staying, places)) {
-      return false;
+    } else if (!pushed) {
+      // Another has to move as well: the one that has not jumped for longest.
+      std::optional<std::size_t> goes;
+      for (std::size_t k = 0; k < staying.size(); ++k)
+        if (std::find(moved.begin(), moved.end(), staying[k].item) == moved.end() &&
+            (!goes || calm(staying[k].item) > calm(staying[*goes].item)) &&
+            makesWay(column(post), one, staying, k))
+          goes = k;
+      if (!goes)
+        return false;
+      moving.push_back(staying[*goes]);
+      moving.back().wanted = placeOf(item(moving.back().item)).y;
+      staying.erase(staying.begin() + std::ptrdiff_t(*goes));
+      places.erase(places.begin() + std::ptrdiff_t(*goes));
+      moving.insert(moving.begin(), one);
     }
   }
   for (std::size_t k = 0; k < staying.size(); ++k)
@@ -385,9 +451,8 @@ bool Layouter::inConflict(std::size_t i, std::size_t j) const {
 std::size_t Layouter::loserOf(std::size_t i, std::size_t j) const {
   const auto rank = [&](std::size_t k, std::size_t other) {
     const bool cause = runsThrough(m_placed[k]->leader, m_placed[other]->box.grown(clearance));
-    const PlacedLabel* was = before(k);
-    const int calm = was && !m_fates[k].tried ? was->calm : 0;
-    return std::tuple(m_placed[k]->post != LabelPost::byHand, !m_fates[k].tried, cause, calm,
+    const float rested = m_fates[k].tried ? 0.0f : calm(k);
+    return std::tuple(m_placed[k]->post != LabelPost::byHand, !m_fates[k].tried, cause, rested,
                       item(k).hidden, k);
   };
   return rank(i, j) < rank(j, i) ? j : i;
@@ -424,8 +489,9 @@ LabelLayout Layouter::answer() const {
       const PlacedLabel* was = before(i);
       layout.labels.push_back(*m_placed[i]);
       PlacedLabel& is = layout.labels.back();
-      if (was && was->post == is.post && std::abs(was->box.middle().y - is.box.middle().y) < jump)
-        is.calm = was->calm + 1;
+      const bool jumped =
+          was && (was->post != is.post || std::abs(was->box.middle().y - is.box.middle().y) > jump);
+      is.jumpedAt = jumped ? m_request.towardsEye : was ? was->jumpedAt : glm::vec3(0.0f);
     } else {
       layout.leftOut.push_back(item(i).id);
     }

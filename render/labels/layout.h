@@ -2,12 +2,13 @@
 // Where labels stand in a picture: one layout for the window, pixels, vectors and print. Labels and
 // callouts stand in two columns beside the anatomy (column.h), pins and distances beside their own
 // place where there is room. While a camera turns, each layout starts from the one before, and what
-// may stay stays: sides, order and columns change only where they must or where much is gained
-// (after Ali, Hartmann and Strothotte: Label layout for interactive 3D illustrations. Journal of
-// the WSCG 13, 2005).
+// may stay stays: sides, order and columns change only where they must or where much is gained, and
+// what has jumped rests for the next 20° where others can give way (after Ali, Hartmann and
+// Strothotte: Label layout for interactive 3D illustrations. Journal of the WSCG 13, 2005).
 #pragma once
 
 #include <array>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
 
@@ -37,6 +38,8 @@ struct LabelRequest {
   std::vector<LabelItem> items;  ///< each id once
   LabelSpace space;
   ObstacleMask obstacles;
+  /// From the scene to the eye, a unit vector: how far the camera has turned since a label jumped.
+  glm::vec3 towardsEye{0.0f};
 };
 
 /// `beside`: its place, without a leader.
@@ -48,7 +51,7 @@ struct PlacedLabel {
   LabelBox box;
   Leader leader;  ///< empty where it needs none
   bool hidden = false;
-  int calm = 0;  ///< for how many layouts it has not jumped
+  glm::vec3 jumpedAt{0.0f};  ///< LabelRequest::towardsEye when it last jumped
   bool operator==(const PlacedLabel&) const = default;
 };
 

@@ -64,7 +64,9 @@ Jumps turn(const model::Scene& scene) {
   for (int degrees = 0; degrees <= 360; ++degrees) {
     const Screen screen(around(scene, float(degrees)), paper);
     std::vector<ShownLabel> labels = shownLabels(scene, screen, {}, trees);
-    LabelRequest request{.space = {paper}, .obstacles = obstaclesOf(scene, screen)};
+    LabelRequest request{.space = {paper},
+                         .obstacles = obstaclesOf(scene, screen),
+                         .towardsEye = model::cameraFrame(screen.camera()).back};
     for (ShownLabel& label : labels) {
       label.item.box = {1.9f * float(label.text.size()) + 2.0f, 4.3f};
       request.items.push_back(label.item);
