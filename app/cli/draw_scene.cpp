@@ -19,7 +19,11 @@ Result<ArrangedScene> arrangedFor(const model::Scene& scene, const PictureOrder&
   return ArrangedScene{*cut, *camera};
 }
 
-Exit drawScene(const model::Scene& scene, const PictureOrder& order, Progress& progress) {
+Exit drawScene(const model::Scene& scene, const PictureOrder& given, Progress& progress) {
+  PictureOrder order = given;
+  if (const Status ready = prepareLabels(order.labels, asSaved(scene, given), order.size.aspect());
+      !ready.ok())
+    return complain(ready.error(), Exit::failed);
   const Result<ArrangedScene> arranged = arrangedFor(scene, order);
   if (!arranged.ok())
     return complain(arranged.error(), Exit::wrongUse);

@@ -172,6 +172,25 @@ Status understoodHatching(const PictureFlags& flags, PictureOrder& order) {
   return Unit{};
 }
 
+Status understoodFill(const PictureFlags& flags, PictureOrder& order) {
+  if (flags.fill.empty())
+    return Unit{};
+  const Result<model::Fill> fill = parseFill(flags.fill);
+  if (!fill.ok())
+    return fill.error();
+  order.fill = *fill;
+  return Unit{};
+}
+
+Status understoodLabels(const PictureFlags& flags, PictureOrder& order) {
+  const Result<LabelOrder> labels = understood(flags.labels);
+  if (!labels.ok())
+    return labels.error();
+  order.labels = *labels;
+  order.labels.style.onDark = order.background == render::Background::dark;
+  return Unit{};
+}
+
 }  // namespace
 
 Result<PictureOrder> understood(const PictureFlags& flags) {
@@ -200,12 +219,8 @@ Result<PictureOrder> understoodLook(const PictureFlags& flags) {
   if (const Status drawn = understoodHatching(flags, order); !drawn.ok())
     return drawn.error();
   order.blackAndWhite = flags.blackAndWhite;
-  if (!flags.fill.empty()) {
-    const Result<model::Fill> fill = parseFill(flags.fill);
-    if (!fill.ok())
-      return fill.error();
-    order.fill = *fill;
-  }
+  if (const Status filled = understoodFill(flags, order); !filled.ok())
+    return filled.error();
   if (Status parsed = parseAssignments(flags.gammas, parseGamma, order.gammas); !parsed.ok())
     return parsed.error();
   if (Status parsed = parseAssignments(flags.colours, parseColour, order.colours); !parsed.ok())
@@ -224,6 +239,8 @@ Result<PictureOrder> understoodLook(const PictureFlags& flags) {
   if (!focus.ok())
     return focus.error();
   order.focus = *focus;
+  if (const Status labelled = understoodLabels(flags, order); !labelled.ok())
+    return labelled.error();
   const Result<SectionsOrder> sections = understood(flags.sections);
   if (!sections.ok())
     return sections.error();
@@ -304,7 +321,7 @@ Result<model::Camera> cameraFor(const model::Scene& scene, const PictureOrder& o
   const auto view = model::anatomicalViewNamed(model::normalisedName(order.view));
   if (!view)
     return unknownView(scene, order.view);
-  const float aspect = order.size.aspect();
+  const float aspect = order.labels.anatomyShare * order.size.aspect();
   return fittedToVisible(scene, model::anatomicalCamera(*view, scene.visibleBounds(), aspect),
                          aspect);
 }
@@ -333,9 +350,10 @@ Status drawToFile(const model::Scene& scene, const model::Camera& camera, const 
                           .keyLight = order.keyLight});
   if (!image.ok())
     return image.error();
+  render::Image drawn = order.samples > 1 ? render::averaged(*image, order.samples) : *image;
+  drawLabels(drawn, scene, camera, order.labels);
   progress.show(0.9, "writing " + order.output);
-  return writeImage(order.samples > 1 ? render::averaged(*image, order.samples) : *image,
-                    order.output);
+  return writeImage(drawn, order.output);
 }
 
 }  // namespace sline::cli

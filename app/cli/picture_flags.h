@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/cli/focus_flags.h"
+#include "app/cli/label_flags.h"
 #include "app/cli/progress.h"
 #include "app/cli/section_flags.h"
 #include "app/cli/values.h"
@@ -38,6 +39,7 @@ struct PictureFlags {
   std::vector<std::string> only;
   SectionFlags sections;
   FocusFlags focus;
+  LabelFlags labels;
 };
 
 /// A value for all structures (no name) or for those of that name.
@@ -67,6 +69,7 @@ struct PictureOrder {
   std::vector<std::string> only;
   SectionsOrder sections;
   FocusOrder focus;
+  LabelOrder labels;
 };
 
 /// An error is a wrong use, here and in the next six.
@@ -87,7 +90,7 @@ Result<model::Scene> cutOpen(const model::Scene& scene, const PictureOrder& orde
 /// Null where no saved view has that name.
 const model::View* savedView(const model::Scene& scene, const std::string& name);
 /// The camera of the file; else the saved view of that name, else the anatomical view fitted to
-/// what sections leave of the visible structures.
+/// what sections leave of the visible structures, beside the room that labels need.
 Result<model::Camera> cameraFor(const model::Scene& scene, const PictureOrder& order);
 
 /// Draws without a display and writes the file.

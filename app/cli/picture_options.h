@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/focus_options.h"
+#include "app/cli/label_options.h"
 #include "app/cli/picture_flags.h"
 #include "app/cli/section_options.h"
 
@@ -117,6 +118,7 @@ inline void addDrawingOptions(CLI::App& command, PictureFlags& flags) {
   addDetailOptions(command, flags);
   addLookOptions(command, flags);
   addSectionOptions(command, flags.sections);
+  addLabelOptions(command, flags.labels);
 }
 
 /// The same with the file, which is needed.

@@ -54,4 +54,26 @@ Edited withoutAnnotations(const Scene& scene, std::span<const AnnotationId> ids)
   return {std::move(after), true};
 }
 
+Edited withAnnotationInView(const Scene& scene, AnnotationId id, std::size_t view, bool alone) {
+  std::vector<View> views = scene.views();
+  std::vector<Annotation> annotations = scene.annotations();
+  std::optional<std::vector<AnnotationId>>& shown = views.at(view).annotations;
+  if (alone && !shown) {
+    shown.emplace();
+    for (const Annotation& annotation : annotations)
+      if (annotation.visible)
+        shown->push_back(annotation.id);
+  }
+  if (shown && std::find(shown->begin(), shown->end(), id) == shown->end())
+    shown->push_back(id);
+  for (Annotation& annotation : annotations)
+    if (annotation.id == id && alone)
+      annotation.visible = false;
+  Scene after = scene;
+  after.setViews(std::move(views));
+  after.setAnnotations(std::move(annotations));
+  const bool changed = after != scene;
+  return {std::move(after), changed};
+}
+
 }  // namespace sline::model

@@ -17,4 +17,9 @@ Edited withAnnotationChanged(const Scene& scene, AnnotationId id, const Annotati
 /// Removes them, from saved views too.
 Edited withoutAnnotations(const Scene& scene, std::span<const AnnotationId> ids);
 
+/// The view, of that place among the scene's, shows the annotation: where it lists what it shows,
+/// it lists this too. `alone`: no other shows it that does not list it, and a view without a list
+/// gets one of all that are visible.
+Edited withAnnotationInView(const Scene& scene, AnnotationId id, std::size_t view, bool alone);
+
 }  // namespace sline::model

@@ -55,6 +55,12 @@ class ArchTest : public QObject {
                               << "#include \"model/import/import.h\"" << false;
     QTest::newRow("lines know no gpu") << "render/lines/a.cpp"
                                        << "#include \"render/gpu/device.h\"" << false;
+    QTest::newRow("labels know no picture") << "render/labels/a.cpp"
+                                            << "#include \"render/picture/picture.h\"" << false;
+    QTest::newRow("labels know no Qt") << "render/labels/a.cpp"
+                                       << "#include <QPainter>" << false;
+    QTest::newRow("export sets text") << "render/export/a.cpp"
+                                      << "#include <QPainter>" << true;
     QTest::newRow("passes know no picture") << "render/passes/ink/a.cpp"
                                             << "#include \"render/picture/picture.h\"" << false;
     QTest::newRow("command line skips widgets") << "app/cli/a.cpp"
@@ -137,8 +143,8 @@ class ArchTest : public QObject {
     QVERIFY(
         checkLicenceLine({"a.sh", "#!/bin/sh\n# SPDX-License-Identifier: Apache-2.0\n"}).empty());
     QVERIFY(!checkTopLevel({"app", "scripts"}).empty());
-    QVERIFY(!checkNoQt("libc.so.6 libQt6Core.so.6").empty());
-    QVERIFY(checkNoQt("libc.so.6 libvtkCommonCore-9.1.so.1").empty());
+    QVERIFY(!checkNoWidgets("libc.so.6 libQt6Core.so.6 libQt6Widgets.so.6").empty());
+    QVERIFY(checkNoWidgets("libQt6Gui.so.6 libvtkCommonCore-9.1.so.1").empty());
   }
 
   void includes() {
@@ -176,13 +182,13 @@ class ArchTest : public QObject {
       names.push_back(name.toStdString());
     report(checkTopLevel(names));
   }
-  void programNeedsNoQt() {
+  void programNeedsNoWidgets() {
     QProcess process;
     process.start("ldd", {SLINE_PROGRAM});
     QVERIFY(process.waitForFinished());
     const std::string needed = process.readAllStandardOutput().toStdString();
     QVERIFY2(needed.find("libc.so") != std::string::npos, "ldd said nothing");
-    report(checkNoQt(needed));
+    report(checkNoWidgets(needed));
   }
 };
 

@@ -63,6 +63,8 @@ const std::vector<Room>& rooms() {
        {"model/base", "model/geometry", "model/scene", "render/lines", "render/gpu",
         "render/passes", "render/picture"}},
       {"render/export/svg", {"model/base", "model/scene", "render/vectors"}},
+      {"render/labels", {"model/base", "model/geometry", "model/scene"}},
+      {"render/export", {"model", "render"}},
       {"render", {"model", "render"}},
       {"widgets/preferences", {}},
       {"widgets/theme", {"widgets/preferences"}},
@@ -232,6 +234,9 @@ Complaints checkLinks(const File& file) {
        std::regex(R"(Qt6|VTK|OpenMesh|TBB|OpenImageIO|sline_(import|demo|cli)\b)")},
       {"render/measures",
        std::regex(R"(Qt6|VTK|OpenMesh|TBB|OpenImageIO|sline_(import|demo|cli|headless)\b)")},
+      {"render/labels",
+       std::regex(R"(Qt6|VTK|OpenMesh|TBB|OpenImageIO|sline_(gpu|import|demo|cli)\b)")},
+      {"render/export", std::regex(R"(Qt6::Widgets|VTK|OpenMesh|TBB|sline_(import|demo|cli)\b)")},
       {"app/cli", std::regex("Qt6|VTK|OpenMesh")},
   };
   Complaints out;
@@ -292,9 +297,11 @@ Complaints checkTopLevel(const std::vector<std::string>& names) {
   return out;
 }
 
-Complaints checkNoQt(const std::string& neededLibraries) {
+Complaints checkNoWidgets(const std::string& neededLibraries) {
   std::smatch match;
-  if (std::regex_search(neededLibraries, match, std::regex("libQt[0-9A-Za-z]*")))
+  // Gui sets text, and needs the other two.
+  if (std::regex_search(neededLibraries, match,
+                        std::regex("libQt[0-9](?!(Core|Gui|DBus)\\.)[0-9A-Za-z]*")))
     return {"the program needs " + match.str()};
   return {};
 }

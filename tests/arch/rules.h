@@ -27,7 +27,7 @@ Complaints checkSizes(const File& file, const std::string& exceptions);
 Complaints checkLicenceLine(const File& file);
 /// The top level holds exactly what was agreed.
 Complaints checkTopLevel(const std::vector<std::string>& names);
-/// The shared libraries a program needs hold no Qt.
-Complaints checkNoQt(const std::string& neededLibraries);
+/// The shared libraries a program needs hold no Qt but what sets text.
+Complaints checkNoWidgets(const std::string& neededLibraries);
 
 }  // namespace sline::arch

@@ -1,0 +1,343 @@
+// SPDX-License-Identifier: Apache-2.0
+// `sline annotate`: words that point at the anatomy, written into a scene file.
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "app/cli/command.h"
+#include "app/cli/names.h"
+#include "app/cli/picture_flags.h"
+#include "model/anatomy/anatomical_names.h"
+#include "model/edit/annotations.h"
+#include "model/edit/views.h"
+#include "model/files/scene_file.h"
+#include "model/geometry/nearest_point.h"
+#include "render/labels/best_place.h"
+
+namespace sline::cli {
+
+namespace {
+
+using model::Annotation;
+using model::AnnotationKind;
+
+constexpr std::array<std::string_view, 4> kindNames{"label", "callout", "pin", "distance"};
+
+struct AnnotateFlags {
+  std::string scene;
+  std::optional<std::string> label;
+  std::vector<std::string> on;
+  std::string at;
+  std::string to;
+  std::string kind = "label";
+  std::vector<std::string> texts;
+  std::string view = "anterior";
+  bool onlyInView = false;
+  bool list = false;
+  std::vector<std::uint64_t> remove;
+};
+
+Error wrong(const std::string& reason, const std::string& remedy) {
+  return {.reason = reason, .remedy = remedy};
+}
+
+Result<glm::vec3> parsePlace(std::string_view text) {
+  std::array<float, 3> values{};
+  std::string_view rest = text;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t cut = std::min(rest.find(','), rest.size());
+    const auto [end, failure] = std::from_chars(rest.data(), rest.data() + cut, values[i]);
+    if (failure != std::errc{} || end != rest.data() + cut || !std::isfinite(values[i]) ||
+        (cut == rest.size()) != (i + 1 == values.size()))
+      return wrong("the place \"" + std::string(text) + "\" is not understood",
+                   "Give x,y,z in millimetres, LPS");
+    rest.remove_prefix(std::min(cut + 1, rest.size()));
+  }
+  return glm::vec3(values[0], values[1], values[2]);
+}
+
+/// The texts by language; the whole map is the annotation's.
+Result<std::map<std::string, std::string>> parseTexts(const std::vector<std::string>& texts) {
+  std::map<std::string, std::string> parsed;
+  for (const std::string& text : texts) {
+    const std::size_t cut = text.find('=');
+    if (cut == 0 || cut == std::string::npos || cut > 35)
+      return wrong("the text \"" + text + "\" does not say its language", "Write de=\"Niere\"");
+    parsed[text.substr(0, cut)] = text.substr(cut + 1);
+  }
+  return parsed;
+}
+
+Result<model::NodeId> structureNamed(const model::Scene& scene, const std::string& name) {
+  const auto nodes = nodesNamed(scene, name);
+  if (!nodes.ok())
+    return nodes.error();
+  for (const model::NodeId id : *nodes)
+    if (!scene.find(id)->isGroup())
+      return id;
+  std::string inside;
+  for (const model::NodeId id : scene.structuresBelow(nodes->front()))
+    inside += (inside.empty() ? "" : ", ") + scene.find(id)->name;
+  return wrong("\"" + name + "\" is a group, which has no surface to point at",
+               "Name a structure in it: " + inside);
+}
+
+/// How the annotation's place is to be found.
+struct Where {
+  const model::Scene& scene;  ///< as the view shows it
+  render::Screen screen;
+  render::SightTrees& trees;
+};
+
+Result<model::Anchor> anchorFor(const Where& where, std::optional<model::NodeId> structure,
+                                const std::string& at) {
+  if (at.empty()) {
+    const std::string name = '"' + where.scene.find(*structure)->name + '"';
+    const bool visible = where.scene.resolve(*structure).visible;
+    const model::Scene scene =
+        visible ? where.scene : model::withOnlyVisible(where.scene, std::array{*structure}).scene;
+    const auto best = render::bestPlaceOn(scene, *structure, where.screen, where.trees);
+    if (!best)
+      return wrong(name + " is not within that view",
+                   "Give another --view, or a place with --at x,y,z");
+    if (!visible)
+      warn(name + " is not visible in that view; nor is its label, until it is");
+    else if (best->hidden)
+      warn(name + " is hidden by other structures in that view; the label points through them");
+    return model::Anchor(best->point);
+  }
+  const Result<glm::vec3> place = parsePlace(at);
+  if (!place.ok())
+    return place.error();
+  if (!structure)
+    return model::Anchor(*place);
+  const auto nearest = model::nearestPoint(*where.scene.find(*structure)->mesh, *place);
+  if (!nearest)
+    return wrong("\"" + where.scene.find(*structure)->name + "\" has no surface",
+                 "Name another structure");
+  return model::Anchor(model::SurfacePoint{*structure, nearest->triangle, nearest->weights});
+}
+
+/// What the structure is called in the languages that the table of names knows it in.
+void nameAfter(const std::string& name, Annotation& annotation) {
+  static constexpr std::array<std::pair<const char*, model::NameLanguage>, 4> languages{
+      {{"de", model::NameLanguage::german},
+       {"la", model::NameLanguage::latin},
+       {"nb", model::NameLanguage::norwegian},
+       {"nl", model::NameLanguage::dutch}}};
+  const model::AnatomicalNames names;
+  annotation.text = name;
+  for (const auto& [tag, language] : languages) {
+    const std::string text = names.displayName(name, language);
+    if (text != name)
+      annotation.texts.emplace(tag, text);
+  }
+}
+
+Result<Annotation> annotationFor(const AnnotateFlags& flags, const Where& where,
+                                 const std::optional<std::string>& on) {
+  Annotation made;
+  made.kind =
+      AnnotationKind(std::find(kindNames.begin(), kindNames.end(), flags.kind) - kindNames.begin());
+  Result<std::map<std::string, std::string>> texts = parseTexts(flags.texts);
+  if (!texts.ok())
+    return texts.error();
+  made.texts = std::move(*texts);
+  std::optional<model::NodeId> structure;
+  if (on) {
+    const Result<model::NodeId> found = structureNamed(where.scene, *on);
+    if (!found.ok())
+      return found.error();
+    structure = *found;
+    if (!flags.label)
+      nameAfter(where.scene.find(*structure)->name, made);
+  }
+  if (flags.label)
+    made.text = *flags.label;
+  for (const std::string* place : {&flags.at, &flags.to}) {
+    if (place == &flags.to && made.kind != AnnotationKind::distance)
+      continue;
+    const Result<model::Anchor> anchor = anchorFor(where, structure, *place);
+    if (!anchor.ok())
+      return anchor.error();
+    made.anchors.push_back(*anchor);
+  }
+  return made;
+}
+
+/// What makes flags unusable together.
+std::optional<Error> fault(const AnnotateFlags& flags) {
+  const int tasks = int(flags.list) + int(!flags.remove.empty()) +
+                    int(flags.label || !flags.on.empty() || !flags.at.empty());
+  if (tasks != 1)
+    return wrong("there is not one thing to do",
+                 "Give --on (with --label), --list or --remove, one of them");
+  if (!model::isSceneFile(flags.scene))
+    return Error{.file = flags.scene,
+                 .reason = "a scene file's name ends with " + std::string(model::sceneExtension),
+                 .remedy = "Name a scene file; `sline import` makes one"};
+  if (flags.on.size() > 1 && (flags.label || !flags.at.empty() || !flags.texts.empty()))
+    return wrong("one text or place is given for several structures",
+                 "Leave --label, --text and --at out, or name one structure");
+  const bool making = !flags.list && flags.remove.empty();
+  if (making && flags.on.empty() && (flags.at.empty() || !flags.label))
+    return wrong("the label has no text or no place",
+                 "Give --on STRUCTURE, or --label TEXT and --at x,y,z");
+  if (making && (flags.kind == "distance") == flags.to.empty())
+    return wrong("a distance has two places, any other annotation one",
+                 "Give --kind distance with --at x,y,z and --to x,y,z");
+  if (making && flags.kind == "distance" && flags.at.empty())
+    return wrong("a distance has two places", "Give --at x,y,z and --to x,y,z");
+  return std::nullopt;
+}
+
+/// The saved view of that name, by its place in the scene.
+std::optional<std::size_t> savedView(const model::Scene& scene, const std::string& name) {
+  for (std::size_t i = 0; i < scene.views().size(); ++i)
+    if (model::normalisedName(scene.views()[i].name) == model::normalisedName(name))
+      return i;
+  return std::nullopt;
+}
+
+/// The scene with what the flags ask for; an error is a wrong use.
+Result<model::Scene> annotated(const model::Scene& scene, const AnnotateFlags& flags) {
+  PictureOrder order;
+  order.view = flags.view;
+  const model::Scene shown = asSaved(scene, order);
+  const Result<model::Camera> camera = cameraFor(shown, order);
+  if (!camera.ok())
+    return camera.error();
+  const std::optional<std::size_t> view = savedView(scene, flags.view);
+  if (flags.onlyInView && !view)
+    return wrong("\"" + flags.view + "\" is no saved view", "Name one with --view");
+  render::SightTrees trees;
+  const float height = render::usualHeightMm;
+  const Where where{shown, render::Screen(*camera, {order.size.aspect() * height, height}), trees};
+  std::vector<std::optional<std::string>> targets(flags.on.begin(), flags.on.end());
+  if (targets.empty())
+    targets.emplace_back();
+  model::Scene after = scene;
+  for (const std::optional<std::string>& on : targets) {
+    const Result<Annotation> made = annotationFor(flags, where, on);
+    if (!made.ok())
+      return made.error();
+    after = model::withAnnotation(after, *made).scene;
+    const model::AnnotationId id = after.annotations().back().id;
+    if (view)
+      after = model::withAnnotationInView(after, id, *view, flags.onlyInView).scene;
+  }
+  return after;
+}
+
+Result<model::Scene> without(const model::Scene& scene, const AnnotateFlags& flags) {
+  std::vector<model::AnnotationId> ids;
+  for (const std::uint64_t number : flags.remove) {
+    const auto& all = scene.annotations();
+    if (std::none_of(all.begin(), all.end(), [&](const auto& a) { return a.id.value == number; }))
+      return wrong("no annotation has the number " + std::to_string(number),
+                   "`sline annotate SCENE --list` lists them");
+    ids.push_back({number});
+  }
+  return model::withoutAnnotations(scene, ids).scene;
+}
+
+Exit list(const model::Scene& scene) {
+  for (const Annotation& annotation : scene.annotations()) {
+    std::cout << annotation.id.value << '\t' << kindNames[std::size_t(annotation.kind)] << '\t';
+    const auto* point = std::get_if<model::SurfacePoint>(&annotation.anchors.front());
+    const model::Node* node = point ? scene.find(point->structure) : nullptr;
+    std::cout << (node ? node->name : "") << '\t' << annotation.text;
+    for (const auto& [language, text] : annotation.texts)
+      std::cout << '\t' << language << '=' << text;
+    std::cout << '\n';
+  }
+  return std::cout.flush() ? Exit::done : Exit::failed;
+}
+
+Exit runAnnotate(const AnnotateFlags& flags) {
+  if (const std::optional<Error> error = fault(flags))
+    return complain(*error, Exit::wrongUse);
+  if (flags.list) {
+    const auto document = model::readSceneFile(flags.scene);
+    return document.ok() ? list(document->scene) : complain(document.error(), Exit::failed);
+  }
+  const auto lock = model::SceneLock::acquire(flags.scene);
+  if (!lock.ok())
+    return complain(lock.error(), Exit::failed);
+  Result<model::SceneDocument> document = model::readSceneFile(flags.scene);
+  if (!document.ok())
+    return complain(document.error(), Exit::failed);
+  Result<model::Scene> after =
+      flags.remove.empty() ? annotated(document->scene, flags) : without(document->scene, flags);
+  if (!after.ok())
+    return complain(after.error(), Exit::wrongUse);
+  document->scene = std::move(*after);
+  const std::size_t made = flags.remove.empty() ? std::max<std::size_t>(flags.on.size(), 1) : 0;
+  if (const Status written = model::writeSceneFile(*lock, *document); !written.ok())
+    return complain(written.error(), Exit::failed);
+  const std::vector<Annotation>& all = document->scene.annotations();
+  for (std::size_t i = all.size() - made; i < all.size(); ++i)
+    std::cout << all[i].id.value << '\n';
+  return std::cout.flush() ? Exit::done : Exit::failed;
+}
+
+void declareAnnotate(CLI::App& command, AnnotateFlags& flags) {
+  const auto repeatable = [](CLI::Option* option) {
+    return option->take_all()->type_size(1)->expected(1)->allow_extra_args(false);
+  };
+  command.add_option("SCENE", flags.scene, "A scene file (sline), which is changed")->required();
+  command
+      .add_option("--label", flags.label,
+                  "What it says, as plain text; without it, what the structure is called, in every "
+                  "language in which its name is known")
+      ->type_name("TEXT");
+  repeatable(command.add_option("--on", flags.on,
+                                "The structure it points at; may be given again, without --label"))
+      ->type_name("STRUCTURE");
+  command
+      .add_option("--at", flags.at,
+                  "Where: the nearest place on the structure, or without one in space, mm, LPS. "
+                  "Else where the structure is well seen in the view")
+      ->type_name("X,Y,Z");
+  command.add_option("--to", flags.to, "Where a distance ends")->type_name("X,Y,Z");
+  command
+      .add_option("--kind", flags.kind,
+                  "label: beside the anatomy at the end of a line; callout: framed; pin: a mark "
+                  "with its text beside it; distance: a measured line")
+      ->check(CLI::IsMember({"label", "callout", "pin", "distance"}))
+      ->capture_default_str();
+  repeatable(
+      command.add_option("--text", flags.texts, "The text in another language; may be given again"))
+      ->type_name("TAG=TEXT");
+  CLI::Option* view =
+      command
+          .add_option("--view", flags.view,
+                      "A saved view or an anatomical one: what is well seen is seen from there. A "
+                      "saved view that lists what it shows gets the label added")
+          ->type_name("NAME")
+          ->capture_default_str();
+  command.add_flag("--only-in-view", flags.onlyInView, "Shown in that saved view alone")
+      ->needs(view);
+  command.add_flag("--list", flags.list,
+                   "Lists number, kind, structure and texts, between tabs, and changes nothing");
+  repeatable(command.add_option("--remove", flags.remove, "Removes it; may be given again"))
+      ->type_name("NUMBER");
+  command.footer(
+      "The numbers of new annotations go to standard output. `sline render --labels on` draws "
+      "them.\n\n"
+      "  sline annotate abdomen.sline --on liver --on spleen --on \"left kidney\"\n"
+      "  sline annotate pelvis.sline --label Promontory --on sacrum --at 0,-20,110 --text "
+      "de=Promontorium\n"
+      "  sline annotate pelvis.sline --list\n"
+      "  sline render abdomen.sline -o abdomen.png --labels on --language la");
+}
+
+}  // namespace
+
+void addAnnotate(CLI::App& program, Exit& exit) {
+  addCommand<AnnotateFlags>(program, exit,
+                            {"annotate", "Write labels, pins and distances into a scene file"},
+                            declareAnnotate, runAnnotate);
+}
+
+}  // namespace sline::cli

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Paints a layout of labels: the same in pictures, on paper and in the window.
+#pragma once
+
+#include <QPainter>
+
+#include "render/export/label_texts.h"
+#include "render/labels/layout.h"
+
+namespace sline::render {
+
+/// The labels of one picture, ready to be painted.
+struct LabelPlate {
+  LabelStyle style;
+  std::vector<ShownLabel> labels;  ///< their items have boxes
+  std::vector<LabelText> texts;    ///< of the labels, in their order
+  LabelLayout layout;
+};
+
+/// The scene's labels on that screen; `before` is the layout of the picture before it, for a camera
+/// that turns.
+LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const LabelStyle& style,
+                      SightTrees& trees, const LabelLayout* before = nullptr);
+
+/// The painter's unit must be a millimetre, from the picture's upper left corner. Lines and letters
+/// have a halo, so that they can be read on a drawing; a place that something hides is an open dot
+/// at a dashed leader.
+void paintLabels(QPainter& painter, const LabelPlate& plate);
+
+/// What columns of labels need on either side, for a camera that leaves them room. Millimetres;
+/// 0 where no label is visible.
+float columnRoomMm(const model::Scene& scene, const LabelStyle& style, float pictureWidthMm);
+
+}  // namespace sline::render

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// How labels look, in millimetres and points of the output: on a picture printed twice as large
+// they are no larger.
+#pragma once
+
+#include <string>
+
+namespace sline::render {
+
+/// `numbers`: numbered badges, for a key beside the picture; `blank`: lines to write on.
+enum class LabelMode { off, on, numbers, blank };
+
+inline constexpr float millimetresPerPoint = 25.4f / 72.0f;
+/// How high a picture is taken to be where nobody says: its 720 output units (METHOD §4) are then
+/// 1/96 inch each.
+inline constexpr float usualHeightMm = 190.5f;
+
+struct LabelStyle {
+  LabelMode mode = LabelMode::on;
+  float points = 10.0f;  ///< of the text
+  std::string language;  ///< BCP 47 tag; of texts and numbers
+  bool onDark = false;   ///< light ink, dark halo
+};
+
+}  // namespace sline::render

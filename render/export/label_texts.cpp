@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/label_texts.h"
+
+#include <QFontDatabase>
+#include <QFontMetricsF>
+#include <QLocale>
+#include <algorithm>
+
+// Resources of a static library must be asked for, outside of any namespace.
+static void useLabelFont() {
+  Q_INIT_RESOURCE(label_font);
+}
+
+namespace sline::render {
+
+namespace {
+
+float pixelsToMm(const LabelStyle& style) {
+  return style.points * millimetresPerPoint / float(labelFontPixels);
+}
+
+QString fullText(const ShownLabel& label, const LabelStyle& style) {
+  QString text = QString::fromStdString(label.text).simplified();
+  if (!label.lengthMm)
+    return text;
+  const QLocale locale(QString::fromStdString(style.language.empty() ? "en" : style.language));
+  const int digits = *label.lengthMm < 10.0f ? 1 : 0;
+  const QString length =
+      locale.toString(double(*label.lengthMm), 'f', digits) + QStringLiteral("\u00a0mm");
+  return text.isEmpty() ? length : text + QLatin1Char(' ') + length;
+}
+
+/// As few lines as there must be, each about as long as the others.
+QStringList broken(const QString& text, const QFontMetricsF& metrics, qreal widest) {
+  const QStringList words = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+  const auto fill = [&](qreal width) {
+    QStringList lines;
+    for (const QString& word : words) {
+      const QString longer = lines.isEmpty() ? word : lines.back() + QLatin1Char(' ') + word;
+      if (!lines.isEmpty() && metrics.horizontalAdvance(longer) <= width)
+        lines.back() = longer;
+      else
+        lines.push_back(word);
+    }
+    return lines;
+  };
+  const QStringList lines = fill(widest);
+  // The narrowest width that needs no more lines.
+  qreal low = 0.0;
+  qreal high = widest;
+  for (int i = 0; i < 12; ++i) {
+    const qreal middle = 0.5 * (low + high);
+    (fill(middle).size() > lines.size() ? low : high) = middle;
+  }
+  return fill(high);
+}
+
+}  // namespace
+
+QFont labelFont() {
+  static const QString family = [] {
+    useLabelFont();
+    const int id = QFontDatabase::addApplicationFont(QStringLiteral(":/fonts/labels.ttf"));
+    const QStringList families = QFontDatabase::applicationFontFamilies(id);
+    return families.isEmpty() ? QString() : families.front();
+  }();
+  QFont font(family);
+  font.setPixelSize(labelFontPixels);
+  font.setHintingPreference(QFont::PreferNoHinting);
+  font.setKerning(true);
+  return font;
+}
+
+float lineHeightMm(const LabelStyle& style) {
+  return 1.18f * style.points * millimetresPerPoint;
+}
+
+float blankWidthMm(const LabelStyle& style) {
+  return 8.0f * style.points * millimetresPerPoint;
+}
+
+glm::vec2 paddingOf(model::AnnotationKind kind, const LabelStyle& style) {
+  const float em = style.points * millimetresPerPoint;
+  if (style.mode == LabelMode::numbers)
+    return {0.25f * em, 0.12f * em};
+  return kind == model::AnnotationKind::callout ? glm::vec2(0.45f, 0.3f) * em
+                                                : glm::vec2(0.25f, 0.04f) * em;
+}
+
+LabelText textOf(const ShownLabel& label, const LabelStyle& style, float widestMm) {
+  const QFontMetricsF metrics(labelFont());
+  const float scale = pixelsToMm(style);
+  const glm::vec2 padding = paddingOf(label.item.kind, style);
+  LabelText text;
+  if (style.mode == LabelMode::blank) {
+    text.lines = {QString()};
+    text.box = glm::vec2(blankWidthMm(style), lineHeightMm(style)) + 2.0f * padding;
+    return text;
+  }
+  if (style.mode == LabelMode::numbers)
+    text.lines = {QString::number(label.number)};
+  else
+    text.lines = broken(fullText(label, style), metrics, qreal(widestMm / scale));
+  qreal width = 0.0;
+  for (const QString& line : text.lines)
+    width = std::max(width, metrics.horizontalAdvance(line));
+  const float height = float(std::max<qsizetype>(text.lines.size(), 1)) * lineHeightMm(style);
+  text.box = glm::vec2(float(width) * scale, height) + 2.0f * padding;
+  if (style.mode == LabelMode::numbers)
+    text.box = glm::vec2(std::max(text.box.x, text.box.y), text.box.y);
+  return text;
+}
+
+}  // namespace sline::render

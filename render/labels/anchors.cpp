@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/labels/anchors.h"
+
+#include <glm/geometric.hpp>
+
+namespace sline::render {
+
+namespace {
+
+std::optional<LabelItem> itemOf(const model::Annotation& annotation, const model::Scene& scene,
+                                const Screen& screen, const Sights& sights) {
+  LabelItem item{.id = annotation.id, .kind = annotation.kind};
+  for (const model::Anchor& anchor : annotation.anchors) {
+    if (!sights.shows(anchor))
+      return std::nullopt;
+    const std::optional<glm::vec2> place = screen.place(*scene.placeOf(anchor));
+    if (!place || !screen.inside(*place))
+      return std::nullopt;
+    item.places.push_back(*place);
+    item.hidden = item.hidden || sights.hidden(anchor, screen.sight(*place));
+  }
+  return item;
+}
+
+std::optional<float> lengthOf(const model::Annotation& annotation, const model::Scene& scene) {
+  if (annotation.kind != model::AnnotationKind::distance)
+    return std::nullopt;
+  return glm::length(*scene.placeOf(annotation.anchors[1]) - *scene.placeOf(annotation.anchors[0]));
+}
+
+}  // namespace
+
+std::vector<ShownLabel> shownLabels(const model::Scene& scene, const Screen& screen,
+                                    const std::string& language, SightTrees& trees) {
+  const Sights sights(scene, trees);
+  std::vector<ShownLabel> labels;
+  int number = 0;
+  for (const model::Annotation& annotation : scene.annotations()) {
+    if (!annotation.visible)
+      continue;
+    ++number;
+    if (std::optional<LabelItem> item = itemOf(annotation, scene, screen, sights))
+      labels.push_back({*std::move(item), model::textIn(annotation, language), number,
+                        annotation.colour, lengthOf(annotation, scene)});
+  }
+  return labels;
+}
+
+}  // namespace sline::render

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/labels/best_place.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace sline::render {
+
+namespace {
+
+constexpr int cells = 64;  // along each side of the structure's box on the screen
+
+struct Sample {
+  model::Hit hit;
+  bool seen = false;
+};
+using Samples = std::vector<std::optional<Sample>>;  ///< cells × cells; none: not of the structure
+
+/// The structure's box in the picture.
+std::optional<LabelBox> extentOf(const model::Mesh& mesh, const Screen& screen) {
+  std::optional<LabelBox> box;
+  for (const glm::vec3& p : mesh.positions())
+    if (const std::optional<glm::vec2> place = screen.place(p)) {
+      if (!box)
+        box = LabelBox{*place, *place};
+      box->low = glm::min(box->low, *place);
+      box->high = glm::max(box->high, *place);
+    }
+  if (!box)
+    return std::nullopt;
+  box->low = glm::clamp(box->low, glm::vec2(0.0f), screen.size());
+  box->high = glm::clamp(box->high, glm::vec2(0.0f), screen.size());
+  return box->size().x > 0.0f && box->size().y > 0.0f ? box : std::nullopt;
+}
+
+Samples samplesOf(const Sights& sights, model::NodeId structure, const Screen& screen,
+                  const LabelBox& box) {
+  Samples samples(std::size_t(cells * cells));
+  for (int y = 0; y < cells; ++y)
+    for (int x = 0; x < cells; ++x) {
+      const glm::vec2 share = (glm::vec2(x, y) + 0.5f) / float(cells);
+      const model::Ray ray = screen.sight(box.low + share * box.size());
+      const auto own = sights.nearestOf(structure, ray);
+      // A cut face has no triangle to point at.
+      if (!own || own->cutFace)
+        continue;
+      model::Ray before = ray;
+      before.farthest = own->hit.t;
+      const auto first = sights.nearest(before);
+      samples[std::size_t(y * cells + x)] =
+          Sample{own->hit, !first || first->structure == structure};
+    }
+  return samples;
+}
+
+/// How far each cell is from one that does not count, in the box's own proportions: two sweeps
+/// (Borgefors: Distance transformations in digital images, 1986), with chamfer weights of the
+/// cells' sides.
+std::vector<float> depths(const std::vector<bool>& counts, const glm::vec2& cell) {
+  const auto at = [](int x, int y) { return std::size_t(y * cells + x); };
+  std::vector<float> depth(counts.size(), 0.0f);
+  const float diagonal = glm::length(cell);
+  const auto relax = [&](int x, int y, int way) {
+    const auto from = [&](int dx, int dy, float cost) {
+      const int nx = x + dx;
+      const int ny = y + dy;
+      const bool inside = nx >= 0 && ny >= 0 && nx < cells && ny < cells;
+      return (inside ? depth[at(nx, ny)] : 0.0f) + cost;
+    };
+    depth[at(x, y)] = std::min({depth[at(x, y)], from(-way, 0, cell.x), from(0, -way, cell.y),
+                                from(-way, -way, diagonal), from(way, -way, diagonal)});
+  };
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    depth[i] = counts[i] ? std::numeric_limits<float>::infinity() : 0.0f;
+  for (int y = 0; y < cells; ++y)
+    for (int x = 0; x < cells; ++x)
+      relax(x, y, 1);
+  for (int y = cells; y-- > 0;)
+    for (int x = cells; x-- > 0;)
+      relax(x, y, -1);
+  return depth;
+}
+
+/// The deepest cell that counts; of equally deep ones the nearest to the middle of all.
+std::optional<std::size_t> deepest(const std::vector<bool>& counts, const glm::vec2& cell) {
+  const std::vector<float> depth = depths(counts, cell);
+  glm::vec2 middle(0.0f);
+  float number = 0.0f;
+  const auto place = [&](std::size_t i) {
+    return cell * glm::vec2(float(i % cells), float(i / cells));
+  };
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    if (counts[i]) {
+      middle += place(i);
+      number += 1.0f;
+    }
+  std::optional<std::size_t> best;
+  float bestWorth = 0.0f;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (!counts[i])
+      continue;
+    const float worth = depth[i] - 0.02f * glm::length(place(i) - middle / number);
+    if (!best || worth > bestWorth) {
+      best = i;
+      bestWorth = worth;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<BestPlace> bestPlaceOn(const model::Scene& scene, model::NodeId structure,
+                                     const Screen& screen, SightTrees& trees) {
+  const model::Node* node = scene.find(structure);
+  if (!node || node->isGroup())
+    return std::nullopt;
+  const std::optional<LabelBox> box = extentOf(*node->mesh, screen);
+  if (!box)
+    return std::nullopt;
+  const Sights sights(scene, trees);
+  const Samples samples = samplesOf(sights, structure, screen, *box);
+  for (const bool hidden : {false, true}) {
+    std::vector<bool> counts(samples.size());
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      counts[i] = samples[i] && (hidden || samples[i]->seen);
+    if (const auto best = deepest(counts, box->size() / float(cells))) {
+      const model::Hit& hit = samples[*best]->hit;
+      const float most = std::max(hit.u + hit.v, 1.0f);
+      return BestPlace{{structure, hit.triangle, {hit.u / most, hit.v / most}}, hidden};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace sline::render

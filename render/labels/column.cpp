@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/labels/column.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sline::render {
+
+namespace {
+
+/// Neighbours that stand as close as they may, as one.
+struct Pool {
+  double sum = 0.0;
+  std::size_t count = 0;
+  double mean() const { return sum / double(count); }
+};
+
+Leader leaderOf(const Column& column, const ColumnItem& item, float height) {
+  const float out = column.left ? levelPiece : -levelPiece;
+  return {item.place, {column.edge + out, height}, {column.edge, height}};
+}
+
+/// For each box from the top the place of which no other lies above the line between them: then no
+/// later leader crosses that one.
+std::vector<ColumnItem> byTangents(const Column& column, std::vector<ColumnItem> items) {
+  const std::vector<ColumnPlace> places = placesIn(column, items);
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const glm::vec2 port = places[i].leader[1];
+    const auto slope = [&](const ColumnItem& item) {
+      return (item.place.y - port.y) / std::max(std::abs(item.place.x - port.x), 1e-3f);
+    };
+    const auto highest = std::min_element(
+        items.begin() + std::ptrdiff_t(i), items.end(),
+        [&](const ColumnItem& a, const ColumnItem& b) { return slope(a) < slope(b); });
+    std::rotate(items.begin() + std::ptrdiff_t(i), highest, highest + 1);
+  }
+  return items;
+}
+
+}  // namespace
+
+std::optional<std::pair<std::size_t, std::size_t>> firstCrossing(
+    const std::vector<ColumnPlace>& places) {
+  for (std::size_t apart = 1; apart < places.size(); ++apart)
+    for (std::size_t i = 0; i + apart < places.size(); ++i)
+      if (cross(places[i].leader, places[i + apart].leader))
+        return std::pair(i, i + apart);
+  return std::nullopt;
+}
+
+float heightOf(const std::vector<ColumnItem>& items, float gap) {
+  float height = 0.0f;
+  for (const ColumnItem& item : items)
+    height += item.box.y + (height > 0.0f ? gap : 0.0f);
+  return height;
+}
+
+std::vector<ColumnPlace> placesIn(const Column& column, const std::vector<ColumnItem>& items) {
+  // With what stands above taken off, wanted heights must only not decrease.
+  std::vector<double> above;
+  std::vector<Pool> pools;
+  double height = 0.0;
+  for (const ColumnItem& item : items) {
+    above.push_back(height);
+    pools.push_back({item.wanted - 0.5 * item.box.y - height, 1});
+    height += item.box.y + column.gap;
+    while (pools.size() > 1 && pools[pools.size() - 2].mean() > pools.back().mean()) {
+      const Pool last = pools.back();
+      pools.pop_back();
+      pools.back().sum += last.sum;
+      pools.back().count += last.count;
+    }
+  }
+  const double lowest = std::max(double(column.top), column.bottom - (height - column.gap));
+  std::vector<ColumnPlace> places;
+  for (const Pool& pool : pools)
+    for (std::size_t i = 0; i < pool.count; ++i) {
+      const ColumnItem& item = items[places.size()];
+      const double top = std::clamp(pool.mean(), double(column.top), lowest) + above[places.size()];
+      const float left = column.left ? column.edge - item.box.x : column.edge;
+      const glm::vec2 corner(left, float(top));
+      places.push_back(
+          {{corner, corner + item.box}, leaderOf(column, item, corner.y + 0.5f * item.box.y)});
+    }
+  return places;
+}
+
+void uncross(const Column& column, std::vector<ColumnItem>& items) {
+  const std::size_t most = 40 + 10 * items.size();
+  for (std::size_t tries = 0; tries < most; ++tries) {
+    const auto crossing = firstCrossing(placesIn(column, items));
+    if (!crossing)
+      return;
+    std::swap(items[crossing->first], items[crossing->second]);
+  }
+  for (int tries = 0; tries < 4 && firstCrossing(placesIn(column, items)); ++tries)
+    items = byTangents(column, items);
+}
+
+std::optional<ColumnPlace> placeAmong(const Column& column, const ColumnItem& item,
+                                      const std::vector<ColumnPlace>& others, float reach) {
+  const float half = 0.5f * item.box.y;
+  std::vector<float> heights{item.wanted, column.top + half, column.bottom - half};
+  for (const ColumnPlace& other : others) {
+    heights.push_back(other.box.low.y - column.gap - half);
+    heights.push_back(other.box.high.y + column.gap + half);
+  }
+  std::stable_sort(heights.begin(), heights.end(), [&](float a, float b) {
+    return std::abs(a - item.wanted) < std::abs(b - item.wanted);
+  });
+  constexpr float rounding = 1e-3f;
+  for (const float height : heights) {
+    if (std::abs(height - item.wanted) > reach || height - half < column.top - rounding ||
+        height + half > column.bottom + rounding)
+      continue;
+    const glm::vec2 corner(column.left ? column.edge - item.box.x : column.edge, height - half);
+    const ColumnPlace place{{corner, corner + item.box}, leaderOf(column, item, height)};
+    const bool free = std::none_of(others.begin(), others.end(), [&](const ColumnPlace& other) {
+      return (place.box.low.y < other.box.high.y + column.gap - rounding &&
+              other.box.low.y < place.box.high.y + column.gap - rounding) ||
+             cross(place.leader, other.leader);
+    });
+    if (free)
+      return place;
+  }
+  return std::nullopt;
+}
+
+}  // namespace sline::render

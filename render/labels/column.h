@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// One column of boxes beside the picture's anatomy, each joined to its place by a straight leader
+// that ends in a short level piece: one-sided boundary labelling with type-s leaders (Bekos,
+// Kaufmann, Symvonis and Wolff: Boundary labeling: models and efficient algorithms for rectangular
+// maps. Computational Geometry 36, 2007).
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "render/labels/shapes.h"
+
+namespace sline::render {
+
+/// Millimetres between boxes, and of a leader's level piece.
+inline constexpr float columnGap = 0.8f;
+inline constexpr float levelPiece = 2.0f;
+
+struct ColumnItem {
+  std::size_t item = 0;  ///< whose it is, for whoever asks
+  glm::vec2 place{0.0f};
+  glm::vec2 box{0.0f};   ///< width and height
+  bool resting = false;  ///< had better not be pushed far
+  float wanted = 0.0f;   ///< height of the box's middle; of its place, or not far from it
+};
+
+struct Column {
+  bool left = true;   ///< of the anatomy: boxes end at `edge`; else they begin there
+  float edge = 0.0f;  ///< x of the boxes' sides that face the anatomy
+  float top = 0.0f;
+  float bottom = 0.0f;
+  float gap = columnGap;  ///< between boxes, at least
+};
+
+struct ColumnPlace {
+  LabelBox box;
+  Leader leader;
+};
+
+/// How high, with those gaps, the items stand one above the other.
+float heightOf(const std::vector<ColumnItem>& items, float gap = columnGap);
+
+/// Boxes in the order of the items from the top, each as near its wanted height as the others
+/// let it: the sum of squares is the least (by pooling adjacent violators). They must fit.
+std::vector<ColumnPlace> placesIn(const Column& column, const std::vector<ColumnItem>& items);
+
+/// Two whose leaders cross, neighbours first: their exchange moves least.
+std::optional<std::pair<std::size_t, std::size_t>> firstCrossing(
+    const std::vector<ColumnPlace>& places);
+
+/// Exchanges items until no two leaders cross, as few as are found to be needed. An exchange of two
+/// that cross makes leaders shorter, so that it comes to an end (Bekos et al., lemma on type-s
+/// leaders); boxes of different heights may leave crossings all the same.
+void uncross(const Column& column, std::vector<ColumnItem>& items);
+
+/// Where a further box finds room beside those that stay, nearest to its wanted height, its leader
+/// crossing none of theirs; nothing where there is no such place within `reach` of it.
+std::optional<ColumnPlace> placeAmong(const Column& column, const ColumnItem& item,
+                                      const std::vector<ColumnPlace>& others, float reach);
+
+}  // namespace sline::render

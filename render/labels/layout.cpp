@@ -1,0 +1,513 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/labels/layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <limits>
+#include <tuple>
+
+#include "render/labels/column.h"
+
+namespace sline::render {
+
+namespace {
+
+constexpr float edgePadding = 2.0f;      // between boxes and the output's edge
+constexpr float anatomyGap = 5.0f;       // between a column and the anatomy
+constexpr float anatomyGapMost = 14.0f;  // the anatomy draws back that far before a column follows
+constexpr float stay = 0.25f;            // of the anatomy's width past its middle: sides stay
+constexpr float slack = 12.0f;           // between a place's height and that of its box
+constexpr float mostAir = 4.0f;          // between boxes of a column, where there is room
+constexpr float restDegrees = 20.0f;     // a label that has jumped stays where it is for so long
+constexpr float nearGap = 25.0f;         // how far a box looks for a gap before it pushes others
+constexpr float farGap = 1e6f;           // and where it cannot push
+constexpr float besideGap = 1.8f;        // between a place and a box beside it
+constexpr float clearance = 0.4f;        // between a leader and another's box
+
+/// What becomes of an item in this layout.
+struct Fate {
+  LabelPost post = LabelPost::left;
+  bool tried = false;  ///< on the other side, too
+  bool out = false;
+};
+
+glm::vec2 placeOf(const LabelItem& item) {
+  glm::vec2 sum(0.0f);
+  for (const glm::vec2& place : item.places)
+    sum += place;
+  return sum / float(std::max<std::size_t>(item.places.size(), 1));
+}
+
+bool standsBeside(const LabelItem& item) {
+  return item.kind == model::AnnotationKind::pin || item.kind == model::AnnotationKind::distance;
+}
+
+bool isColumn(LabelPost post) {
+  return post == LabelPost::left || post == LabelPost::right;
+}
+
+LabelPost otherSide(LabelPost post) {
+  return post == LabelPost::left ? LabelPost::right : LabelPost::left;
+}
+
+/// From the place to the middle of the side of the box that is nearest.
+Leader leaderTo(const LabelBox& box, const glm::vec2& place) {
+  if (box.grown(clearance).contains(place))
+    return {};
+  const glm::vec2 middle = box.middle();
+  const std::array<glm::vec2, 4> ends{{{box.low.x, middle.y},
+                                       {box.high.x, middle.y},
+                                       {middle.x, box.low.y},
+                                       {middle.x, box.high.y}}};
+  const auto nearest =
+      std::min_element(ends.begin(), ends.end(), [&](const auto& a, const auto& b) {
+        return glm::length(a - place) < glm::length(b - place);
+      });
+  return {place, *nearest};
+}
+
+/// Of moving a box that far: jumps, and above all those of who has just jumped, are dear.
+float costOf(float way, const ColumnItem& item) {
+  constexpr float jump = 2.5f;
+  constexpr float dear = 10.0f;
+  const float far = std::abs(way);
+  return far > jump ? far + (item.resting ? dear * dear : dear) : far;
+}
+
+/// Puts the item between the others where they move least for it, no leaders crossing.
+bool pushIn(const Column& column, const ColumnItem& item, std::vector<ColumnItem>& items,
+            std::vector<ColumnPlace>& places) {
+  for (std::size_t k = 0; k < items.size(); ++k)
+    items[k].wanted = places[k].box.middle().y;
+  std::optional<std::vector<ColumnItem>> best;
+  float least = std::numeric_limits<float>::infinity();
+  for (std::size_t at = 0; at <= items.size(); ++at) {
+    std::vector<ColumnItem> tried = items;
+    tried.insert(tried.begin() + std::ptrdiff_t(at), item);
+    const std::vector<ColumnPlace> found = placesIn(column, tried);
+    float moved = 0.0f;
+    for (std::size_t k = 0; k < tried.size(); ++k)
+      moved += costOf(found[k].box.middle().y - tried[k].wanted, tried[k]);
+    if (moved < least && !firstCrossing(found)) {
+      least = moved;
+      best = std::move(tried);
+    }
+  }
+  if (!best)
+    return false;
+  items = *std::move(best);
+  places = placesIn(column, items);
+  return true;
+}
+
+/// Without that one of the others there would be a place for the item.
+bool makesWay(const Column& column, const ColumnItem& item, std::vector<ColumnItem> others,
+              std::size_t without) {
+  others.erase(others.begin() + std::ptrdiff_t(without));
+  std::vector<ColumnPlace> places = placesIn(column, others);
+  return placeAmong(column, item, places, farGap) || pushIn(column, item, others, places);
+}
+
+class Layouter {
+ public:
+  Layouter(const LabelRequest& request, const LabelLayout* before)
+      : m_request(request),
+        m_before(before),
+        m_frame{{edgePadding - request.space.sideMargin, edgePadding},
+                {request.space.size.x - edgePadding + request.space.sideMargin,
+                 request.space.size.y - edgePadding}},
+        m_fates(request.items.size()),
+        m_placed(request.items.size()) {}
+
+  LabelLayout layOut() {
+    setColumns();
+    choosePosts();
+    // Each round sends an item to the other side or out, so that this ends.
+    for (std::size_t rounds = 0; rounds <= 3 * m_fates.size(); ++rounds) {
+      place();
+      const std::optional<std::size_t> loser = firstLoser();
+      if (!loser)
+        break;
+      giveWay(*loser);
+    }
+    return answer();
+  }
+
+ private:
+  const LabelItem& item(std::size_t i) const { return m_request.items[i]; }
+  const PlacedLabel* before(std::size_t i) const {
+    return m_before ? m_before->find(item(i).id) : nullptr;
+  }
+  Column column(LabelPost post) const {
+    return {post == LabelPost::left, m_edges[post == LabelPost::left ? 0 : 1], m_frame.low.y,
+            m_frame.high.y};
+  }
+
+  void setColumns();
+  /// How many degrees the camera has turned since the label last jumped.
+  float calm(std::size_t i) const;
+  float medianOfPlaces() const;
+  void choosePosts();
+  LabelPost sideOf(std::size_t i) const;
+  /// Until both columns' boxes fit in, those nearest to the middle change sides or go out.
+  void relieve(LabelPost post);
+  std::vector<ColumnItem> inColumn(LabelPost post) const;
+  float wantedHeight(std::size_t i) const;
+  void place();
+  void placeByHand(std::size_t i);
+  void placeColumn(LabelPost post);
+  /// Those that were there before stay, but for those that must move; false where that fails.
+  bool placeSteadily(LabelPost post, const std::vector<ColumnItem>& items);
+  void put(const ColumnItem& one, LabelPost post, const ColumnPlace& place);
+  void placeBeside(std::size_t i);
+  bool fits(std::size_t i, const LabelBox& box) const;
+  std::optional<std::size_t> firstLoser() const;
+  bool inConflict(std::size_t i, std::size_t j) const;
+  std::size_t loserOf(std::size_t i, std::size_t j) const;
+  void giveWay(std::size_t i);
+  LabelLayout answer() const;
+
+  const LabelRequest& m_request;
+  const LabelLayout* m_before;
+  LabelBox m_frame;
+  std::array<float, 2> m_edges{};
+  float m_middle = 0.0f;
+  float m_width = 0.0f;  ///< of the anatomy
+  std::vector<Fate> m_fates;
+  std::vector<std::optional<PlacedLabel>> m_placed;
+};
+
+float Layouter::medianOfPlaces() const {
+  std::vector<float> xs;
+  for (const LabelItem& one : m_request.items)
+    xs.push_back(placeOf(one).x);
+  if (xs.empty())
+    return 0.5f * m_request.space.size.x;
+  std::sort(xs.begin(), xs.end());
+  return 0.5f * (xs[(xs.size() - 1) / 2] + xs[xs.size() / 2]);
+}
+
+void Layouter::setColumns() {
+  float widest = 0.0f;
+  LabelBox all{glm::vec2(std::numeric_limits<float>::infinity()),
+               glm::vec2(-std::numeric_limits<float>::infinity())};
+  for (const LabelItem& item : m_request.items) {
+    widest = std::max(widest, item.box.x);
+    all.low = glm::min(all.low, placeOf(item));
+    all.high = glm::max(all.high, placeOf(item));
+  }
+  if (m_request.obstacles.extent)
+    all = *m_request.obstacles.extent;
+  // Between the middle of the anatomy and that of the places, so that neither column is crowded.
+  m_middle = 0.5f * (all.middle().x + medianOfPlaces());
+  m_width = all.size().x;
+  m_edges = {all.low.x - anatomyGap, all.high.x + anatomyGap};
+  if (m_before && !m_before->labels.empty()) {
+    const float most = anatomyGapMost - anatomyGap;
+    m_edges[0] = std::clamp(m_before->edges[0], m_edges[0] - most, m_edges[0]);
+    m_edges[1] = std::clamp(m_before->edges[1], m_edges[1], m_edges[1] + most);
+  }
+  m_edges[0] = std::max(m_edges[0], m_frame.low.x + widest);
+  m_edges[1] = std::min(m_edges[1], m_frame.high.x - widest);
+}
+
+float Layouter::calm(std::size_t i) const {
+  constexpr float never = 360.0f;
+  const PlacedLabel* was = before(i);
+  if (!was || was->jumpedAt == glm::vec3(0.0f))
+    return never;
+  return glm::degrees(
+      std::acos(std::clamp(glm::dot(was->jumpedAt, m_request.towardsEye), -1.0f, 1.0f)));
+}
+
+LabelPost Layouter::sideOf(std::size_t i) const {
+  const float x = placeOf(item(i)).x - m_middle;
+  const PlacedLabel* was = before(i);
+  if (was && isColumn(was->post)) {
+    const float past = was->post == LabelPost::left ? x : -x;
+    return past > stay * m_width && calm(i) > restDegrees ? otherSide(was->post) : was->post;
+  }
+  return x < 0.0f ? LabelPost::left : LabelPost::right;
+}
+
+void Layouter::choosePosts() {
+  for (std::size_t i = 0; i < m_fates.size(); ++i) {
+    const LabelItem& one = item(i);
+    m_fates[i].out = one.places.empty() || one.box.x > m_frame.size().x ||
+                     one.box.y > m_frame.size().y || !(one.box.x > 0.0f) || !(one.box.y > 0.0f);
+    m_fates[i].post = one.offset          ? LabelPost::byHand
+                      : standsBeside(one) ? LabelPost::beside
+                                          : sideOf(i);
+  }
+}
+
+void Layouter::relieve(LabelPost post) {
+  const float room = m_frame.size().y;
+  while (heightOf(inColumn(post)) > room) {
+    std::optional<std::size_t> nearest;
+    for (std::size_t i = 0; i < m_fates.size(); ++i) {
+      const auto key = [&](std::size_t k) {
+        // Those that have not yet tried the other side go there; out goes what matters least.
+        return m_fates[k].tried ? std::tuple(1, item(k).hidden ? 0 : 1, -float(k))
+                                : std::tuple(0, 0, std::abs(placeOf(item(k)).x - m_middle));
+      };
+      if (!m_fates[i].out && m_fates[i].post == post && (!nearest || key(i) < key(*nearest)))
+        nearest = i;
+    }
+    giveWay(*nearest);
+  }
+}
+
+std::vector<ColumnItem> Layouter::inColumn(LabelPost post) const {
+  std::vector<ColumnItem> items;
+  for (std::size_t i = 0; i < m_fates.size(); ++i)
+    if (!m_fates[i].out && m_fates[i].post == post)
+      items.push_back({i, placeOf(item(i)), item(i).box, calm(i) <= restDegrees, wantedHeight(i)});
+  const auto height = [&](const ColumnItem& one) {
+    const PlacedLabel* was = before(one.item);
+    return was && was->post == post ? was->box.middle().y : one.wanted;
+  };
+  std::stable_sort(items.begin(), items.end(),
+                   [&](const ColumnItem& a, const ColumnItem& b) { return height(a) < height(b); });
+  return items;
+}
+
+/// Its place's, or where it stood before, while that is near enough or no farther than it was: then
+/// it need not move when others come and go.
+float Layouter::wantedHeight(std::size_t i) const {
+  const float height = placeOf(item(i)).y;
+  const PlacedLabel* was = before(i);
+  if (!was || was->post != m_fates[i].post || was->leader.empty())
+    return height;
+  const float stood = was->box.middle().y;
+  const float far = std::max(slack, std::abs(stood - was->leader.front().y));
+  return std::clamp(stood, height - far, height + far);
+}
+
+void Layouter::place() {
+  // What does not fit on one side goes to the other and from there out, so that this ends.
+  while (heightOf(inColumn(LabelPost::left)) > m_frame.size().y ||
+         heightOf(inColumn(LabelPost::right)) > m_frame.size().y) {
+    relieve(LabelPost::left);
+    relieve(LabelPost::right);
+  }
+  std::fill(m_placed.begin(), m_placed.end(), std::nullopt);
+  for (std::size_t i = 0; i < m_fates.size(); ++i)
+    if (!m_fates[i].out && m_fates[i].post == LabelPost::byHand)
+      placeByHand(i);
+  placeColumn(LabelPost::left);
+  placeColumn(LabelPost::right);
+  for (std::size_t i = 0; i < m_fates.size(); ++i)
+    if (!m_fates[i].out && m_fates[i].post == LabelPost::beside)
+      placeBeside(i);
+}
+
+void Layouter::placeByHand(std::size_t i) {
+  const glm::vec2 half = 0.5f * item(i).box;
+  const glm::vec2 place = placeOf(item(i));
+  const glm::vec2 middle =
+      glm::clamp(place + *item(i).offset, m_frame.low + half, m_frame.high - half);
+  const LabelBox box{middle - half, middle + half};
+  m_placed[i] =
+      PlacedLabel{item(i).id, LabelPost::byHand, box, leaderTo(box, place), item(i).hidden};
+}
+
+void Layouter::put(const ColumnItem& one, LabelPost post, const ColumnPlace& place) {
+  const LabelItem& whose = item(one.item);
+  m_placed[one.item] = PlacedLabel{whose.id, post, place.box, place.leader, whose.hidden};
+}
+
+void Layouter::placeColumn(LabelPost post) {
+  std::vector<ColumnItem> items = inColumn(post);
+  if (m_before && placeSteadily(post, items))
+    return;
+  // With air between them where there is room: who comes later then finds a gap.
+  Column airy = column(post);
+  const float spare = airy.bottom - airy.top - heightOf(items);
+  if (!m_before || m_before->labels.empty())
+    airy.gap += std::clamp(spare / float(2 * items.size() + 1), 0.0f, mostAir);
+  uncross(airy, items);
+  const std::vector<ColumnPlace> places = placesIn(airy, items);
+  for (std::size_t k = 0; k < items.size(); ++k)
+    put(items[k], post, places[k]);
+}
+
+bool Layouter::placeSteadily(LabelPost post, const std::vector<ColumnItem>& items) {
+  std::vector<ColumnItem> staying;
+  std::vector<ColumnItem> moving;
+  for (const ColumnItem& one : items) {
+    const PlacedLabel* was = before(one.item);
+    (was && was->post == post ? staying : moving).push_back(one);
+  }
+  std::vector<ColumnPlace> places = placesIn(column(post), staying);
+  while (const auto crossing = firstCrossing(places)) {
+    // Who has not jumped for longer jumps.
+    const std::size_t goes =
+        calm(staying[crossing->first].item) > calm(staying[crossing->second].item)
+            ? crossing->first
+            : crossing->second;
+    moving.push_back(staying[goes]);
+    moving.back().wanted = placeOf(item(staying[goes].item)).y;
+    staying.erase(staying.begin() + std::ptrdiff_t(goes));
+    places.erase(places.begin() + std::ptrdiff_t(goes));
+  }
+  std::vector<std::size_t> moved;
+  while (!moving.empty()) {
+    const ColumnItem one = moving.front();
+    moving.erase(moving.begin());
+    moved.push_back(one.item);
+    auto place = placeAmong(column(post), one, places, nearGap);
+    const bool pushed = !place && pushIn(column(post), one, staying, places);
+    if (!place && !pushed)
+      place = placeAmong(column(post), one, places, farGap);
+    if (place) {
+      const auto above = std::count_if(places.begin(), places.end(), [&](const ColumnPlace& other) {
+        return other.box.low.y < place->box.low.y;
+      });
+      staying.insert(staying.begin() + above, one);
+      places.insert(places.begin() + above, *place);
+    } else if (!pushed) {
+      // Another has to move as well: the one that has not jumped for longest.
+      std::optional<std::size_t> goes;
+      for (std::size_t k = 0; k < staying.size(); ++k)
+        if (std::find(moved.begin(), moved.end(), staying[k].item) == moved.end() &&
+            (!goes || calm(staying[k].item) > calm(staying[*goes].item)) &&
+            makesWay(column(post), one, staying, k))
+          goes = k;
+      if (!goes)
+        return false;
+      moving.push_back(staying[*goes]);
+      moving.back().wanted = placeOf(item(moving.back().item)).y;
+      staying.erase(staying.begin() + std::ptrdiff_t(*goes));
+      places.erase(places.begin() + std::ptrdiff_t(*goes));
+      moving.insert(moving.begin(), one);
+    }
+  }
+  for (std::size_t k = 0; k < staying.size(); ++k)
+    put(staying[k], post, places[k]);
+  return true;
+}
+
+bool Layouter::fits(std::size_t i, const LabelBox& box) const {
+  if (box.low.x < m_frame.low.x || box.low.y < m_frame.low.y || box.high.x > m_frame.high.x ||
+      box.high.y > m_frame.high.y)
+    return false;
+  for (std::size_t k = 0; k < m_placed.size(); ++k) {
+    if (k == i)
+      continue;
+    if (m_placed[k] && (overlap(box.grown(clearance), m_placed[k]->box) ||
+                        runsThrough(m_placed[k]->leader, box.grown(clearance))))
+      return false;
+    for (const glm::vec2& place : item(k).places)
+      if (!m_fates[k].out && box.grown(clearance).contains(place))
+        return false;
+  }
+  return true;
+}
+
+void Layouter::placeBeside(std::size_t i) {
+  constexpr std::array<std::array<float, 2>, 8> ways{
+      {{1, 0}, {-1, 0}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}, {0, -1}, {0, 1}}};
+  const glm::vec2 place = placeOf(item(i));
+  const PlacedLabel* was = before(i);
+  std::optional<LabelBox> best;
+  float bestCost = 0.0f;
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    const glm::vec2 way(ways[k][0], ways[k][1]);
+    const glm::vec2 middle = place + way * (0.5f * item(i).box + besideGap);
+    const LabelBox box{middle - 0.5f * item(i).box, middle + 0.5f * item(i).box};
+    if (!fits(i, box))
+      continue;
+    const auto sign = [](float a) { return a > 0.5f ? 1.0f : a < -0.5f ? -1.0f : 0.0f; };
+    bool same = false;
+    if (was && was->post == LabelPost::beside) {
+      const glm::vec2 offset = was->box.middle() - place;
+      same = sign(offset.x) == way.x && sign(offset.y) == way.y;
+    }
+    const float cost = m_request.obstacles.share(box) + 0.05f * float(k) - (same ? 1.5f : 0.0f);
+    if (!best || cost < bestCost) {
+      best = box;
+      bestCost = cost;
+    }
+  }
+  if (best)
+    m_placed[i] = PlacedLabel{item(i).id, LabelPost::beside, *best, {}, item(i).hidden};
+}
+
+bool Layouter::inConflict(std::size_t i, std::size_t j) const {
+  const PlacedLabel& a = *m_placed[i];
+  const PlacedLabel& b = *m_placed[j];
+  return overlap(a.box, b.box) || cross(a.leader, b.leader) ||
+         runsThrough(a.leader, b.box.grown(clearance)) ||
+         runsThrough(b.leader, a.box.grown(clearance));
+}
+
+/// What was moved by hand wins. Who has another side to try goes there, first the cause, whose
+/// leader runs through the other's box, then who has not jumped for longer. Else what is seen wins,
+/// then the earlier.
+std::size_t Layouter::loserOf(std::size_t i, std::size_t j) const {
+  const auto rank = [&](std::size_t k, std::size_t other) {
+    const bool cause = runsThrough(m_placed[k]->leader, m_placed[other]->box.grown(clearance));
+    const float rested = m_fates[k].tried ? 0.0f : calm(k);
+    return std::tuple(m_placed[k]->post != LabelPost::byHand, !m_fates[k].tried, cause, rested,
+                      item(k).hidden, k);
+  };
+  return rank(i, j) < rank(j, i) ? j : i;
+}
+
+std::optional<std::size_t> Layouter::firstLoser() const {
+  for (std::size_t i = 0; i < m_fates.size(); ++i)
+    if (!m_fates[i].out && !m_placed[i])
+      return i;
+  for (std::size_t i = 0; i < m_placed.size(); ++i)
+    for (std::size_t j = i + 1; j < m_placed.size(); ++j)
+      if (m_placed[i] && m_placed[j] && inConflict(i, j))
+        return loserOf(i, j);
+  return std::nullopt;
+}
+
+void Layouter::giveWay(std::size_t i) {
+  Fate& fate = m_fates[i];
+  if (!isColumn(fate.post))
+    fate.post = sideOf(i);
+  else if (!fate.tried) {
+    fate.post = otherSide(fate.post);
+    fate.tried = true;
+  } else {
+    fate.out = true;
+  }
+}
+
+LabelLayout Layouter::answer() const {
+  LabelLayout layout{.labels = {}, .leftOut = {}, .edges = m_edges};
+  for (std::size_t i = 0; i < m_placed.size(); ++i)
+    if (m_placed[i] && !m_fates[i].out) {
+      constexpr float jump = 2.0f;
+      const PlacedLabel* was = before(i);
+      layout.labels.push_back(*m_placed[i]);
+      PlacedLabel& is = layout.labels.back();
+      const bool jumped =
+          was && (was->post != is.post || std::abs(was->box.middle().y - is.box.middle().y) > jump);
+      is.jumpedAt = jumped ? m_request.towardsEye : was ? was->jumpedAt : glm::vec3(0.0f);
+    } else {
+      layout.leftOut.push_back(item(i).id);
+    }
+  return layout;
+}
+
+}  // namespace
+
+const PlacedLabel* LabelLayout::find(model::AnnotationId id) const {
+  const auto found = std::find_if(labels.begin(), labels.end(),
+                                  [id](const PlacedLabel& label) { return label.id == id; });
+  return found == labels.end() ? nullptr : &*found;
+}
+
+LabelLayout layOutLabels(const LabelRequest& request, const LabelLayout* before) {
+  return Layouter(request, before).layOut();
+}
+
+}  // namespace sline::render

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where structures are drawn, coarsely: what labels had better not cover.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "model/scene/scene.h"
+#include "render/labels/screen.h"
+#include "render/labels/shapes.h"
+
+namespace sline::render {
+
+struct ObstacleMask {
+  int columns = 0;
+  int rows = 0;
+  glm::vec2 size{0.0f};             ///< of the whole, millimetres of the output
+  std::vector<std::uint8_t> taken;  ///< of cells, rows from the top
+  std::optional<LabelBox> extent;   ///< of all that is drawn in the picture, finer than cells
+
+  /// The share of the box's area that is taken, 0 … 1.
+  float share(const LabelBox& box) const;
+};
+
+/// Of the visible structures' surfaces as sections leave them. Of large meshes some triangles are
+/// looked at, so that it takes about as long whatever the scene.
+ObstacleMask obstaclesOf(const model::Scene& scene, const Screen& screen);
+
+}  // namespace sline::render

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/labels/shapes.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <utility>
+
+namespace sline::render {
+
+namespace {
+
+/// Twice the area of the triangle; its sign tells on which side of ab the point c is.
+double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+bool within(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& p) {
+  return std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
+         p.y <= std::max(a.y, b.y);
+}
+
+bool meet(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d) {
+  const double abc = turn(a, b, c);
+  const double abd = turn(a, b, d);
+  const double cda = turn(c, d, a);
+  const double cdb = turn(c, d, b);
+  if (((abc > 0) != (abd > 0)) && ((cda > 0) != (cdb > 0)) && abc != 0 && abd != 0 && cda != 0 &&
+      cdb != 0)
+    return true;
+  return (abc == 0 && within(a, b, c)) || (abd == 0 && within(a, b, d)) ||
+         (cda == 0 && within(c, d, a)) || (cdb == 0 && within(c, d, b));
+}
+
+/// Without its first bit.
+Leader shortened(Leader leader) {
+  constexpr float bit = 0.05f;
+  const float length = glm::length(leader[1] - leader[0]);
+  if (length > 2.0f * bit)
+    leader[0] += bit / length * (leader[1] - leader[0]);
+  return leader;
+}
+
+bool crossAnywhere(const Leader& a, const Leader& b) {
+  for (std::size_t i = 1; i < a.size(); ++i)
+    for (std::size_t j = 1; j < b.size(); ++j)
+      if (meet(a[i - 1], a[i], b[j - 1], b[j]))
+        return true;
+  return false;
+}
+
+/// Liang and Barsky's clipping of a segment against a box.
+bool clips(const glm::vec2& a, const glm::vec2& b, const LabelBox& box) {
+  float enter = 0.0f;
+  float leave = 1.0f;
+  const glm::vec2 d = b - a;
+  for (int i = 0; i < 2; ++i) {
+    if (d[i] == 0.0f) {
+      if (a[i] <= box.low[i] || a[i] >= box.high[i])
+        return false;
+      continue;
+    }
+    float first = (box.low[i] - a[i]) / d[i];
+    float second = (box.high[i] - a[i]) / d[i];
+    if (first > second)
+      std::swap(first, second);
+    enter = std::max(enter, first);
+    leave = std::min(leave, second);
+  }
+  return enter < leave;
+}
+
+}  // namespace
+
+bool LabelBox::contains(const glm::vec2& p) const {
+  return p.x > low.x && p.x < high.x && p.y > low.y && p.y < high.y;
+}
+
+bool overlap(const LabelBox& a, const LabelBox& b) {
+  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
+bool cross(const Leader& a, const Leader& b) {
+  constexpr float same = 0.01f;
+  if (a.size() < 2 || b.size() < 2)
+    return false;
+  return glm::length(a[0] - b[0]) < same ? crossAnywhere(shortened(a), shortened(b))
+                                         : crossAnywhere(a, b);
+}
+
+bool runsThrough(const Leader& leader, const LabelBox& box) {
+  for (std::size_t i = 1; i < leader.size(); ++i)
+    if (clips(leader[i - 1], leader[i], box))
+      return true;
+  return false;
+}
+
+}  // namespace sline::render

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a layout is made of: boxes and polylines in the plane of the picture, millimetres of the
+// output from its upper left corner, y downwards.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <span>
+#include <vector>
+
+namespace sline::render {
+
+struct LabelBox {
+  glm::vec2 low{0.0f};
+  glm::vec2 high{0.0f};
+
+  glm::vec2 size() const { return high - low; }
+  glm::vec2 middle() const { return 0.5f * (low + high); }
+  bool contains(const glm::vec2& p) const;
+  LabelBox grown(float by) const { return {low - by, high + by}; }
+  bool operator==(const LabelBox&) const = default;
+};
+
+/// From the place in the anatomy to the box.
+using Leader = std::vector<glm::vec2>;
+
+/// Their insides have points in common.
+bool overlap(const LabelBox& a, const LabelBox& b);
+/// They have a point in common; where both begin at the same place, another one.
+bool cross(const Leader& a, const Leader& b);
+/// The leader has a point within the box.
+bool runsThrough(const Leader& leader, const LabelBox& box);
+
+}  // namespace sline::render

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/cli/sline_process.h"
+
+namespace sline::test {
+
+class AnnotateTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init();
+  void listsWhatItMade();
+  void namesInOtherLanguages();
+  void removes();
+  void refusals_data();
+  void refusals();
+  void drawsLabels();
+  void modes();
+  void sameOnEveryRun();
+  void kinds();
+
+ private:
+  QString path(const char* name) const { return m_folder->filePath(QLatin1String(name)); }
+  QString scene() const { return path("sample.sline"); }
+  QByteArray list() const { return runSline({"annotate", scene(), "--list"}).out; }
+  Finished annotate(const QStringList& flags) const {
+    return runSline(QStringList{"annotate", scene()} + flags);
+  }
+  Pixels rendered(const QStringList& flags) const;
+
+  std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+namespace {
+/// Pixels that differ.
+int difference(const Pixels& a, const Pixels& b) {
+  int count = 0;
+  for (std::size_t i = 0; i + 3 < std::min(a.rgba.size(), b.rgba.size()); i += 4)
+    count += std::equal(&a.rgba[i], &a.rgba[i] + 4, &b.rgba[i]) ? 0 : 1;
+  return count;
+}
+}  // namespace
+
+void AnnotateTest::init() {
+  m_folder = std::make_unique<QTemporaryDir>();
+  QVERIFY(m_folder->isValid());
+  const QString sample = writeSample(m_folder->path());
+  QCOMPARE(runSline({"import", sample, "-o", scene()}).code, 0);
+  writeFile(path("camera.json"), frontCamera());
+}
+
+Pixels AnnotateTest::rendered(const QStringList& flags) const {
+  const QString file = path("picture.png");
+  QFile::remove(file);
+  const Finished done =
+      runSline(QStringList{"render", scene(), "-o", file, "--camera", path("camera.json")} +
+               (flags.contains("--size") ? flags : flags + QStringList{"--size", "800x400"}));
+  return done.code == 0 ? readPicture(file) : Pixels{};
+}
+
+void AnnotateTest::listsWhatItMade() {
+  const Finished done =
+      annotate({"--label", "Hilus <b>", "--on", "kidney", "--text", "de=Niere=links"});
+  QCOMPARE(done.err, QByteArray());
+  QCOMPARE(done.out, QByteArray("1\n"));
+  QCOMPARE(list(), QByteArray("1\tlabel\tkidney\tHilus <b>\tde=Niere=links\n"));
+}
+
+void AnnotateTest::namesInOtherLanguages() {
+  QCOMPARE(annotate({"--on", "kidney", "--on", "renal artery"}).out, QByteArray("1\n2\n"));
+  const QByteArray listed = list();
+  QVERIFY2(listed.contains("\tkidney\tkidney\tde=Niere\t"), listed);
+  QVERIFY2(listed.contains("la=arteria renalis"), listed);
+}
+
+void AnnotateTest::removes() {
+  QCOMPARE(annotate({"--on", "kidney", "--on", "renal artery"}).code, 0);
+  QCOMPARE(annotate({"--remove", "1"}).code, 0);
+  QVERIFY(list().startsWith("2\t"));
+  QCOMPARE(annotate({"--on", "renal vein"}).out, QByteArray("3\n"));
+}
+
+void AnnotateTest::refusals_data() {
+  QTest::addColumn<QStringList>("flags");
+  QTest::addColumn<QByteArray>("says");
+  QTest::newRow("nothing to do") << QStringList{} << QByteArray("--list");
+  QTest::newRow("two things") << QStringList{"--list", "--on", "kidney"} << QByteArray("one of");
+  QTest::newRow("unknown structure") << QStringList{"--on", "kidny"} << QByteArray("\"kidney\"");
+  QTest::newRow("a group") << QStringList{"--on", "Vessels"} << QByteArray("renal artery");
+  QTest::newRow("no place") << QStringList{"--label", "x"} << QByteArray("--on STRUCTURE");
+  QTest::newRow("bad place") << QStringList{"--on", "kidney", "--at", "1,2"} << QByteArray("x,y,z");
+  QTest::newRow("endless place") << QStringList{"--on", "kidney", "--at", "1,2,inf"}
+                                 << QByteArray("x,y,z");
+  QTest::newRow("one end") << QStringList{"--on", "kidney", "--kind", "distance", "--at", "0,0,0"}
+                           << QByteArray("--to");
+  QTest::newRow("end of a label") << QStringList{"--on", "kidney", "--to", "0,0,0"}
+                                  << QByteArray("two places");
+  QTest::newRow("no language") << QStringList{"--on", "kidney", "--text", "Niere"}
+                               << QByteArray("its language");
+  QTest::newRow("unknown view") << QStringList{"--on", "kidney", "--view", "front"}
+                                << QByteArray("anterior");
+  QTest::newRow("no saved view") << QStringList{"--on", "kidney", "--view", "left",
+                                                "--only-in-view"}
+                                 << QByteArray("no saved view");
+  QTest::newRow("unknown number") << QStringList{"--remove", "7"} << QByteArray("--list");
+}
+
+void AnnotateTest::refusals() {
+  QFETCH(QStringList, flags);
+  QFETCH(QByteArray, says);
+  QFile file(scene());
+  QVERIFY(file.open(QIODevice::ReadOnly));
+  const QByteArray before = file.readAll();
+  const Finished done = annotate(flags);
+  QCOMPARE(done.code, 2);
+  QCOMPARE(done.out, QByteArray());
+  QVERIFY2(done.err.contains(says), done.err);
+  file.seek(0);
+  QCOMPARE(file.readAll(), before);
+}
+
+void AnnotateTest::drawsLabels() {
+  QCOMPARE(annotate({"--label", "Seen from the front", "--on", "kidney"}).code, 0);
+  const Pixels plain = rendered({});
+  const Pixels labelled = rendered({"--labels", "on"});
+  QVERIFY(!plain.rgba.empty() && !labelled.rgba.empty());
+  const PixelBox before = drawnBox(plain);
+  const PixelBox after = drawnBox(labelled);
+  QVERIFY2(after.left < before.left - 60 || after.right > before.right + 60,
+           "the text does not stand beside the anatomy");
+  QCOMPARE(after.top, before.top);
+  QCOMPARE(difference(plain, rendered({"--labels", "off"})), 0);
+}
+
+void AnnotateTest::modes() {
+  QCOMPARE(annotate({"--on", "kidney", "--on", "renal artery", "--on", "renal vein"}).code, 0);
+  const QStringList base{"render", scene(), "-o", path("p.png"), "--size", "400x200"};
+  const Finished numbers = runSline(base + QStringList{"--labels", "numbers"});
+  QCOMPARE(numbers.out, QByteArray("1\tkidney\n2\trenal artery\n3\trenal vein\n"));
+  const Finished german = runSline(base + QStringList{"--labels", "numbers", "--language", "de"});
+  QVERIFY2(german.out.startsWith("1\tNiere\n"), german.out);
+  const Pixels blank = rendered({"--labels", "blank"});
+  const Pixels german2 = rendered({"--labels", "blank", "--language", "de"});
+  QVERIFY(!blank.rgba.empty());
+  QVERIFY2(difference(blank, german2) == 0, "blank lines tell how long the words are");
+  QVERIFY(difference(rendered({"--labels", "on"}),
+                     rendered({"--labels", "on", "--language", "de"})) > 0);
+  QCOMPARE(runSline(base + QStringList{"--labels", "some"}).code, 2);
+}
+
+void AnnotateTest::sameOnEveryRun() {
+  QCOMPARE(annotate({"--on", "kidney", "--on", "renal artery"}).code, 0);
+  const Pixels first = rendered({"--labels", "on"});
+  const Pixels second = rendered({"--labels", "on"});
+  QVERIFY(!first.rgba.empty());
+  QCOMPARE(difference(first, second), 0);
+  // The text scales with the picture, not with its pixels.
+  const PixelBox small = drawnBox(first);
+  const PixelBox large = drawnBox(rendered({"--labels", "on", "--size", "1600x800"}));
+  QVERIFY(std::abs(large.right - 2 * small.right) <= 6);
+  QVERIFY(std::abs(large.left - 2 * small.left) <= 6);
+}
+
+void AnnotateTest::kinds() {
+  QCOMPARE(annotate({"--on", "kidney", "--kind", "callout"}).code, 0);
+  QCOMPARE(annotate({"--label", "free", "--at", "0,-30,20", "--kind", "pin"}).code, 0);
+  QCOMPARE(annotate({"--label", "wide", "--on", "kidney", "--kind", "distance", "--at", "-30,0,0",
+                     "--to", "30,0,0"})
+               .code,
+           0);
+  const QByteArray listed = list();
+  QVERIFY2(listed.contains("2\tpin\t\tfree\n"), listed);
+  QVERIFY2(listed.contains("3\tdistance\tkidney\twide\n"), listed);
+  QVERIFY(difference(rendered({}), rendered({"--labels", "on"})) > 500);
+}
+
+}  // namespace sline::test
+
+QTEST_GUILESS_MAIN(sline::test::AnnotateTest)
+#include "annotate_test.moc"

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QtTest>
+#include <glm/geometric.hpp>
+
+#include "model/edit/style.h"
+#include "render/labels/anchors.h"
+#include "render/labels/best_place.h"
+#include "tests/support/shapes.h"
+
+using namespace sline;
+using namespace sline::render;
+
+namespace {
+
+/// Seen from the front: a large sphere, and a small one before its middle.
+struct Two {
+  model::Scene scene;
+  model::NodeId large;
+  model::NodeId small;
+};
+
+Two twoSpheres() {
+  Two two;
+  model::Node large{.name = "large", .mesh = test::sphere(40.0f, 4)};
+  large.style.gamma = Gamma::clamped(5.0f);
+  two.large = two.scene.append(large);
+  model::Node small{.name = "small",
+                    .mesh = test::moved(*test::sphere(1.0f, 3), 15.0f, {0.0f, -60.0f, 0.0f})};
+  small.style.gamma = Gamma::clamped(5.0f);
+  two.small = two.scene.append(small);
+  return two;
+}
+
+model::AnnotationId point(model::Scene& scene, model::NodeId node, const glm::vec3& towards) {
+  const model::Mesh& mesh = *scene.find(node)->mesh;
+  std::uint32_t best = 0;
+  float farthest = -1e9f;
+  for (std::uint32_t i = 0; i < mesh.triangleCount(); ++i) {
+    const float along = glm::dot(model::placeOn(mesh, {node, i, {0.3f, 0.3f}}), towards);
+    if (along > farthest) {
+      farthest = along;
+      best = i;
+    }
+  }
+  return scene.appendAnnotation(
+      {.anchors = {model::SurfacePoint{node, best, {0.3f, 0.3f}}}, .text = "text"});
+}
+
+model::Camera front() {
+  return {.eye = {0.0f, -400.0f, 0.0f}};
+}
+
+constexpr glm::vec2 paper{240.0f, 180.0f};
+
+std::vector<ShownLabel> shown(const model::Scene& scene, const std::string& language = {}) {
+  SightTrees trees;
+  return shownLabels(scene, Screen(front(), paper), language, trees);
+}
+
+model::Scene styled(const model::Scene& scene, model::NodeId node, const model::Style& style) {
+  return model::withStyle(scene, std::vector{node}, style).scene;
+}
+
+}  // namespace
+
+class LabelAnchorsTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void screenAndSightAgree() {
+    for (const auto projection :
+         {model::Projection::perspective, model::Projection::orthographic}) {
+      model::Camera camera = front();
+      camera.projection = projection;
+      const Screen screen(camera, paper);
+      const model::Ray ray = screen.sight({70.0f, 33.0f});
+      const auto place = screen.place(ray.origin + 350.0f * ray.direction);
+      QVERIFY(place);
+      QVERIFY(glm::length(*place - glm::vec2(70.0f, 33.0f)) < 1e-3f);
+    }
+    QVERIFY(!Screen(front(), paper).place({0.0f, -500.0f, 0.0f}));
+  }
+
+  void hiddenByAnother() {
+    Two two = twoSpheres();
+    point(two.scene, two.large, {0.0f, -1.0f, 0.0f});
+    point(two.scene, two.large, {0.6f, -0.8f, 0.0f});
+    QVERIFY(shown(two.scene)[0].item.hidden);
+    QVERIFY(!shown(two.scene)[1].item.hidden);
+  }
+
+  void clearThingsHideNothing_data() {
+    QTest::addColumn<float>("gamma");
+    QTest::addColumn<float>("opacity");
+    QTest::addColumn<int>("fill");
+    QTest::addColumn<bool>("hides");
+    using model::Fill;
+    QTest::newRow("shaded") << 5.0f << 1.0f << int(Fill::none) << true;
+    QTest::newRow("lines") << 2.0f << 1.0f << int(Fill::none) << false;
+    QTest::newRow("paper") << 1.0f << 1.0f << int(Fill::paper) << true;
+    QTest::newRow("tint") << 1.0f << 1.0f << int(Fill::tint) << true;
+    QTest::newRow("veil") << 1.0f << 1.0f << int(Fill::veil) << false;
+    QTest::newRow("glass") << 5.0f << 0.2f << int(Fill::none) << false;
+  }
+  void clearThingsHideNothing() {
+    QFETCH(float, gamma);
+    QFETCH(float, opacity);
+    QFETCH(int, fill);
+    Two two = twoSpheres();
+    point(two.scene, two.large, {0.0f, -1.0f, 0.0f});
+    model::Style style;
+    style.gamma = Gamma::clamped(gamma);
+    style.opacity = Opacity::clamped(opacity);
+    style.fill = model::Fill(fill);
+    QTEST(shown(styled(two.scene, two.small, style))[0].item.hidden, "hides");
+  }
+
+  void hiddenByItself() {
+    Two two = twoSpheres();
+    point(two.scene, two.large, {0.0f, 1.0f, 0.2f});
+    QVERIFY(shown(two.scene)[0].item.hidden);
+  }
+
+  void whatIsNotDrawnIsNotLabelled() {
+    Two two = twoSpheres();
+    point(two.scene, two.large, {-1.0f, -0.2f, 0.0f});
+    point(two.scene, two.large, {1.0f, -0.2f, 0.0f});
+    model::Style unseen;
+    unseen.visible = false;
+    QCOMPARE(shown(styled(two.scene, two.large, unseen)).size(), std::size_t(0));
+    model::Scene cut = two.scene;
+    cut.appendSection({.plane = model::anatomicalPlane(model::AnatomicalView::left, 0.0f)});
+    const auto left = shown(cut);
+    QCOMPARE(left.size(), std::size_t(1));
+    QCOMPARE(left[0].number, 2);
+    QVERIFY2(left[0].item.places[0].x > 120.0f, "the patient's left is at the picture's right");
+  }
+
+  void languagesAndNumbers() {
+    Two two = twoSpheres();
+    point(two.scene, two.large, {-1.0f, -0.2f, 0.0f});
+    point(two.scene, two.small, {0.0f, -1.0f, 0.0f});
+    auto annotations = two.scene.annotations();
+    annotations[1].texts["de"] = "klein";
+    annotations[0].visible = false;
+    two.scene.setAnnotations(annotations);
+    const auto german = shown(two.scene, "de");
+    QCOMPARE(german.size(), std::size_t(1));
+    QCOMPARE(german[0].text, std::string("klein"));
+    QCOMPARE(german[0].number, 1);
+    QCOMPARE(shown(two.scene, "fr")[0].text, std::string("text"));
+  }
+
+  void bestPlaceIsSeen() {
+    const Two two = twoSpheres();
+    SightTrees trees;
+    const Screen screen(front(), paper);
+    const auto small = bestPlaceOn(two.scene, two.small, screen, trees);
+    QVERIFY(small && !small->hidden);
+    const glm::vec3 place = *two.scene.placeOf(small->point);
+    QVERIFY2(glm::length(place - glm::vec3(0.0f, -75.0f, 0.0f)) < 4.0f, "not in its middle");
+    // Of the large one a ring is seen around the small one.
+    const auto large = bestPlaceOn(two.scene, two.large, screen, trees);
+    QVERIFY(large && !large->hidden);
+    model::Scene scene = two.scene;
+    scene.appendAnnotation({.anchors = {large->point}, .text = "ring"});
+    QVERIFY(!shown(scene)[0].item.hidden);
+  }
+
+  void bestPlaceOfWhatIsHidden() {
+    Two two = twoSpheres();
+    model::Node inner{.name = "inner", .mesh = test::sphere(5.0f, 2)};
+    const model::NodeId id = two.scene.append(inner);
+    SightTrees trees;
+    const auto best = bestPlaceOn(two.scene, id, Screen(front(), paper), trees);
+    QVERIFY(best && best->hidden);
+    QVERIFY(two.scene.placeOf(best->point)->y < -4.0f);
+  }
+
+  void obstaclesAreWhereThingsAre() {
+    const Two two = twoSpheres();
+    const Screen screen(front(), paper);
+    const ObstacleMask mask = obstaclesOf(two.scene, screen);
+    QVERIFY(mask.extent);
+    const float radius = 0.5f * mask.extent->size().x;
+    QVERIFY(std::abs(mask.extent->middle().x - 120.0f) < 1.0f);
+    // An outline of radius r/√(d² − r²) times the focal length.
+    const float focal = 90.0f / std::tan(0.5f * 30.0f * 3.14159265f / 180.0f);
+    const float expected = focal * 40.0f / std::sqrt(400.0f * 400.0f - 40.0f * 40.0f);
+    QVERIFY2(std::abs(radius - expected) < 1.0f, qPrintable(QString::number(radius)));
+    QVERIFY(mask.share({{110.0f, 80.0f}, {130.0f, 100.0f}}) > 0.99f);
+    QCOMPARE(mask.share({{5.0f, 5.0f}, {40.0f, 20.0f}}), 0.0f);
+  }
+};
+
+QTEST_APPLESS_MAIN(LabelAnchorsTest)
+#include "label_anchors_test.moc"

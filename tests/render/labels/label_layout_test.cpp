@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a layout promises, on random labels: judged by mathematics of the test's own.
+#include <QtTest>
+#include <random>
+
+#include "render/labels/layout.h"
+
+using namespace sline;
+using namespace sline::render;
+
+namespace {
+
+struct Line {
+  glm::dvec2 a;
+  glm::dvec2 b;
+};
+
+std::vector<Line> linesOf(const Leader& leader) {
+  std::vector<Line> lines;
+  for (std::size_t i = 1; i < leader.size(); ++i)
+    lines.push_back({leader[i - 1], leader[i]});
+  return lines;
+}
+
+/// Solves a + s (b − a) = c + t (d − c); parallel lines count as not meeting.
+bool meet(const Line& one, const Line& two) {
+  const glm::dvec2 r = one.b - one.a;
+  const glm::dvec2 q = two.b - two.a;
+  const glm::dvec2 w = two.a - one.a;
+  const double determinant = r.x * q.y - r.y * q.x;
+  if (std::abs(determinant) < 1e-12)
+    return false;
+  const double s = (w.x * q.y - w.y * q.x) / determinant;
+  const double t = (w.x * r.y - w.y * r.x) / determinant;
+  constexpr double rim = 1e-6;
+  return s > rim && s < 1.0 - rim && t > rim && t < 1.0 - rim;
+}
+
+bool meets(const Line& line, const LabelBox& box) {
+  for (int i = 0; i <= 400; ++i) {
+    const glm::vec2 p(line.a + double(i) / 400.0 * (line.b - line.a));
+    if (box.contains(p))
+      return true;
+  }
+  return false;
+}
+
+LabelRequest randomRequest(std::uint32_t seed, int most) {
+  std::mt19937 random(seed);
+  const auto between = [&](float low, float high) {
+    return std::uniform_real_distribution<float>(low, high)(random);
+  };
+  LabelRequest request;
+  request.space.size = {between(60.0f, 340.0f), between(50.0f, 250.0f)};
+  request.space.sideMargin = seed % 3 == 0 ? 40.0f : 0.0f;
+  const int number = 1 + int(random() % std::uint32_t(most));
+  const float inset = between(0.0f, 0.35f) * request.space.size.x;
+  for (int i = 0; i < number; ++i) {
+    LabelItem item{.id = {std::uint64_t(i + 1)}};
+    item.kind = model::AnnotationKind(random() % 4);
+    const auto place = [&] {
+      return glm::vec2(between(inset, request.space.size.x - inset),
+                       between(0.0f, request.space.size.y));
+    };
+    item.places.push_back(random() % 8 == 0 && i > 0 ? request.items.back().places.front()
+                                                     : place());
+    if (item.kind == model::AnnotationKind::distance)
+      item.places.push_back(place());
+    item.hidden = random() % 4 == 0;
+    item.box = {between(5.0f, 45.0f), between(3.0f, 14.0f)};
+    if (random() % 12 == 0)
+      item.offset = glm::vec2(between(-80.0f, 80.0f), between(-60.0f, 60.0f));
+    request.items.push_back(item);
+  }
+  return request;
+}
+
+/// What of the promises does not hold; empty where all do.
+QString broken(const LabelRequest& request, const LabelLayout& layout) {
+  if (layout.labels.size() + layout.leftOut.size() != request.items.size())
+    return "labels are lost";
+  const LabelSpace& space = request.space;
+  for (const PlacedLabel& one : layout.labels) {
+    if (one.box.low.x < -space.sideMargin || one.box.low.y < 0.0f ||
+        one.box.high.x > space.size.x + space.sideMargin || one.box.high.y > space.size.y)
+      return QString("%1 is outside").arg(one.id.value);
+    for (const PlacedLabel& two : layout.labels) {
+      if (one.id == two.id)
+        continue;
+      if (overlap(one.box, two.box))
+        return QString("%1 and %2 overlap").arg(one.id.value).arg(two.id.value);
+      for (const Line& line : linesOf(one.leader)) {
+        if (meets(line, two.box))
+          return QString("%1 runs through %2").arg(one.id.value).arg(two.id.value);
+        for (const Line& other : linesOf(two.leader))
+          if (meet(line, other))
+            return QString("%1 and %2 cross").arg(one.id.value).arg(two.id.value);
+      }
+    }
+  }
+  return {};
+}
+
+/// Eight structures' places in the middle of a wide picture.
+LabelRequest roomy() {
+  LabelRequest request;
+  request.space.size = {340.0f, 190.0f};
+  for (int i = 0; i < 8; ++i)
+    request.items.push_back({.id = {std::uint64_t(i + 1)},
+                             .places = {{130.0f + 11.0f * float(i), 40.0f + 13.0f * float(i)}},
+                             .box = {30.0f, 4.5f}});
+  request.obstacles = {.columns = 1,
+                       .rows = 1,
+                       .size = request.space.size,
+                       .taken = {0},
+                       .extent = LabelBox{{110.0f, 10.0f}, {230.0f, 180.0f}}};
+  return request;
+}
+
+}  // namespace
+
+class LabelLayoutTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void promisesHold() {
+    int placed = 0;
+    int all = 0;
+    for (std::uint32_t seed = 0; seed < 600; ++seed) {
+      const LabelRequest request = randomRequest(seed, 60);
+      const LabelLayout layout = layOutLabels(request);
+      const QString fault = broken(request, layout);
+      QVERIFY2(fault.isEmpty(), qPrintable(QString("seed %1: %2").arg(seed).arg(fault)));
+      QCOMPARE(layOutLabels(request), layout);
+      placed += int(layout.labels.size());
+      all += int(request.items.size());
+    }
+    qInfo("%d of %d random labels found room", placed, all);
+  }
+
+  void promisesHoldWhileTurning() {
+    for (std::uint32_t seed = 0; seed < 60; ++seed) {
+      LabelRequest request = randomRequest(seed, 30);
+      LabelLayout layout;
+      for (int step = 0; step < 40; ++step) {
+        layout = layOutLabels(request, &layout);
+        const QString fault = broken(request, layout);
+        QVERIFY2(fault.isEmpty(), qPrintable(QString("seed %1: %2").arg(seed).arg(fault)));
+        for (LabelItem& item : request.items)
+          for (glm::vec2& place : item.places)
+            place.x += (0.5f * request.space.size.x - place.x) * 0.05f +
+                       (place.y > 0.5f * request.space.size.y ? 1.5f : -1.5f);
+      }
+    }
+  }
+
+  void allFindRoomWhereThereIs() {
+    const LabelRequest request = roomy();
+    const LabelLayout layout = layOutLabels(request);
+    QCOMPARE(layout.leftOut.size(), std::size_t(0));
+    for (const PlacedLabel& label : layout.labels)
+      QVERIFY2(!overlap(label.box, *request.obstacles.extent), "a label covers the anatomy");
+  }
+
+  void saysWhatFindsNone() {
+    LabelRequest request = roomy();
+    request.space.size = {340.0f, 20.0f};
+    request.items[7].hidden = false;
+    request.items[0].hidden = true;
+    for (LabelItem& item : request.items)
+      item.places.front().y = 10.0f;
+    const LabelLayout layout = layOutLabels(request);
+    QVERIFY(!layout.leftOut.empty());
+    QVERIFY2(!layout.find({1}), "a hidden place's label takes the room of one that is seen");
+    QVERIFY2(broken(request, layout).isEmpty(), qPrintable(broken(request, layout)));
+  }
+
+  void nothingMovesWithoutNeed() {
+    const LabelRequest request = roomy();
+    const LabelLayout first = layOutLabels(request);
+    const LabelLayout second = layOutLabels(request, &first);
+    for (const PlacedLabel& label : second.labels) {
+      QCOMPARE(label.box, first.find(label.id)->box);
+    }
+  }
+
+  void scalesWithTheOutput() {
+    // The same anatomy on paper of twice the size has room for twice the lines of text.
+    LabelRequest small = randomRequest(7, 60);
+    LabelRequest large = small;
+    large.space.size *= 2.0f;
+    for (LabelItem& item : large.items)
+      for (glm::vec2& place : item.places)
+        place *= 2.0f;
+    QVERIFY(layOutLabels(large).leftOut.size() <= layOutLabels(small).leftOut.size());
+  }
+
+  void movedByHandStaysThere() {
+    LabelRequest request = roomy();
+    request.items[3].offset = glm::vec2(-20.0f, 5.0f);
+    const LabelLayout layout = layOutLabels(request);
+    QCOMPARE(layout.find({4})->box.middle(), request.items[3].places.front() + glm::vec2(-20, 5));
+    QCOMPARE(layout.find({4})->post, LabelPost::byHand);
+  }
+
+  void pinsStandBeside() {
+    LabelRequest request = roomy();
+    request.items[2].kind = model::AnnotationKind::pin;
+    const PlacedLabel pin = *layOutLabels(request).find({3});
+    QCOMPARE(pin.post, LabelPost::beside);
+    QVERIFY(pin.leader.empty());
+    QVERIFY(glm::length(pin.box.middle() - request.items[2].places.front()) < 25.0f);
+  }
+};
+
+QTEST_APPLESS_MAIN(LabelLayoutTest)
+#include "label_layout_test.moc"

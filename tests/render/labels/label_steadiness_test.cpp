@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// How often labels jump while the camera turns.
+#include <QDir>
+#include <QtTest>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <numeric>
+
+#include "model/demo/demo.h"
+#include "model/import/import.h"
+#include "render/labels/anchors.h"
+#include "render/labels/best_place.h"
+
+using namespace sline;
+using namespace sline::render;
+
+namespace {
+
+constexpr glm::vec2 paper{338.7f, 190.5f};
+constexpr int window = 20;  // degrees
+/// Farther than the place itself went from one degree to the next: more than half a line of text.
+constexpr float jump = 2.5f;
+
+model::Camera around(const model::Scene& scene, float degrees) {
+  const model::Box box = scene.visibleBounds();
+  model::Camera camera =
+      model::anatomicalCamera(model::AnatomicalView::anterior, box, 0.6f * paper.x / paper.y);
+  const glm::vec3 way = camera.eye - box.centre();
+  const float c = std::cos(glm::radians(degrees));
+  const float s = std::sin(glm::radians(degrees));
+  camera.target = box.centre();
+  // A fifth farther, so that it fits from every side.
+  camera.eye = box.centre() + 1.2f * glm::vec3(c * way.x - s * way.y, s * way.x + c * way.y, way.z);
+  return camera;
+}
+
+/// Up to that many labels, on the largest structures.
+void label(model::Scene& scene, std::size_t number) {
+  std::vector<std::pair<float, model::NodeId>> sizes;
+  for (const model::NodeId id : scene.structuresBelow(model::rootId))
+    if (scene.resolve(id).visible)
+      sizes.emplace_back(-glm::length(scene.find(id)->mesh->bounds().size()), id);
+  std::sort(sizes.begin(), sizes.end());
+  SightTrees trees;
+  const Screen screen(around(scene, 0.0f), paper);
+  for (std::size_t i = 0; i < sizes.size() && scene.annotations().size() < number; ++i)
+    if (const auto best = bestPlaceOn(scene, sizes[i].second, screen, trees))
+      scene.appendAnnotation({.anchors = {best->point}, .text = scene.find(sizes[i].second)->name});
+}
+
+struct Jumps {
+  int worst = 0;      ///< of any label in any window
+  double mean = 0.0;  ///< of a label in a window
+  int leftOut = 0;
+};
+
+Jumps turn(const model::Scene& scene) {
+  SightTrees trees;
+  std::vector<std::vector<int>> jumped(scene.annotations().size());
+  LabelLayout layout;
+  std::vector<ShownLabel> before;
+  Jumps jumps;
+  for (int degrees = 0; degrees <= 360; ++degrees) {
+    const Screen screen(around(scene, float(degrees)), paper);
+    std::vector<ShownLabel> labels = shownLabels(scene, screen, {}, trees);
+    LabelRequest request{.space = {paper},
+                         .obstacles = obstaclesOf(scene, screen),
+                         .towardsEye = model::cameraFrame(screen.camera()).back};
+    for (ShownLabel& label : labels) {
+      label.item.box = {1.9f * float(label.text.size()) + 2.0f, 4.3f};
+      request.items.push_back(label.item);
+    }
+    const LabelLayout after = layOutLabels(request, degrees > 0 ? &layout : nullptr);
+    jumps.leftOut = std::max(jumps.leftOut, int(after.leftOut.size()));
+    for (std::size_t i = 0; degrees > 0 && i < labels.size() && i < before.size(); ++i) {
+      const PlacedLabel* was = layout.find(labels[i].item.id);
+      const PlacedLabel* is = after.find(labels[i].item.id);
+      const float moved = was && is ? glm::length(is->box.middle() - was->box.middle()) : 0.0f;
+      const float place =
+          glm::length(labels[i].item.places.front() - before[i].item.places.front());
+      jumped[i].push_back(bool(was) != bool(is) || moved > jump + place ? 1 : 0);
+    }
+    layout = after;
+    before = labels;
+  }
+  double all = 0.0;
+  double windows = 0.0;
+  for (const std::vector<int>& label : jumped)
+    for (std::size_t i = 0; i + window <= label.size(); ++i) {
+      const int inWindow = std::accumulate(label.begin() + std::ptrdiff_t(i),
+                                           label.begin() + std::ptrdiff_t(i + window), 0);
+      jumps.worst = std::max(jumps.worst, inWindow);
+      all += inWindow;
+      windows += 1.0;
+    }
+  jumps.mean = windows > 0.0 ? all / windows : 0.0;
+  return jumps;
+}
+
+}  // namespace
+
+class LabelSteadinessTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void demoTurns() {
+    model::Scene scene = model::demo(model::DemoName::kidney, model::Sex::female, {});
+    label(scene, 20);
+    judge(scene);
+  }
+  void pelvisTurns() {
+    model::Scene scene =
+        model::demo(model::DemoName::pelvis, model::Sex::female, QDir::tempPath().toStdString());
+    label(scene, 20);
+    QCOMPARE(scene.annotations().size(), std::size_t(20));
+    judge(scene);
+  }
+  void abdomenTurns() {
+    const QString file =
+        QStringLiteral(SLINE_TEST_DATA "/abdomen/AbdominalAtlas-2015Sept-Slicer4-4Version.mrml");
+    if (!QFile::exists(file))
+      QSKIP("no abdomen atlas here");
+    const std::vector<std::filesystem::path> inputs{file.toStdString()};
+    auto imported = model::importInputs(inputs, {.smoothing = model::Smoothing{}},
+                                        [](double, const std::string&) { return true; });
+    QVERIFY(imported.ok());
+    label(imported->scene, 20);
+    QVERIFY(imported->scene.annotations().size() >= 18);
+    judge(imported->scene);
+  }
+
+ private:
+  static void judge(const model::Scene& scene) {
+    const Jumps jumps = turn(scene);
+    qInfo(
+        "%d labels, once round: a label jumps %d times in 20 degrees at worst, %.3f times on "
+        "average; %d left out at worst",
+        int(scene.annotations().size()), jumps.worst, jumps.mean, jumps.leftOut);
+    QVERIFY(jumps.worst <= 3);
+    QVERIFY(jumps.mean <= 0.5);
+    QCOMPARE(jumps.leftOut, 0);
+  }
+};
+
+QTEST_APPLESS_MAIN(LabelSteadinessTest)
+#include "label_steadiness_test.moc"
