@@ -40,7 +40,7 @@ std::vector<QString> helpPageIds() {
   std::vector<QString> ids;
   for (const char* id :
        {"start", "tree", "gamma", "focus", "sections", "picture", "files", "import", "keys",
-        "label_volumes", "dicom", "slicer", "molecules", "scene_file"})
+        "label_volumes", "dicom", "slicer", "molecules", "vectors", "scene_file"})
     ids.push_back(QLatin1String(id));
   return ids;
 }
