@@ -35,8 +35,13 @@ LayerStack::LayerStack(std::span<const DepthLayer> layers, glm::vec2 size)
     const gpu::Rect& area = layers[i].area;
     if (!layers[i].filled() || area.empty())
       continue;
-    for (int row = area.y / tileSide; row <= (area.top() - 1) / tileSide; ++row)
-      for (int column = area.x / tileSide; column <= (area.right() - 1) / tileSide; ++column)
+    // Areas may go on beyond the picture, and what lies there belongs to the tiles at its edge.
+    const auto tile = [](int pixel, int tiles) {
+      return std::clamp(pixel / tileSide, 0, tiles - 1);
+    };
+    for (int row = tile(area.y, m_rows); row <= tile(area.top() - 1, m_rows); ++row)
+      for (int column = tile(area.x, m_columns); column <= tile(area.right() - 1, m_columns);
+           ++column)
         m_tiles[std::size_t(row * m_columns + column)].push_back(std::uint16_t(i));
   }
 }

@@ -149,8 +149,8 @@ class Drawing {
       m_view.emplace(m_camera, m_bounds, size.width, size.height);
       double pixels = 0.0;
       parallelFor(m_work.size(), 1, [&](std::size_t i) {
-        m_work[i].area = gpu::intersection(coverage(m_work[i].shown, *m_view, m_view->whole()).area,
-                                           m_view->whole());
+        // A little beyond the page, as lines at its edge look beside them.
+        m_work[i].area = coverage(m_work[i].shown, *m_view, m_view->whole()).area;
       });
       for (const Work& work : m_work)
         pixels += double(work.area.width) * double(work.area.height);
