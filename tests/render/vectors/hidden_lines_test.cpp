@@ -194,23 +194,6 @@ class HiddenLinesTest : public QObject {
     QVERIFY(missing.largest <= 2.5f * outputUnit);
   }
 
-  // Seen so near that most of it lies beyond the page: nothing hidden shows at the page's edge.
-  void nothingHiddenAtTheEdge() {
-    const std::vector<model::MeshPtr> meshes = meshesNamed("knot");
-    for (const glm::vec3& direction :
-         {glm::vec3(0.1f, -1.0f, 0.3f), glm::vec3(0.5f, -0.4f, 1.0f)}) {
-      model::Camera eye = camera(direction);
-      eye.heightMm = 12.0f;
-      const model::Scene scene = sceneOf(meshes, model::Fill::paper);
-      std::vector<glm::vec2> ink = drawn(vectors(scene, eye));
-      std::erase_if(ink, [](const glm::vec2& p) {
-        return p.x < 0.0f || p.y < 0.0f || p.x > page.x || p.y > page.y;
-      });
-      QVERIFY(ink.size() > 100);
-      QVERIFY(distances(ink, seenByRays(meshes, eye, true)).farShare < 0.001);
-    }
-  }
-
   // What a fill does to a sphere inside another.
   void fillsHide_data() {
     QTest::addColumn<int>("fill");
