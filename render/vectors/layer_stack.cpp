@@ -42,14 +42,15 @@ LayerStack::LayerStack(std::span<const DepthLayer> layers, glm::vec2 size)
     for (int row = tile(area.y, m_rows); row <= tile(area.top() - 1, m_rows); ++row)
       for (int column = tile(area.x, m_columns); column <= tile(area.right() - 1, m_columns);
            ++column)
-        m_tiles[std::size_t(row * m_columns + column)].push_back(std::uint16_t(i));
+        m_tiles[std::size_t(row) * std::size_t(m_columns) + std::size_t(column)].push_back(
+            std::uint16_t(i));
   }
 }
 
 const std::vector<std::uint16_t>& LayerStack::listAt(int x, int y) const {
   const int column = std::clamp(x / tileSide, 0, m_columns - 1);
   const int row = std::clamp(y / tileSide, 0, m_rows - 1);
-  return m_tiles[std::size_t(row * m_columns + column)];
+  return m_tiles[std::size_t(row) * std::size_t(m_columns) + std::size_t(column)];
 }
 
 Veil LayerStack::before(const glm::vec2& pixel, float depth, std::size_t own) const {
