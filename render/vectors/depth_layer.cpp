@@ -13,6 +13,8 @@ namespace sline::render {
 
 namespace {
 
+constexpr float hairline = 0.75f;  // px, half of its width: just enough for no gaps
+
 float cross(const glm::vec2& a, const glm::vec2& b) {
   return a.x * b.y - a.y * b.x;
 }
@@ -187,7 +189,11 @@ class LayerDrawing {
         glm::length(glm::vec2(glm::dot(direction, right), glm::dot(direction, up))), 1e-6f);
     const float nearest = std::floor(stripe + 0.5f);
     const bool odd = std::fmod(std::abs(nearest), 2.0f) > 0.5f;
-    const float width = look.strokeHalfWidth * (odd ? look.stripes.w : 1.0f);
+    // Strokes that have half entered are hairlines, as thinner ones would fall between pixels;
+    // before that the picture has them paler than half of the ink.
+    const bool entering = odd && look.stripes.w > 0.45f;
+    const float width =
+        std::max(look.strokeHalfWidth * (odd ? look.stripes.w : 1.0f), entering ? hairline : 0.0f);
     return std::abs(stripe - nearest) / perPixel < width;
   }
 

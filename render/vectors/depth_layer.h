@@ -40,7 +40,7 @@ struct LayerInput {
   double pixelsPerTone = 9.0;  ///< of a structure's side: how many tones its shading has
 };
 
-/// Draws surface and cut faces into `area`, which must be within the picture.
+/// Draws surface and cut faces into `area`, which may go on beyond the picture.
 DepthLayer depthLayer(const Shown& shown, const LayerInput& input, const gpu::Rect& area);
 
 /// Which triangle of the surface a pixel shows, and where in it.

@@ -143,6 +143,37 @@ class ShapeMaker {
   std::vector<VectorShape> m_shapes;
 };
 
+/// Finds the paint that makes each tone of what lies below it: P_k = c·d + P_(k−1)·(1 − d).
+class TonePaint {
+ public:
+  explicit TonePaint(const glm::vec3& paper) : m_paper(paper) {}
+
+  /// Colour and opacity of a layer of paint after which there is that tone (premultiplied); nothing
+  /// where it is there already.
+  std::optional<glm::vec4> over(const glm::vec4& wanted) {
+    float opacity = 1.0f;
+    if (wanted.a < 0.99f && m_below.a < 1.0f)
+      opacity = 1.0f - (1.0f - wanted.a) / (1.0f - m_below.a);
+    // A tone may be denser and yet have less light: no paint takes light away without covering.
+    // Then it covers more than it should, and is right on the page's own paper.
+    for (int i = 0; i < 3; ++i)
+      opacity = std::max(opacity, 1.0f - wanted[i] / std::max(m_below[i], 1e-3f));
+    if (!(opacity > 0.002f))
+      return std::nullopt;
+    opacity = std::min(opacity, 1.0f);
+    const glm::vec4 left = m_below * (1.0f - opacity);
+    const float dense = left.a + opacity;
+    const glm::vec3 light = glm::vec3(wanted) + m_paper * (dense - wanted.a);
+    const glm::vec3 colour = glm::clamp((light - glm::vec3(left)) / opacity, 0.0f, 1.0f);
+    m_below = left + glm::vec4(colour, 1.0f) * opacity;
+    return glm::vec4(colour, opacity);
+  }
+
+ private:
+  glm::vec3 m_paper;
+  glm::vec4 m_below{0.0f};
+};
+
 }  // namespace
 
 FillShapes fillShapes(const FilledLayer& filled, const LayerStack& stack, const PageMapping& page) {
@@ -157,21 +188,11 @@ FillShapes fillShapes(const FilledLayer& filled, const LayerStack& stack, const 
     return result;
   result.opacity = densest;
   ShapeMaker maker(seenTones(layer, seenFill(filled, stack)), page);
-  // Each tone adds to what lies below it what makes it its own: P_k = c·d + P_(k−1)·(1 − d).
-  glm::vec4 below(0.0f);
+  TonePaint paint(filled.paper);
   const std::size_t tones = layer.firstCapTone;
-  for (std::size_t k = 0; k < tones; ++k) {
-    const glm::vec4 wanted = layer.colours[k] / densest;
-    float opacity = 1.0f;
-    if (wanted.a < 0.99f && below.a < 1.0f)
-      opacity = std::clamp(1.0f - (1.0f - wanted.a) / (1.0f - below.a), 0.0f, 1.0f);
-    if (!(opacity > 0.002f))
-      continue;
-    const glm::vec3 colour =
-        glm::clamp(glm::vec3(wanted - below * (1.0f - opacity)) / opacity, 0.0f, 1.0f);
-    maker.add(k + 1, tones, colourOf(colour), opacity);
-    below = wanted;
-  }
+  for (std::size_t k = 0; k < tones; ++k)
+    if (const std::optional<glm::vec4> tone = paint.over(layer.colours[k] / densest))
+      maker.add(k + 1, tones, colourOf(glm::vec3(*tone)), tone->a);
   for (std::size_t cap = tones; cap + 1 < layer.colours.size(); cap += 2) {
     const auto add = [&](std::size_t first, std::size_t last, const glm::vec4& colour) {
       if (colour.a > 0.0f)

@@ -18,6 +18,7 @@ struct FilledLayer {
   std::size_t index = 0;  ///< in the stack
   /// Of each layer of the stack: those of higher rank are painted later.
   std::span<const std::size_t> ranks;
+  glm::vec3 paper{1.0f};  ///< the page's colour
 };
 
 /// What of the layer's fill other fills do not hide.

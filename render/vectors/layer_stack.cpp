@@ -14,20 +14,20 @@ constexpr float opaque = 0.998f;
 // Of this many layers before a point the nearest count; more than a dozen glazes hide all.
 constexpr std::size_t mostLayers = 32;
 
-struct Fill {
-  float depth = 1.0f;
-  std::size_t layer = 0;
-  glm::vec4 colour{0.0f};
-};
-
 bool liesBefore(float depth, std::size_t layer, float otherDepth, std::size_t other) {
   return depth < otherDepth || (depth == otherDepth && layer < other);
+}
+
+bool nearerFirst(const SeenFill& a, const SeenFill& b) {
+  return liesBefore(a.depth, a.layer, b.depth, b.layer);
 }
 
 }  // namespace
 
 LayerStack::LayerStack(std::span<const DepthLayer> layers, glm::vec2 size)
     : m_layers(layers),
+      m_width(int(size.x)),
+      m_height(int(size.y)),
       m_columns(int(size.x) / tileSide + 1),
       m_rows(int(size.y) / tileSide + 1),
       m_tiles(std::size_t(m_columns) * std::size_t(m_rows)) {
@@ -35,22 +35,28 @@ LayerStack::LayerStack(std::span<const DepthLayer> layers, glm::vec2 size)
     const gpu::Rect& area = layers[i].area;
     if (!layers[i].filled() || area.empty())
       continue;
-    for (int row = area.y / tileSide; row <= (area.top() - 1) / tileSide; ++row)
-      for (int column = area.x / tileSide; column <= (area.right() - 1) / tileSide; ++column)
-        m_tiles[std::size_t(row * m_columns + column)].push_back(std::uint16_t(i));
+    // Areas may go on beyond the picture, and what lies there belongs to the tiles at its edge.
+    const auto tile = [](int pixel, int tiles) {
+      return std::clamp(pixel / tileSide, 0, tiles - 1);
+    };
+    for (int row = tile(area.y, m_rows); row <= tile(area.top() - 1, m_rows); ++row)
+      for (int column = tile(area.x, m_columns); column <= tile(area.right() - 1, m_columns);
+           ++column)
+        m_tiles[std::size_t(row) * std::size_t(m_columns) + std::size_t(column)].push_back(
+            std::uint16_t(i));
   }
 }
 
 const std::vector<std::uint16_t>& LayerStack::listAt(int x, int y) const {
   const int column = std::clamp(x / tileSide, 0, m_columns - 1);
   const int row = std::clamp(y / tileSide, 0, m_rows - 1);
-  return m_tiles[std::size_t(row * m_columns + column)];
+  return m_tiles[std::size_t(row) * std::size_t(m_columns) + std::size_t(column)];
 }
 
 Veil LayerStack::before(const glm::vec2& pixel, float depth, std::size_t own) const {
   const int x = int(std::floor(pixel.x));
   const int y = int(std::floor(pixel.y));
-  std::array<Fill, mostLayers> fills;
+  std::array<SeenFill, mostLayers> fills;
   std::size_t count = 0;
   for (const std::size_t i : listAt(x, y)) {
     const DepthLayer& layer = m_layers[i];
@@ -63,9 +69,7 @@ Veil LayerStack::before(const glm::vec2& pixel, float depth, std::size_t own) co
       return {glm::vec3(0.0f), 0.0f};
     fills[count++] = {layer.depths[std::size_t(at)], i, colour};
   }
-  std::sort(fills.begin(), fills.begin() + std::ptrdiff_t(count), [](const Fill& a, const Fill& b) {
-    return liesBefore(a.depth, a.layer, b.depth, b.layer);
-  });
+  std::sort(fills.begin(), fills.begin() + std::ptrdiff_t(count), nearerFirst);
   glm::vec4 sum(0.0f);
   for (std::size_t i = 0; i < count; ++i)
     sum += fills[i].colour * (1.0f - sum.a);
@@ -91,6 +95,21 @@ std::optional<std::size_t> LayerStack::hider(int x, int y, float depth, std::siz
     nearestDepth = itsDepth;
   }
   return nearest;
+}
+
+void LayerStack::seenAt(int x, int y, std::vector<SeenFill>& fills) const {
+  fills.clear();
+  for (const std::size_t i : listAt(x, y)) {
+    const std::ptrdiff_t at = m_layers[i].index(x, y);
+    if (at >= 0 && m_layers[i].tones[std::size_t(at)] > 0)
+      fills.push_back({m_layers[i].depths[std::size_t(at)], i,
+                       m_layers[i].colours[std::size_t(m_layers[i].tones[std::size_t(at)] - 1)]});
+  }
+  std::sort(fills.begin(), fills.end(), nearerFirst);
+  const auto last = std::find_if(fills.begin(), fills.end(),
+                                 [](const SeenFill& fill) { return fill.colour.a >= opaque; });
+  if (last != fills.end())
+    fills.erase(last + 1, fills.end());
 }
 
 }  // namespace sline::render

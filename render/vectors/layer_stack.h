@@ -17,6 +17,13 @@ struct Veil {
   float transmittance = 1.0f;  ///< 1 nothing is before it … 0 it is hidden
 };
 
+/// A fill at a pixel.
+struct SeenFill {
+  float depth = 1.0f;
+  std::size_t layer = 0;
+  glm::vec4 colour{0.0f};  ///< premultiplied
+};
+
 class LayerStack {
  public:
   /// Layers in the order of their structures' ids, within a picture of that size.
@@ -27,11 +34,19 @@ class LayerStack {
   /// The layer that is seen instead of something that deep: with the nearest opaque fill before it.
   std::optional<std::size_t> hider(int x, int y, float depth, std::size_t own) const;
 
+  /// The fills that are seen at a pixel, nearest first, down to the first opaque one.
+  void seenAt(int x, int y, std::vector<SeenFill>& fills) const;
+
+  int width() const { return m_width; }
+  int height() const { return m_height; }
+
  private:
   static constexpr int tileSide = 32;
   const std::vector<std::uint16_t>& listAt(int x, int y) const;
 
   std::span<const DepthLayer> m_layers;
+  int m_width = 0;
+  int m_height = 0;
   int m_columns = 0;
   int m_rows = 0;
   std::vector<std::vector<std::uint16_t>> m_tiles;  ///< filled layers that touch each

@@ -5,12 +5,12 @@
 #include <array>
 #include <cmath>
 #include <deque>
-#include <numeric>
 
 #include "model/base/parallel.h"
 #include "render/picture/layer.h"
 #include "render/picture/transitions.h"
 #include "render/vectors/fill_shapes.h"
+#include "render/vectors/paint_order.h"
 #include "render/vectors/pen_shapes.h"
 #include "render/vectors/visible_strokes.h"
 
@@ -74,16 +74,17 @@ class Drawing {
     tell(0.7, "setting strokes");
     m_depths.resize(layers.size());
     parallelFor(layers.size(), 1, [&](std::size_t i) { m_depths[i] = meanDepth(layers[i]); });
-    m_ranks = paintRanks(m_depths);
     const LayerStack stack(layers, m_view->size());
+    m_ranks = paintRanks(stack, m_depths);
     std::vector<VectorStructure> structures(m_work.size());
     parallelFor(m_work.size(), 1,
                 [&](std::size_t i) { structures[i] = drawn(m_work[i], layers, i, stack); });
     std::erase_if(structures,
                   [](const VectorStructure& s) { return s.fills.empty() && s.lines.empty(); });
-    std::stable_sort(
-        structures.begin(), structures.end(),
-        [](const VectorStructure& a, const VectorStructure& b) { return a.depth > b.depth; });
+    std::stable_sort(structures.begin(), structures.end(),
+                     [](const VectorStructure& a, const VectorStructure& b) {
+                       return a.paintRank < b.paintRank;
+                     });
     drawing.structures = std::move(structures);
     return drawing;
   }
@@ -92,6 +93,13 @@ class Drawing {
   void tell(double share, std::string_view what) const {
     if (m_progress)
       m_progress(share, what);
+  }
+
+  /// A page without background is meant for white paper.
+  glm::vec3 paper() const {
+    return m_settings.background == Background::transparent
+               ? glm::vec3(1.0f)
+               : glm::vec3(backgroundColour(m_settings.background));
   }
 
   Colour backgroundAsColour() const {
@@ -141,8 +149,8 @@ class Drawing {
       m_view.emplace(m_camera, m_bounds, size.width, size.height);
       double pixels = 0.0;
       parallelFor(m_work.size(), 1, [&](std::size_t i) {
-        m_work[i].area = gpu::intersection(coverage(m_work[i].shown, *m_view, m_view->whole()).area,
-                                           m_view->whole());
+        // A little beyond the page, as lines at its edge look beside them.
+        m_work[i].area = coverage(m_work[i].shown, *m_view, m_view->whole()).area;
       });
       for (const Work& work : m_work)
         pixels += double(work.area.width) * double(work.area.height);
@@ -179,24 +187,13 @@ class Drawing {
     joinLines(shown.surface(), *m_view, shown.style, work.lines.lines);
   }
 
-  /// The farthest structure is painted first.
-  static std::vector<std::size_t> paintRanks(const std::vector<float>& depths) {
-    std::vector<std::size_t> order(depths.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return depths[a] > depths[b]; });
-    std::vector<std::size_t> ranks(depths.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-      ranks[order[i]] = i;
-    return ranks;
-  }
-
   VectorStructure drawn(Work& work, std::span<const DepthLayer> layers, std::size_t index,
                         const LayerStack& stack) const {
     VectorStructure structure;
     structure.id = work.shown.id;
     structure.depth = m_depths[index];
-    FillShapes fills = fillShapes({layers[index], index, m_ranks}, stack, m_page);
+    structure.paintRank = m_ranks[index];
+    FillShapes fills = fillShapes({layers[index], index, m_ranks, paper()}, stack, m_page);
     structure.fills = std::move(fills.shapes);
     structure.fillOpacity = fills.opacity;
     if (!hasLines(work.shown))

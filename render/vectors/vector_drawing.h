@@ -37,6 +37,7 @@ struct VectorLines {
 struct VectorStructure {
   model::NodeId id;
   float depth = 0.0f;              ///< how far it lies on the whole, 0 … 1: the farthest has most
+  std::size_t paintRank = 0;       ///< of its fills among those of others
   std::vector<VectorShape> fills;  ///< painted one over the other
   float fillOpacity = 1.0f;        ///< of all of them together
   std::vector<VectorLines> lines;  ///< in drawing order
@@ -46,7 +47,7 @@ struct VectorStructure {
 struct VectorDrawing {
   glm::vec2 sizeMm{160.0f, 90.0f};
   std::optional<Colour> background;
-  std::vector<VectorStructure> structures;  ///< those that show anything, farthest first
+  std::vector<VectorStructure> structures;  ///< those that show anything, as fills are painted
 };
 
 struct VectorSettings {

@@ -134,6 +134,17 @@ class VectorFillsTest : public QObject {
     QVERIFY(largest(paintedAt(drawn, 8.0f, 0.0f) - shaded(blue, 14.0f, 2.0f, 0.0f)) < 10.0f);
   }
 
+  // A ball within a see-through one lies nearer on the whole, but shows through it.
+  void whatShowsThroughIsPaintedFirst() {
+    const Colour red{200, 60, 60};
+    const Colour blue{60, 60, 200};
+    const auto drawn = drawing(
+        {{{0.0f, 30.0f, 0.0f}, 25.0f, 5.0f, red, 0.5f}, {{0.0f, 12.0f, 0.0f}, 4.0f, 5.0f, blue}});
+    const glm::vec3 wanted =
+        0.5f * shaded(red, 25.0f, 2.0f, 0.0f) + 0.5f * shaded(blue, 4.0f, 2.0f, 0.0f);
+    QVERIFY(largest(paintedAt(drawn, 2.0f, 0.0f) - wanted) < 10.0f);
+  }
+
   // Nothing between neighbours: neither paper nor a third colour.
   void noSeamsBetweenNeighbours() {
     const Colour red{200, 40, 40};
