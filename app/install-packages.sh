@@ -13,6 +13,8 @@ packages=(
   libqt6opengl6-dev libgl-dev libglx-mesa0 fonts-dejavu-core xvfb xauth libx11-dev
   libvtk9-dev libglew-dev
   libopenimageio-dev openimageio-tools libopencv-dev
+  # another program's opinion of our vector drawings
+  librsvg2-bin
   # OpenGL without a display
   libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri
   # small libraries

@@ -3,24 +3,38 @@
 
 namespace sline::cli {
 
-Exit drawScene(const model::Scene& scene, const PictureOrder& given, Progress& progress) {
-  const model::Scene saved = asSaved(scene, given);
-  PictureOrder order = given;
-  if (const Status ready = prepareLabels(order.labels, saved, order.size.aspect()); !ready.ok())
-    return complain(ready.error(), Exit::failed);
-  const Result<model::Scene> focus = inFocus(saved, order);
+namespace {
+/// The same for what `asSaved` gives.
+Result<ArrangedScene> arrangedShown(const model::Scene& shown, const PictureOrder& order) {
+  const Result<model::Scene> focus = inFocus(shown, order);
   if (!focus.ok())
-    return complain(focus.error(), Exit::wrongUse);
+    return focus.error();
   const Result<model::Scene> dressed = styled(*focus, order);
   if (!dressed.ok())
-    return complain(dressed.error(), Exit::wrongUse);
+    return dressed.error();
   const Result<model::Scene> cut = cutOpen(*dressed, order);
   if (!cut.ok())
-    return complain(cut.error(), Exit::wrongUse);
+    return cut.error();
   const Result<model::Camera> camera = cameraFor(*cut, order);
   if (!camera.ok())
-    return complain(camera.error(), Exit::wrongUse);
-  const Status drawn = drawToFile(*cut, *camera, order, progress);
+    return camera.error();
+  return ArrangedScene{*cut, *camera};
+}
+}  // namespace
+
+Result<ArrangedScene> arrangedFor(const model::Scene& scene, const PictureOrder& order) {
+  return arrangedShown(asSaved(scene, order), order);
+}
+
+Exit drawScene(const model::Scene& scene, const PictureOrder& given, Progress& progress) {
+  const model::Scene shown = asSaved(scene, given);
+  PictureOrder order = given;
+  if (const Status ready = prepareLabels(order.labels, shown, order.size.aspect()); !ready.ok())
+    return complain(ready.error(), Exit::failed);
+  const Result<ArrangedScene> arranged = arrangedShown(shown, order);
+  if (!arranged.ok())
+    return complain(arranged.error(), Exit::wrongUse);
+  const Status drawn = drawToFile(arranged->scene, arranged->camera, order, progress);
   if (!drawn.ok()) {
     progress.wipe();
     return complain(drawn.error(), Exit::failed);

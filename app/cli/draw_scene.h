@@ -6,7 +6,15 @@
 
 namespace sline::cli {
 
-/// Styles the scene, places the camera, draws and writes as ordered; complains about what is wrong.
+struct ArrangedScene {
+  model::Scene scene;
+  model::Camera camera;
+};
+
+/// The scene as the order wants it drawn, and from where. An error is a wrong use.
+Result<ArrangedScene> arrangedFor(const model::Scene& scene, const PictureOrder& order);
+
+/// Draws the scene as ordered and writes the file; complains where it cannot.
 Exit drawScene(const model::Scene& scene, const PictureOrder& order, Progress& progress);
 
 }  // namespace sline::cli

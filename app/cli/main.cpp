@@ -31,12 +31,14 @@ int run(int argc, char** argv) {
 
   Exit exit = Exit::done;
   sline::cli::addRender(program, exit);
+  sline::cli::addExport(program, exit);
   sline::cli::addLines(program, exit);
   sline::cli::addCurvature(program, exit);
   sline::cli::addInfo(program, exit);
   sline::cli::addImport(program, exit);
   sline::cli::addReload(program, exit);
   sline::cli::addAnnotate(program, exit);
+  sline::cli::addView(program, exit);
   sline::cli::addDemo(program, exit);
   sline::cli::addRamp(program, exit);
   sline::cli::addSteadiness(program, exit);

@@ -117,14 +117,6 @@ model::Camera fittedToVisible(const model::Scene& scene, const model::Camera& ca
   return model::fitted(camera, points, aspect);
 }
 
-const model::View* savedView(const model::Scene& scene, const std::string& name) {
-  const std::string wanted = model::normalisedName(name);
-  for (const model::View& saved : scene.views())
-    if (model::normalisedName(saved.name) == wanted)
-      return &saved;
-  return nullptr;
-}
-
 Error unknownView(const model::Scene& scene, const std::string& view) {
   std::vector<std::string> names(model::anatomicalViewNames.begin(),
                                  model::anatomicalViewNames.end());
@@ -139,6 +131,14 @@ Error unknownView(const model::Scene& scene, const std::string& view) {
 }
 
 }  // namespace
+
+const model::View* savedView(const model::Scene& scene, const std::string& name) {
+  const std::string wanted = model::normalisedName(name);
+  for (const model::View& saved : scene.views())
+    if (model::normalisedName(saved.name) == wanted)
+      return &saved;
+  return nullptr;
+}
 
 namespace {
 
@@ -194,12 +194,16 @@ Status understoodLabels(const PictureFlags& flags, PictureOrder& order) {
 }  // namespace
 
 Result<PictureOrder> understood(const PictureFlags& flags) {
+  if (Status named = checkImageName(flags.output); !named.ok())
+    return named.error();
+  return understoodLook(flags);
+}
+
+Result<PictureOrder> understoodLook(const PictureFlags& flags) {
   PictureOrder order;
   order.output = flags.output;
   order.view = flags.view;
   order.only = flags.only;
-  if (Status named = checkImageName(flags.output); !named.ok())
-    return named.error();
   const Result<Size> size = parseSize(flags.size);
   if (!size.ok())
     return size.error();

@@ -72,8 +72,10 @@ struct PictureOrder {
   LabelOrder labels;
 };
 
-/// An error is a wrong use, here and in the next five.
+/// An error is a wrong use, here and in the next six.
 Result<PictureOrder> understood(const PictureFlags& flags);
+/// The same where no picture is to be written.
+Result<PictureOrder> understoodLook(const PictureFlags& flags);
 /// The scene as the saved view that the order names shows it; unchanged where there is none. What
 /// is absent is warned of.
 model::Scene asSaved(const model::Scene& scene, const PictureOrder& order);
@@ -85,6 +87,8 @@ Result<model::Scene> styled(const model::Scene& scene, const PictureOrder& order
 Result<model::Scene> inFocus(const model::Scene& scene, const PictureOrder& order);
 /// The scene with the sections of the order, where it has any.
 Result<model::Scene> cutOpen(const model::Scene& scene, const PictureOrder& order);
+/// Null where no saved view has that name.
+const model::View* savedView(const model::Scene& scene, const std::string& name);
 /// The camera of the file; else the saved view of that name, else the anatomical view fitted to
 /// what sections leave of the visible structures, beside the room that labels need.
 Result<model::Camera> cameraFor(const model::Scene& scene, const PictureOrder& order);

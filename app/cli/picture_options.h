@@ -15,8 +15,8 @@ inline CLI::Option* many(CLI::Option* option) {
   return option->take_all()->type_size(1)->expected(1, CLI::detail::expected_max_vector_size);
 }
 
-/// Declares those flags of `PictureFlags` that say in what colours and manner all is drawn.
-inline void addLookOptions(CLI::App& command, PictureFlags& flags) {
+/// Declares those flags of `PictureFlags` that are about colours and pens; that of inks.
+inline CLI::Option* addStyleOptions(CLI::App& command, PictureFlags& flags) {
   many(command.add_option("--color,--colour", flags.colours,
                           "The colour of a structure, or of all in a group"))
       ->type_name("NAME=#rrggbb");
@@ -41,6 +41,12 @@ inline void addLookOptions(CLI::App& command, PictureFlags& flags) {
                   "What hides behind unfilled structures: none lets it show through, paper hides "
                   "it, tint covers it with a thin wash of colour, veil lets it show faintly")
       ->type_name("none|paper|tint|veil");
+  return ink;
+}
+
+/// Declares those that say in what colours and manner all is drawn.
+inline void addLookOptions(CLI::App& command, PictureFlags& flags) {
+  CLI::Option* ink = addStyleOptions(command, flags);
   CLI::Option* background =
       command.add_option("--background", flags.background, "What lies behind the drawing");
   background->type_name("white|paper|dark|transparent")->capture_default_str();
@@ -66,6 +72,29 @@ inline void addLookOptions(CLI::App& command, PictureFlags& flags) {
       ->excludes(ink);
 }
 
+/// Declares those that say which structures are drawn, and how detailed each is.
+inline void addDetailOptions(CLI::App& command, PictureFlags& flags) {
+  many(command.add_option("--gamma", flags.gammas,
+                          "0 silhouette … 5 shaded surface, for all (--gamma 2) or for a structure "
+                          "or group (--gamma liver=4); may be given again"))
+      ->type_name("[NAME=]G");
+  many(command.add_option("--only", flags.only,
+                          "Draws these structures and groups alone; may be given again"))
+      ->type_name("NAME");
+  addFocusOptions(command, flags.focus);
+}
+
+/// Declares that of the camera; `view` names the same otherwise.
+inline void addCameraOption(CLI::App& command, PictureFlags& flags, CLI::Option* view) {
+  command
+      .add_option("--camera", flags.cameraFile,
+                  "A camera in millimetres, LPS: {\"projection\":\"perspective\",\"eye\":[x,y,z],"
+                  "\"target\":[x,y,z],\"up\":[x,y,z],\"fovy_deg\":30}, or \"orthographic\" with "
+                  "\"height_mm\"")
+      ->type_name("FILE.json")
+      ->excludes(view);
+}
+
 /// Declares the flags of `PictureFlags` on a sub-command but for where the picture goes.
 inline void addDrawingOptions(CLI::App& command, PictureFlags& flags) {
   command.add_option("--size", flags.size, "Width and height in pixels, 16 to 20000 each")
@@ -85,24 +114,10 @@ inline void addDrawingOptions(CLI::App& command, PictureFlags& flags) {
                                       "fitted to what is visible")
                           ->type_name("NAME")
                           ->capture_default_str();
-  command
-      .add_option("--camera", flags.cameraFile,
-                  "A camera in millimetres, LPS: {\"projection\":\"perspective\",\"eye\":[x,y,z],"
-                  "\"target\":[x,y,z],\"up\":[x,y,z],\"fovy_deg\":30}, or \"orthographic\" with "
-                  "\"height_mm\"")
-      ->type_name("FILE.json")
-      ->excludes(view);
-  many(command.add_option("--gamma", flags.gammas,
-                          "0 silhouette … 5 shaded surface, for all (--gamma 2) or for a structure "
-                          "or group (--gamma liver=4); may be given again"))
-      ->type_name("[NAME=]G");
-  many(command.add_option("--only", flags.only,
-                          "Draws these structures and groups alone; may be given again"))
-      ->type_name("NAME");
-  addFocusOptions(command, flags.focus);
+  addCameraOption(command, flags, view);
+  addDetailOptions(command, flags);
   addLookOptions(command, flags);
   addSectionOptions(command, flags.sections);
-  addLabelOptions(command, flags.labels);
 }
 
 /// The same with the file, which is needed.
@@ -113,6 +128,7 @@ inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
       ->required()
       ->type_name("FILE");
   addDrawingOptions(command, flags);
+  addLabelOptions(command, flags.labels);
 }
 
 }  // namespace sline::cli

@@ -172,40 +172,49 @@ void markCaps(const Shown& shown, const PictureView& view, TileMask& mask) {
     }
 }
 
-CapDraws capDraws(const Shown& shown, const PictureView& view, Background background,
-                  const gpu::Rect& area, const gpu::Rect& slot) {
-  CapDraws result;
-  SectionedSurface& cut = *shown.cut;
-  result.planes.resize(cut.faces.size());
+CapLook capLook(const Shown& shown, const PictureView& view, Background background,
+                std::size_t face) {
+  const CutFace& cut = shown.cut->faces[face];
   const float filled =
       lightTint + (1.0f - lightTint) * std::clamp(shown.style.gamma.value() - 3.0f, 0.0f, 1.0f);
   const glm::vec3 own = rgb(shown.style.colour);
   const glm::vec3 colour = glm::mix(paperColour(background), own, filled);
   const float opacity = shown.style.opacity.value();
+  const glm::vec3 stroke = shown.style.inkColour ? rgb(*shown.style.inkColour)
+                                                 : glm::mix(colour, colour * own, strokeShade);
+  glm::vec3 depth = depthPlane(cut.plane, view);
+  depth.z -= lift(cut, view);
+  return {.colour = opacity * glm::vec4(colour, 1.0f),
+          .strokeColour =
+              shown.sections[face].hatched ? opacity * glm::vec4(stroke, 1.0f) : glm::vec4(0.0f),
+          .stripes = stripes(cut.plane, view, shown.id.value % 2 == 0),
+          .strokeHalfWidth = 0.5f * strokeWidth * view.outputUnit(),
+          .depthPlane = depth};
+}
+
+CapDraws capDraws(const Shown& shown, const PictureView& view, Background background,
+                  const gpu::Rect& area, const gpu::Rect& slot) {
+  CapDraws result;
+  SectionedSurface& cut = *shown.cut;
+  result.planes.resize(cut.faces.size());
   for (std::size_t i = 0; i < cut.faces.size(); ++i) {
-    const CutFace& face = cut.faces[i];
-    if (face.cap.empty())
+    if (cut.faces[i].cap.empty())
       continue;
     if (!cut.caps[i])
-      cut.caps[i] = std::make_unique<passes::CapGeometry>(face.cap);
+      cut.caps[i] = std::make_unique<passes::CapGeometry>(cut.faces[i].cap);
     result.planes[i] = sectionVectors(otherPlanes(*cut.surface, cut.planes, i));
-    glm::vec3 depth = depthPlane(face.plane, view);
-    depth.z -= lift(face, view);
-    const glm::vec3 stroke = shown.style.inkColour ? rgb(*shown.style.inkColour)
-                                                   : glm::mix(colour, colour * own, strokeShade);
+    const CapLook look = capLook(shown, view, background, i);
     result.draws.push_back({.cap = *cut.caps[i],
                             .viewProjection = view.viewProjection(),
                             .pictureSize = view.size(),
                             .layer = area,
                             .slot = slot,
                             .otherSections = result.planes[i],
-                            .colour = opacity * glm::vec4(colour, 1.0f),
-                            .strokeColour = shown.sections[i].hatched
-                                                ? opacity * glm::vec4(stroke, 1.0f)
-                                                : glm::vec4(0.0f),
-                            .stripes = stripes(face.plane, view, shown.id.value % 2 == 0),
-                            .strokeHalfWidth = 0.5f * strokeWidth * view.outputUnit(),
-                            .depthPlane = depth});
+                            .colour = look.colour,
+                            .strokeColour = look.strokeColour,
+                            .stripes = look.stripes,
+                            .strokeHalfWidth = look.strokeHalfWidth,
+                            .depthPlane = look.depthPlane});
   }
   return result;
 }

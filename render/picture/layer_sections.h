@@ -66,6 +66,17 @@ void markCaps(const Shown& shown, const PictureView& view, TileMask& mask);
 /// same plane covers half of them.
 inline constexpr float outlineLift = 6e-5f;
 
+/// How a cut face looks; see cap.frag.glsl.
+struct CapLook {
+  glm::vec4 colour{0.0f};        ///< premultiplied
+  glm::vec4 strokeColour{0.0f};  ///< premultiplied; alpha 0: no hatching
+  glm::vec4 stripes{0.0f};
+  float strokeHalfWidth = 0.0f;  ///< px
+  glm::vec3 depthPlane{0.0f};
+};
+CapLook capLook(const Shown& shown, const PictureView& view, Background background,
+                std::size_t face);
+
 /// One draw per face; makes the geometry where it is not there yet. `area` and `slot` are the
 /// layer's; the sections that clip each face point into `planes`.
 struct CapDraws {

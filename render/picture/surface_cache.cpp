@@ -32,6 +32,10 @@ std::unique_ptr<passes::SurfaceGeometry> upload(const model::Surface& surface) {
 
 }  // namespace
 
+model::SurfacePtr pictureSurface(const model::MeshPtr& mesh, const model::Provenance& provenance) {
+  return model::prepareSurface(mesh, {.smoothingSteps = tensorSmoothing(provenance)});
+}
+
 void CachedSurface::needShape() {
   if (geometry->hasShape())
     return;
@@ -66,7 +70,7 @@ void CachedSurface::needStrokes() {
 CachedSurface& SurfaceCache::at(const model::MeshPtr& mesh, const model::Provenance& provenance) {
   CachedSurface& cached = m_surfaces[mesh];
   if (!cached.surface) {
-    cached.surface = model::prepareSurface(mesh, {.smoothingSteps = tensorSmoothing(provenance)});
+    cached.surface = pictureSurface(mesh, provenance);
     cached.geometry = upload(*cached.surface);
   }
   return cached;

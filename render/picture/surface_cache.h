@@ -13,6 +13,11 @@
 
 namespace sline::render {
 
+/// The surface as pictures show it. What import smoothed, because it shows the steps of a label
+/// map, or refined, because its few vertices carry its noise, has its curvature smoothed too
+/// (METHOD §5).
+model::SurfacePtr pictureSurface(const model::MeshPtr& mesh, const model::Provenance& provenance);
+
 struct CachedSurface {
   model::SurfacePtr surface;
   std::unique_ptr<passes::SurfaceGeometry> geometry;
@@ -28,9 +33,8 @@ struct CachedSurface {
 
 class SurfaceCache {
  public:
-  /// Prepares one mesh at a time, so that intermediate memory is needed once. What import smoothed,
-  /// because it shows the steps of a label map, or refined, because its few vertices carry its
-  /// noise, has its curvature smoothed too (METHOD §5); what is there already stays as it is.
+  /// Prepares one mesh at a time, so that intermediate memory is needed once; what is there already
+  /// stays as it is.
   CachedSurface& at(const model::MeshPtr& mesh, const model::Provenance& provenance);
   /// Forgets meshes that are not among these.
   void keepOnly(std::span<const model::MeshPtr> meshes);

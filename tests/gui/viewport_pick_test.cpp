@@ -79,6 +79,21 @@ class ViewportPickTest : public QObject {
     QVERIFY(b.selected({b.skin}));
   }
 
+  /// What is locked lets the click through to what is behind, until it is unlocked.
+  void clicksPassWhatIsLocked() {
+    Bench b;
+    b.click(b.middle);
+    QVERIFY(b.selected({b.organ}));
+    QTest::keyClick(&b.f.window, Qt::Key_L, Qt::ControlModifier);
+    QVERIFY(b.f.session.scene().isLocked(b.organ));
+    b.click(b.middle);
+    QVERIFY(b.selected({b.tumour}));
+    b.f.session.undo();
+    QVERIFY(!b.f.session.scene().isLocked(b.organ));
+    b.click(b.middle);
+    QVERIFY(b.selected({b.organ}));
+  }
+
   void altStepsDeeperAndRound() {
     Bench b;
     for (const model::NodeId id : {b.skin, b.organ, b.tumour, b.skin}) {

@@ -3,10 +3,12 @@
 // for eyes: SLINE_SCREENSHOTS names a folder that takes them. Here it is only checked that they are
 // there, dressed as asked for and drawn.
 #include <QAbstractButton>
+#include <QCheckBox>
 #include <QDir>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QLineEdit>
+#include <QRadioButton>
 #include <QtTest>
 
 #include "tests/gui/window_fixture.h"
@@ -69,7 +71,10 @@ class WindowLooksTest : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return f.session.document().opening != 0; }, 300'000));
     QVERIFY(f.settled());
     QTest::keyClick(&f.viewport(), Qt::Key_A);
+    // Of the panels that share a place it is the one that is wanted first.
+    QVERIFY(!f.control<QDockWidget>("focusPanel").visibleRegion().isEmpty());
     shoot(f, "scene-" + theme);
+    f.control<QWidget>("messageBar").hide();
 
     const std::vector<model::NodeId> kidney = f.session.scene().named("left kidney");
     QVERIFY(!kidney.empty());
@@ -77,7 +82,6 @@ class WindowLooksTest : public QObject {
     const int steps = f.session.history().count();
     QTest::keyClick(&f.viewport(), Qt::Key_F);
     QVERIFY(QTest::qWaitFor([&] { return f.session.history().count() > steps; }, 60'000));
-    f.control<QDockWidget>("focusPanel").raise();
     shoot(f, "focus-" + theme);
 
     f.control<QAbstractButton>("more").click();
@@ -90,6 +94,30 @@ class WindowLooksTest : public QObject {
     QVERIFY(f.settled());
     QCOMPARE(filter.text(), "kid");
     shoot(f, "filter-" + theme);
+  }
+
+  /// Boxes that are not ticked can be seen, too.
+  void emptyBoxesShow_data() {
+    QTest::addColumn<QString>("theme");
+    for (const char* theme : {"light", "dark"})
+      QTest::newRow(theme) << QString::fromLatin1(theme);
+  }
+  void emptyBoxesShow() {
+    QFETCH(QString, theme);
+    WindowFixture f;
+    f.window.preferences().set(QStringLiteral("appearance/theme"), theme);
+    const widgets::ThemeFollower dressed(*qApp, f.window.preferences());
+    QCheckBox box;
+    QRadioButton button;
+    for (QWidget* empty : {static_cast<QWidget*>(&box), static_cast<QWidget*>(&button)}) {
+      const QImage picture = empty->grab().toImage();
+      const int ground = empty->palette().color(QPalette::Window).lightness();
+      int most = 0;
+      for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+          most = std::max(most, std::abs(picture.pixelColor(x, y).lightness() - ground));
+      QVERIFY2(most > 50, qPrintable(QString::number(most)));
+    }
   }
 
  private:

@@ -254,8 +254,12 @@ class WindowTest : public QObject {
     QVERIFY2(message.text().contains(file), qPrintable(message.text()));
     QVERIFY(f.session.document() == before);
     QCOMPARE(f.session.history().count(), 0);
+    // It covers none of the picture's marks.
+    for (const char* mark : {"orientationCube", "letterTop"})
+      QTRY_VERIFY2(f.control<QWidget>(mark).y() >= message.height(), mark);
     QTest::mouseClick(&f.control<QWidget>("messageClose"), Qt::LeftButton);
     QVERIFY(!message.isVisible());
+    QVERIFY(f.control<QWidget>("orientationCube").y() < message.height());
     QVERIFY(f.settled());
     QCOMPARE(difference(pictureBefore, f.picture()), QRect());
   }

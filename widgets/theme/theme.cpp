@@ -2,8 +2,9 @@
 #include "widgets/theme/theme.h"
 
 #include <QApplication>
-#include <QStyle>
-#include <QStyleFactory>
+#include <QPainter>
+#include <QProxyStyle>
+#include <QStyleOption>
 #include <array>
 
 #include "widgets/preferences/preferences.h"
@@ -45,6 +46,31 @@ constexpr std::array colourRows{
 
 constexpr std::array greyWhenDisabled{QPalette::WindowText, QPalette::Text, QPalette::ButtonText};
 
+/// Fusion outlines what can be ticked darker than the ground: on a dark one nobody would see it.
+class VisibleBoxes : public QProxyStyle {
+ public:
+  VisibleBoxes() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    const bool box = element == PE_IndicatorCheckBox || element == PE_IndicatorItemViewItemCheck;
+    if ((!box && element != PE_IndicatorRadioButton) ||
+        ThemeFollower::systemTheme(option->palette) != Theme::dark)
+      return;
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setBrush(Qt::NoBrush);
+    painter->setPen(option->palette.color(QPalette::Disabled, QPalette::WindowText));
+    const QRectF outline = QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5);
+    if (box)
+      painter->drawRect(outline);
+    else
+      painter->drawEllipse(outline);
+    painter->restore();
+  }
+};
+
 void dress(QApplication& application, Theme theme) {
   QApplication::setPalette(paletteOf(theme));
   // Palettes of tool tips are the style's own.
@@ -75,7 +101,7 @@ Theme ThemeFollower::systemTheme(const QPalette& palette) {
 
 ThemeFollower::ThemeFollower(QApplication& application, Preferences& preferences) {
   const Theme system = systemTheme(QApplication::palette());
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setStyle(new VisibleBoxes);
   const auto follow = [&application, &preferences, system] {
     const QString theme = preferences.choice(QStringLiteral("appearance/theme"));
     dress(application, theme == QLatin1String("dark")    ? Theme::dark

@@ -65,7 +65,7 @@ void PictureMarks::setBackground(render::Background background) {
 
 void PictureMarks::placeCorner(QWidget& mark, Qt::Corner corner) {
   QRect box(QPoint(), mark.sizeHint());
-  const QRect room = m_picture.rect().adjusted(margin, margin, -margin, -margin);
+  const QRect room = m_picture.rect().adjusted(margin, m_headroom + margin, -margin, -margin);
   if (corner == Qt::TopRightCorner)
     box.moveTopRight(room.topRight());
   else if (corner == Qt::BottomRightCorner)
@@ -103,7 +103,7 @@ void PictureMarks::placeLetters(const model::Camera& camera) {
     else if (i == 1)
       box.moveRight(m_picture.width() - margin);
     else if (i == 2)
-      box.moveTop(margin);
+      box.moveTop(m_headroom + margin);
     else
       box.moveBottom(m_picture.height() - margin);
     label.setGeometry(box);

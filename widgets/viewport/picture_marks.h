@@ -36,6 +36,8 @@ class PictureMarks : public QObject {
   void setBackground(render::Background background);
   /// For the camera and what it turns around; without a scene there is nothing to mark.
   void place(const model::Camera& camera, const glm::vec3& pivot, bool scene);
+  /// So many pixels at the upper edge are covered by something else.
+  void setHeadroom(int pixels) { m_headroom = pixels; }
   void showTime(double milliseconds, float scale);
   /// Near the mouse; plain text.
   void showName(const QString& name, const QPoint& mouse);
@@ -48,6 +50,7 @@ class PictureMarks : public QObject {
   QWidget& m_picture;
   MarkChoice m_choice;
   bool m_scene = false;
+  int m_headroom = 0;
   std::array<QLabel*, 4> m_letters{};
   SectionMark* m_section;
   CubeMark* m_cube;

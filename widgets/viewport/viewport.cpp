@@ -312,6 +312,11 @@ void Viewport::setKeyLight(bool on) {
   refresh();
 }
 
+void Viewport::setHeadroom(int pixels) {
+  m_marks->setHeadroom(pixels);
+  placeMarks();
+}
+
 void Viewport::chooseMarks(const MarkChoice& choice) {
   m_marks->choose(choice);
 }

@@ -58,6 +58,8 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   void setMousePreset(MousePreset preset) { m_cameraTool.setPreset(preset); }
   const MarkChoice& marks() const { return m_marks->choice(); }
   void chooseMarks(const MarkChoice& choice);
+  /// So many pixels at the upper edge are covered; marks keep clear of them.
+  void setHeadroom(int pixels);
   void setNamesWanted(bool wanted);
 
   /// True where the picture on screen is of the document and the camera as they are, in full size.

@@ -125,6 +125,7 @@ void MainWindow::makeCentre() {
   m_focus = new FocusContext(
       m_session, [this] { return m_viewport->camera(); }, this);
   connect(m_focus, &FocusContext::failed, m_message, &MessageBar::showError);
+  connect(m_message, &MessageBar::covers, m_viewport, &Viewport::setHeadroom);
   auto* centre = new QWidget;
   auto* layout = new QGridLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -146,7 +147,6 @@ void MainWindow::makePanels() {
   m_sectionsPanel = new SectionsPanel(m_session);
   // Behind the other: the right side has no height for three.
   tabifyDockWidget(focusPanel, dock(tr("Sections"), "sectionsPanel", m_sectionsPanel));
-  focusPanel->raise();
   connect(focus, &FocusPanel::focusWanted, &m_actions[QStringLiteral("focus")], &QAction::trigger);
   auto* history = new QUndoView(&m_session.history());
   history->setObjectName(QStringLiteral("history"));
@@ -155,8 +155,9 @@ void MainWindow::makePanels() {
   QDockWidget* steps = dock(tr("History"), "historyPanel", history);
   addDockWidget(Qt::RightDockWidgetArea, steps);
   // Three above each other would be too tall for a small screen.
-  tabifyDockWidget(findChild<QDockWidget*>(QStringLiteral("focusPanel")), steps);
+  tabifyDockWidget(focusPanel, steps);
   steps->hide();
+  focusPanel->raise();
   resizeDocks({findChild<QDockWidget*>(QStringLiteral("structuresPanel")),
                findChild<QDockWidget*>(QStringLiteral("gammaPanel"))},
               {366, 304}, Qt::Horizontal);

@@ -111,6 +111,21 @@ void MessageBar::display(Kind kind, const QString& heading, const QString& body)
   show();
 }
 
+void MessageBar::resizeEvent(QResizeEvent* event) {
+  QFrame::resizeEvent(event);
+  emit covers(isVisible() ? height() : 0);
+}
+
+void MessageBar::hideEvent(QHideEvent* event) {
+  QFrame::hideEvent(event);
+  emit covers(0);
+}
+
+void MessageBar::showEvent(QShowEvent* event) {
+  QFrame::showEvent(event);
+  emit covers(height());
+}
+
 void MessageBar::changeEvent(QEvent* event) {
   QFrame::changeEvent(event);
   if (event->type() == QEvent::PaletteChange)

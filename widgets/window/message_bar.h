@@ -29,7 +29,14 @@ class MessageBar : public QFrame {
   void hideNotice();
   QString text() const;
 
+ signals:
+  /// How much of what it lies over is covered: its height, 0 while it is hidden.
+  void covers(int pixels);
+
  protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+  void showEvent(QShowEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:

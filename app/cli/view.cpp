@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: Apache-2.0
+// `sline view`: the saved views of a scene file.
+#include <algorithm>
+#include <charconv>
+
+#include "app/cli/command.h"
+#include "app/cli/json_values.h"
+#include "app/cli/names.h"
+#include "app/cli/picture_options.h"
+#include "app/cli/thumbnail.h"
+#include "model/edit/views.h"
+#include "model/files/scene_file.h"
+
+namespace sline::cli {
+
+namespace {
+
+struct ViewFlags {
+  std::string scene;
+  std::string output;
+  std::string add;
+  std::string update;
+  std::string rename;
+  std::string remove;
+  std::string move;
+  bool list = false;
+  bool json = false;
+  std::string labels;
+  PictureFlags picture;
+};
+
+/// What became of the scene, or a wrong use.
+using Outcome = Result<model::Edited>;
+
+Error unknownSaved(const model::Scene& scene, const std::string& name) {
+  std::vector<std::string> names;
+  for (const model::View& view : scene.views())
+    names.push_back(view.name);
+  Error error = unknownName("saved view", name, names);
+  if (names.empty())
+    error.remedy = "The scene has no saved views; --add makes one";
+  else if (nearNames(name, names).empty())
+    error.remedy = "`sline view SCENE --list` lists them";
+  return error;
+}
+
+Result<std::size_t> placeOf(const model::Scene& scene, const std::string& name) {
+  const model::View* view = savedView(scene, name);
+  if (!view)
+    return unknownSaved(scene, name);
+  return std::size_t(view - scene.views().data());
+}
+
+/// A whole number from 1 upwards, as people count.
+std::optional<std::uint64_t> counted(std::string_view text) {
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || number == 0)
+    return std::nullopt;
+  return number;
+}
+
+/// "all", "none" or ids: which annotations the view shows.
+Status chooseLabels(const model::Scene& scene, const std::string& text, model::View& view) {
+  if (text.empty())
+    return Unit{};
+  view.annotations.emplace();
+  if (text == "none")
+    return Unit{};
+  if (text == "all") {
+    for (const model::Annotation& annotation : scene.annotations())
+      view.annotations->push_back(annotation.id);
+    return Unit{};
+  }
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
+    const model::AnnotationId id{counted(word).value_or(0)};
+    const auto& all = scene.annotations();
+    if (std::none_of(all.begin(), all.end(), [id](const auto& each) { return each.id == id; }))
+      return Error{.reason = "no annotation has the number \"" + word + "\"",
+                   .remedy =
+                       "Give --labels all, none, or numbers such as 1,4; `sline view SCENE "
+                       "--list --json` lists those of the scene"};
+    view.annotations->push_back(id);
+    begin = end + 1;
+  }
+  return Unit{};
+}
+
+/// The view that the flags describe, of a scene that they leave as it is.
+Result<model::View> described(const model::Scene& scene, const ViewFlags& flags,
+                              const std::string& name) {
+  const Result<PictureOrder> order = understoodLook(flags.picture);
+  if (!order.ok())
+    return order.error();
+  const model::Scene start = asSaved(scene, *order);
+  const Result<model::Scene> focus = inFocus(start, *order);
+  if (!focus.ok())
+    return focus.error();
+  const Result<model::Scene> dressed = styled(*focus, *order);
+  if (!dressed.ok())
+    return dressed.error();
+  const Result<model::Scene> cut = cutOpen(*dressed, *order);
+  if (!cut.ok())
+    return cut.error();
+  const Result<model::Camera> camera = cameraFor(*cut, *order);
+  if (!camera.ok())
+    return camera.error();
+  model::View view = model::viewOf(*cut, *camera, name);
+  if (const Status chosen = chooseLabels(scene, flags.labels, view); !chosen.ok())
+    return chosen.error();
+  return view;
+}
+
+Outcome added(const model::Scene& scene, const ViewFlags& flags) {
+  if (model::normalisedName(flags.add).empty())
+    return Error{.reason = "a view needs a name", .remedy = "Write --add NAME"};
+  if (savedView(scene, flags.add))
+    return Error{.reason = "a view named \"" + flags.add + "\" is already saved",
+                 .remedy = "Take another name, or --update it"};
+  const Result<model::View> view = described(scene, flags, flags.add);
+  if (!view.ok())
+    return view.error();
+  return model::withView(scene, *view);
+}
+
+Outcome updated(const model::Scene& scene, const ViewFlags& flags) {
+  const Result<std::size_t> place = placeOf(scene, flags.update);
+  if (!place.ok())
+    return place.error();
+  const Result<model::View> view = described(scene, flags, flags.update);
+  if (!view.ok())
+    return view.error();
+  return model::withViewUpdated(scene, *place, *view);
+}
+
+/// Names may have an '=' in them: of the places where the text could be cut, the first that leaves
+/// a saved view's name before it.
+Outcome renamed(const model::Scene& scene, const std::string& text) {
+  for (std::size_t at = text.find('='); at != std::string::npos; at = text.find('=', at + 1)) {
+    const model::View* view = savedView(scene, text.substr(0, at));
+    if (!view)
+      continue;
+    const auto place = std::size_t(view - scene.views().data());
+    const std::string name = text.substr(at + 1);
+    if (model::normalisedName(name).empty())
+      return Error{.reason = "a view needs a name", .remedy = "Write --rename OLD=NEW"};
+    const model::View* taken = savedView(scene, name);
+    if (taken && taken != view)
+      return Error{.reason = "a view named \"" + name + "\" is already saved",
+                   .remedy = "Take another name"};
+    return model::withViewRenamed(scene, place, name);
+  }
+  if (text.find('=') == std::string::npos)
+    return Error{.reason = "--rename " + text + " gives no new name",
+                 .remedy = "Write --rename OLD=NEW"};
+  return unknownSaved(scene, text.substr(0, text.find('=')));
+}
+
+Outcome moved(const model::Scene& scene, const std::string& text) {
+  const std::optional<NamedValue> named = splitNamed(text);
+  const std::size_t count = scene.views().size();
+  const auto position = named ? counted(named->value) : std::nullopt;
+  if (!named || !position)
+    return Error{.reason = "--move " + text + " gives no position",
+                 .remedy = "Write --move NAME=POSITION; 1 is the first"};
+  const Result<std::size_t> place = placeOf(scene, named->name);
+  if (!place.ok())
+    return place.error();
+  if (*position > count)
+    return Error{.reason = "position " + named->value + " is beyond the last view",
+                 .remedy = "The scene has " + std::to_string(count)};
+  return model::withViewMoved(scene, *place, std::size_t(*position - 1));
+}
+
+Outcome removed(const model::Scene& scene, const std::string& name) {
+  const Result<std::size_t> place = placeOf(scene, name);
+  if (!place.ok())
+    return place.error();
+  return model::withoutView(scene, *place);
+}
+
+Outcome edited(const model::Scene& scene, const ViewFlags& flags) {
+  if (!flags.update.empty())
+    return updated(scene, flags);
+  if (!flags.rename.empty())
+    return renamed(scene, flags.rename);
+  if (!flags.remove.empty())
+    return removed(scene, flags.remove);
+  if (!flags.move.empty())
+    return moved(scene, flags.move);
+  return added(scene, flags);
+}
+
+Json jsonView(const model::Scene& scene, const model::View& view) {
+  const model::Camera& camera = view.camera;
+  Json place{{"eye", jsonPoint(camera.eye)},
+             {"target", jsonPoint(camera.target)},
+             {"up", jsonPoint(camera.up)}};
+  if (camera.projection == model::Projection::orthographic) {
+    place["projection"] = "orthographic";
+    place["height_mm"] = jsonNumber(camera.heightMm);
+  } else {
+    place["projection"] = "perspective";
+    place["fovy_deg"] = jsonNumber(camera.fovyDegrees);
+  }
+  Json json{{"name", view.name}, {"camera", std::move(place)}};
+  json["looks"] = view.looks ? Json(view.looks->size()) : Json();
+  json["sections"] = view.sections ? Json(view.sections->size()) : Json();
+  json["labels"] = Json();
+  if (view.annotations) {
+    json["labels"] = Json::array();
+    for (const model::AnnotationId id : *view.annotations)
+      json["labels"].push_back(id.value);
+  }
+  json["absent"] = model::absentFrom(scene, view);
+  return json;
+}
+
+void printJson(const model::Scene& scene) {
+  Json root;
+  root["views"] = Json::array();
+  for (const model::View& view : scene.views())
+    root["views"].push_back(jsonView(scene, view));
+  root["labels"] = Json::array();
+  for (const model::Annotation& annotation : scene.annotations())
+    root["labels"].push_back({{"id", annotation.id.value}, {"text", annotation.text}});
+  std::cout << jsonText(root, 2) << '\n';
+}
+
+/// Names come from files: what would move the terminal's cursor is left out.
+std::string onOneLine(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }, ' ');
+  return text;
+}
+
+void printList(const model::Scene& scene) {
+  std::size_t number = 0;
+  for (const model::View& view : scene.views()) {
+    std::cout << ++number << "  " << onOneLine(view.name);
+    if (const std::size_t absent = model::absentFrom(scene, view); absent > 0)
+      std::cout << "  (" << absent << " of what it shows " << (absent == 1 ? "is" : "are")
+                << " no longer in the scene)";
+    std::cout << '\n';
+  }
+  if (scene.views().empty())
+    std::cout << "the scene has no saved views\n";
+}
+
+Result<model::SceneDocument> opened(const std::string& file) {
+  Result<model::SceneDocument> document = model::readSceneFile(file);
+  if (document.ok())
+    if (const std::string warning = document->warning(); !warning.empty())
+      warn(file + ": " + warning);
+  return document;
+}
+
+Exit list(const ViewFlags& flags) {
+  const Result<model::SceneDocument> document = opened(flags.scene);
+  if (!document.ok())
+    return complain(document.error(), Exit::failed);
+  if (flags.json)
+    printJson(document->scene);
+  else
+    printList(document->scene);
+  return std::cout.flush() ? Exit::done : Exit::failed;
+}
+
+/// Reads, edits and writes; what is written to is locked all the while.
+Exit edit(const ViewFlags& flags) {
+  const auto lock = model::SceneLock::acquire(flags.output.empty() ? flags.scene : flags.output);
+  if (!lock.ok())
+    return complain(lock.error(), Exit::failed);
+  Result<model::SceneDocument> document = opened(flags.scene);
+  if (!document.ok())
+    return complain(document.error(), Exit::failed);
+  Outcome outcome = edited(document->scene, flags);
+  if (!outcome.ok())
+    return complain(outcome.error(), Exit::wrongUse);
+  if (!outcome->changed && flags.output.empty())
+    return Exit::done;
+  const auto first = [](const model::Scene& scene) {
+    return scene.views().empty() ? std::nullopt : std::optional(scene.views().front().camera);
+  };
+  const bool another = !(first(document->scene) == first(outcome->scene));
+  document->scene = std::move(outcome->scene);
+  if (another)  // its small picture is taken from the first view
+    document->thumbnail = thumbnailOf(document->scene);
+  if (const Status written = model::writeSceneFile(*lock, *document); !written.ok())
+    return complain(written.error(), Exit::failed);
+  return Exit::done;
+}
+
+Exit runView(const ViewFlags& flags) {
+  for (const std::string& file : {flags.scene, flags.output})
+    if (!file.empty() && !model::isSceneFile(file))
+      return complain(
+          {.file = file,
+           .reason = "a scene file's name ends with " + std::string(model::sceneExtension),
+           .remedy = "Name a scene file; `sline import` makes one"},
+          Exit::wrongUse);
+  return flags.list ? list(flags) : edit(flags);
+}
+
+void declareWork(CLI::App& command, ViewFlags& flags) {
+  CLI::Option_group* work = command.add_option_group("What to do, one of");
+  work->add_option("--add", flags.add, "Saves a view by that name, after those there are")
+      ->type_name("NAME");
+  work->add_option("--update", flags.update, "Saves that view anew")->type_name("NAME");
+  work->add_option("--rename", flags.rename, "Gives a view another name")->type_name("OLD=NEW");
+  work->add_option("--remove", flags.remove, "Takes a view out of the scene")->type_name("NAME");
+  work->add_option("--move", flags.move, "Puts a view elsewhere in the tour; 1 is the first")
+      ->type_name("NAME=POSITION");
+  CLI::Option* list = work->add_flag("--list", flags.list, "Lists the views; writes nothing");
+  work->require_option(1);
+  command.add_flag("--json", flags.json, "For programs: the list as one JSON object")->needs(list);
+  command.add_option("-o,--output", flags.output, "Writes there and leaves SCENE as it is")
+      ->type_name("FILE.sline")
+      ->excludes(list);
+}
+
+void declareView(CLI::App& command, ViewFlags& flags) {
+  command.add_option("SCENE", flags.scene, "A scene file (sline)")->required();
+  declareWork(command, flags);
+  CLI::Option* from =
+      command
+          .add_option("--from", flags.picture.view,
+                      "A saved view of the scene to start from; else anterior, posterior, left, "
+                      "right, superior or inferior, fitted to what is visible")
+          ->type_name("NAME")
+          ->capture_default_str();
+  addCameraOption(command, flags.picture, from);
+  command
+      .add_option("--size", flags.picture.size,
+                  "The shape of picture that it is fitted to, width and height")
+      ->type_name("WxH")
+      ->capture_default_str();
+  addDetailOptions(command, flags.picture);
+  addStyleOptions(command, flags.picture);
+  addSectionOptions(command, flags.picture.sections);
+  command
+      .add_option("--labels", flags.labels,
+                  "Which annotations the view shows: all, none, or their numbers (1,4); else those "
+                  "that the scene shows")
+      ->type_name("all|none|IDS");
+  command.footer(
+      "A view holds camera, visibility, gamma, colours, sections and which labels are shown; what\n"
+      "the flags say is said of the view, and the scene itself stays as it looks. Views are shown\n"
+      "by `sline render SCENE --view NAME`, in the window and, in their order, as a tour.\n\n"
+      "  sline view pelvis.sline --add \"Pelvic floor\" --from inferior --gamma bladder=4\n"
+      "  sline view pelvis.sline --move \"Pelvic floor=1\"\n"
+      "  sline view pelvis.sline --list --json");
+}
+
+}  // namespace
+
+void addView(CLI::App& program, Exit& exit) {
+  addCommand<ViewFlags>(program, exit, {"view", "Save, list and order the views of a scene file"},
+                        declareView, runView);
+}
+
+}  // namespace sline::cli

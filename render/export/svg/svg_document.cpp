@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/svg/svg_document.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "render/export/svg/svg_path.h"
+#include "render/export/svg/xml_text.h"
+
+namespace sline::render {
+
+namespace {
+
+std::string number(double value, int decimals) {
+  std::string text;
+  appendNumber(text, value, decimals);
+  return text;
+}
+
+std::string hex(const Colour& colour) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text = "#";
+  for (const std::uint8_t channel : {colour.red, colour.green, colour.blue}) {
+    text += digits[channel >> 4];
+    text += digits[channel & 15];
+  }
+  return text;
+}
+
+std::string opacityAttribute(float opacity) {
+  return opacity < 0.999f ? " opacity=\"" + number(double(opacity), 3) + "\"" : std::string();
+}
+
+std::string_view nameOf(LineKind kind) {
+  constexpr std::array<std::string_view, 4> names{"Hatching", "Suggestive contours", "Contours",
+                                                  "Cut outlines"};
+  return names[std::size_t(kind)];
+}
+
+/// Where a structure or group of lines stands among its siblings.
+struct Branch {
+  std::vector<const VectorStructure*> structures;  ///< at or below it
+  float depth() const {
+    float sum = 0.0f;
+    for (const VectorStructure* structure : structures)
+      sum += structure->depth;
+    return sum / float(std::max<std::size_t>(structures.size(), 1));
+  }
+};
+
+class Document {
+ public:
+  Document(const VectorDrawing& drawing, const model::Scene& scene)
+      : m_drawing(drawing),
+        m_scene(scene),
+        // Steps of a hundredth of a usual pen's width or less.
+        m_decimals(
+            std::clamp(int(std::ceil(-std::log10(drawing.sizeMm.y / 720.0f / 50.0f))), 1, 4)) {}
+
+  std::string make() {
+    const std::string width = number(double(m_drawing.sizeMm.x), 4);
+    const std::string height = number(double(m_drawing.sizeMm.y), 4);
+    m_text =
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+        "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\" width=\"" +
+        width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height + "\">\n";
+    if (m_drawing.background)
+      m_text += "<rect id=\"background\" width=\"" + width + "\" height=\"" + height +
+                "\" fill=\"" + hex(*m_drawing.background) + "\"/>\n";
+    const auto hasFills = [](const VectorStructure& s) { return !s.fills.empty(); };
+    if (std::any_of(m_drawing.structures.begin(), m_drawing.structures.end(), hasFills))
+      addFills();
+    addLines();
+    m_text += "</svg>\n";
+    return std::move(m_text);
+  }
+
+ private:
+  void open(const std::string& id, std::string_view label, const std::string& more = {}) {
+    m_text += "<g id=\"" + id + "\" inkscape:label=\"" + xmlText(label) + "\"" + more + ">\n";
+  }
+  void close() { m_text += "</g>\n"; }
+
+  void addPath(const VectorShape& shape, bool regions) {
+    const std::string d = svgPath(shape.path, m_decimals);
+    if (d.empty())
+      return;
+    m_text += "<path";
+    if (shape.penWidth > 0.0f)
+      m_text += " fill=\"none\" stroke=\"" + hex(shape.colour) + "\" stroke-width=\"" +
+                number(double(shape.penWidth), m_decimals + 1) + "\"";
+    else
+      m_text += " fill=\"" + hex(shape.colour) + "\"";
+    if (regions)
+      m_text += " fill-rule=\"evenodd\"";
+    m_text += opacityAttribute(shape.opacity) + " d=\"" + d + "\"/>\n";
+  }
+
+  std::string_view nameOf(model::NodeId id) const {
+    const model::Node* node = m_scene.find(id);
+    return node ? std::string_view(node->name) : std::string_view();
+  }
+
+  void addFills() {
+    open("fills", "Fills", " inkscape:groupmode=\"layer\"");
+    for (const VectorStructure& structure : m_drawing.structures) {
+      if (structure.fills.empty())
+        continue;
+      open("fill-" + std::to_string(structure.id.value), nameOf(structure.id),
+           opacityAttribute(structure.fillOpacity));
+      for (const VectorShape& shape : structure.fills)
+        addPath(shape, true);
+      close();
+    }
+    close();
+  }
+
+  void addLines() {
+    for (const VectorStructure& structure : m_drawing.structures) {
+      if (structure.lines.empty())
+        continue;
+      const model::Node* node = m_scene.find(structure.id);
+      m_branches[structure.id].structures.push_back(&structure);
+      while (node && node->parent != model::rootId) {
+        m_branches[node->parent].structures.push_back(&structure);
+        node = m_scene.find(node->parent);
+      }
+    }
+    open("lines", "Lines",
+         " inkscape:groupmode=\"layer\" stroke-linecap=\"round\" stroke-linejoin=\"round\"");
+    addBelow(model::rootId);
+    close();
+  }
+
+  /// The farthest first, in the tree's order where equally far.
+  void addBelow(model::NodeId parent) {
+    std::vector<model::NodeId> ids = m_scene.children(parent);
+    std::erase_if(ids, [this](model::NodeId id) { return !m_branches.contains(id); });
+    std::stable_sort(ids.begin(), ids.end(), [this](model::NodeId a, model::NodeId b) {
+      return m_branches[a].depth() > m_branches[b].depth();
+    });
+    for (const model::NodeId id : ids) {
+      if (m_scene.find(id)->isGroup()) {
+        open("group-" + std::to_string(id.value), nameOf(id));
+        addBelow(id);
+      } else {
+        open("structure-" + std::to_string(id.value), nameOf(id));
+        addStructure(*m_branches[id].structures.front());
+      }
+      close();
+    }
+  }
+
+  void addStructure(const VectorStructure& structure) {
+    for (const VectorLines& lines : structure.lines) {
+      m_text += "<g inkscape:label=\"" + std::string(render::nameOf(lines.kind)) + "\"" +
+                opacityAttribute(lines.opacity) + ">\n";
+      for (const VectorShape& shape : lines.shapes)
+        addPath(shape, false);
+      close();
+    }
+  }
+
+  const VectorDrawing& m_drawing;
+  const model::Scene& m_scene;
+  int m_decimals;
+  std::map<model::NodeId, Branch> m_branches;
+  std::string m_text;
+};
+
+}  // namespace
+
+std::string svgDocument(const VectorDrawing& drawing, const model::Scene& scene) {
+  return Document(drawing, scene).make();
+}
+
+}  // namespace sline::render

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/vectors/depth_layer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "render/vectors/fill_tones.h"
+
+namespace sline::render {
+
+namespace {
+
+float cross(const glm::vec2& a, const glm::vec2& b) {
+  return a.x * b.y - a.y * b.x;
+}
+
+ScreenTriangle projected(const PictureView& view, const std::array<glm::vec3, 3>& p) {
+  return {view.project(p[0]), view.project(p[1]), view.project(p[2])};
+}
+
+/// Calls draw(x, y, weights) for each pixel of the area whose middle lies in the triangle.
+template <class Draw>
+void forEachPixel(const ScreenTriangle& t, const gpu::Rect& area, const Draw& draw) {
+  if (t.a.w <= 0.0f || t.b.w <= 0.0f || t.c.w <= 0.0f)
+    return;
+  const glm::vec2 low = glm::min(glm::min(t.a.pixel, t.b.pixel), t.c.pixel);
+  const glm::vec2 high = glm::max(glm::max(t.a.pixel, t.b.pixel), t.c.pixel);
+  if (!(high.x >= float(area.x) && high.y >= float(area.y) && low.x <= float(area.right()) &&
+        low.y <= float(area.top())))
+    return;
+  const int x0 = std::max(int(std::ceil(std::max(low.x, float(area.x)) - 0.5f)), area.x);
+  const int y0 = std::max(int(std::ceil(std::max(low.y, float(area.y)) - 0.5f)), area.y);
+  const int x1 =
+      std::min(int(std::floor(std::min(high.x, float(area.right())) - 0.5f)), area.right() - 1);
+  const int y1 =
+      std::min(int(std::floor(std::min(high.y, float(area.top())) - 0.5f)), area.top() - 1);
+  if (x0 > x1 || y0 > y1)
+    return;
+  const float whole = cross(t.b.pixel - t.a.pixel, t.c.pixel - t.a.pixel);
+  if (whole == 0.0f)
+    return;
+  // What lies on an edge belongs to both of its triangles.
+  constexpr float onEdge = -1e-5f;
+  for (int y = y0; y <= y1; ++y)
+    for (int x = x0; x <= x1; ++x) {
+      const glm::vec3 weights = t.weightsAt({float(x) + 0.5f, float(y) + 0.5f});
+      if (weights.x >= onEdge && weights.y >= onEdge && weights.z >= onEdge)
+        draw(x, y, weights);
+    }
+}
+
+bool takenAway(std::span<const glm::vec4> planes, const glm::vec3& p) {
+  return std::any_of(planes.begin(), planes.end(), [&p](const glm::vec4& plane) {
+    return glm::dot(glm::vec3(plane), p) + plane.w > 0.0f;
+  });
+}
+
+class LayerDrawing {
+ public:
+  LayerDrawing(const Shown& shown, const LayerInput& input, DepthLayer& layer)
+      : m_shown(shown), m_input(input), m_layer(layer) {
+    const std::size_t pixels = std::size_t(layer.area.width) * std::size_t(layer.area.height);
+    layer.depths.assign(pixels, 1.0f);
+    if (hasFill(shown.style) || hasCaps(shown))
+      m_triangles.assign(pixels, 0);
+  }
+
+  void drawSurface() {
+    const model::Surface& surface = m_shown.surface();
+    const model::EyePoint& eye = m_input.view.eye();
+    const bool cull = !needsTwoSides(surface, m_input.view.camera());
+    std::vector<glm::vec4> planes;
+    if (m_shown.cut)
+      planes = sectionVectors(m_shown.cut->planes);
+    for (const model::Cluster& cluster : surface.clusters.items) {
+      if ((cull && model::facing(cluster, eye) == model::Facing::back) ||
+          render::takenAway(m_shown, cluster.bounds) ||
+          gpu::intersection(gpu::grown(m_input.view.bounds(cluster.bounds), 1), m_layer.area)
+              .empty())
+        continue;
+      for (std::uint32_t i = 0; i < cluster.triangleCount; ++i)
+        drawTriangle(surface.clusters.triangles[cluster.firstTriangle + i], cull, planes);
+    }
+  }
+
+  void drawCaps() {
+    if (!hasCaps(m_shown))
+      return;
+    m_caps.assign(m_layer.depths.size(), 0);
+    for (std::size_t face = 0; face < m_shown.cut->faces.size(); ++face)
+      if (!m_shown.cut->faces[face].cap.empty())
+        drawCap(face);
+  }
+
+  /// Colours of all that was drawn.
+  void fill() {
+    if (m_triangles.empty())
+      return;
+    m_layer.tones.assign(m_layer.depths.size(), 0);
+    if (hasFill(m_shown.style))
+      fillTones(m_shown, m_input, m_triangles, m_layer);
+    m_layer.firstCapTone = m_layer.colours.size();
+    if (m_caps.empty())
+      return;
+    for (std::size_t face = 0; face < m_shown.cut->faces.size(); ++face) {
+      const CapLook look = capLook(m_shown, m_input.view, m_input.background, face);
+      m_layer.colours.push_back(look.colour);
+      m_layer.colours.push_back(look.strokeColour);
+    }
+    for (std::size_t i = 0; i < m_caps.size(); ++i)
+      if (m_caps[i] > 0)
+        m_layer.tones[i] = std::uint8_t(m_layer.firstCapTone + m_caps[i]);
+  }
+
+ private:
+  std::array<glm::vec3, 3> corners(std::uint32_t triangle) const {
+    const auto positions = m_shown.mesh->positions();
+    const auto& [a, b, c] = m_shown.mesh->triangles()[triangle];
+    return {positions[a], positions[b], positions[c]};
+  }
+
+  void drawTriangle(std::uint32_t triangle, bool cull, std::span<const glm::vec4> planes) {
+    const std::array<glm::vec3, 3> p = corners(triangle);
+    if (cull) {
+      const model::EyePoint& eye = m_input.view.eye();
+      const glm::vec3 toEye = eye.atInfinity ? eye.value : eye.value - p[0];
+      if (!(glm::dot(glm::cross(p[1] - p[0], p[2] - p[0]), toEye) > 0.0f))
+        return;
+    }
+    const ScreenTriangle t = projected(m_input.view, p);
+    forEachPixel(t, m_layer.area, [&](int x, int y, const glm::vec3& weights) {
+      const std::size_t i = std::size_t(m_layer.index(x, y));
+      const float depth = glm::dot(weights, glm::vec3(t.a.depth, t.b.depth, t.c.depth));
+      if (!(depth >= 0.0f && depth < m_layer.depths[i]))
+        return;
+      if (!planes.empty()) {
+        const glm::vec3 w = t.inSpace(weights);
+        if (takenAway(planes, w.x * p[0] + w.y * p[1] + w.z * p[2]))
+          return;
+      }
+      m_layer.depths[i] = depth;
+      if (!m_triangles.empty())
+        m_triangles[i] = triangle + 1;
+    });
+  }
+
+  void drawCap(std::size_t face) {
+    const CutFace& cut = m_shown.cut->faces[face];
+    const CapLook look = capLook(m_shown, m_input.view, m_input.background, face);
+    const std::vector<glm::vec4> others =
+        sectionVectors(otherPlanes(*m_shown.cut->surface, m_shown.cut->planes, face));
+    const glm::vec2 middle = 0.5f * m_input.view.size();
+    for (std::size_t k = 0; k + 2 < cut.cap.size(); k += 3) {
+      const std::array<glm::vec3, 3> p{cut.cap[k], cut.cap[k + 1], cut.cap[k + 2]};
+      const ScreenTriangle t = projected(m_input.view, p);
+      const auto place = [&](const glm::vec2& pixel) {
+        const glm::vec3 w = t.inSpace(t.weightsAt(pixel));
+        return w.x * p[0] + w.y * p[1] + w.z * p[2];
+      };
+      forEachPixel(t, m_layer.area, [&](int x, int y, const glm::vec3&) {
+        const std::size_t i = std::size_t(m_layer.index(x, y));
+        const glm::vec2 pixel(float(x) + 0.5f, float(y) + 0.5f);
+        const float depth =
+            std::clamp(glm::dot(look.depthPlane, glm::vec3(pixel - middle, 1.0f)), 0.0f, 1.0f);
+        const glm::vec3 here = place(pixel);
+        if (!(depth < m_layer.depths[i]) || takenAway(others, here))
+          return;
+        m_layer.depths[i] = depth;
+        m_triangles[i] = 0;
+        const bool stroke = look.strokeColour.a > 0.0f &&
+                            onStripe(look, here, place(pixel + glm::vec2(1.0f, 0.0f)) - here,
+                                     place(pixel + glm::vec2(0.0f, 1.0f)) - here);
+        m_caps[i] = std::uint8_t(1 + 2 * face + (stroke ? 1 : 0));
+      });
+    }
+  }
+
+  /// As cap.frag.glsl has it, `right` and `up` being a pixel's step.
+  static bool onStripe(const CapLook& look, const glm::vec3& place, const glm::vec3& right,
+                       const glm::vec3& up) {
+    const glm::vec3 direction(look.stripes);
+    const float stripe = glm::dot(direction, place);
+    const float perPixel = std::max(
+        glm::length(glm::vec2(glm::dot(direction, right), glm::dot(direction, up))), 1e-6f);
+    const float nearest = std::floor(stripe + 0.5f);
+    const bool odd = std::fmod(std::abs(nearest), 2.0f) > 0.5f;
+    const float width = look.strokeHalfWidth * (odd ? look.stripes.w : 1.0f);
+    return std::abs(stripe - nearest) / perPixel < width;
+  }
+
+  const Shown& m_shown;
+  const LayerInput& m_input;
+  DepthLayer& m_layer;
+  std::vector<std::uint32_t> m_triangles;  ///< of each pixel one more than its index; 0: none
+  std::vector<std::uint8_t> m_caps;        ///< 1 + 2·face, one more on its strokes; 0: none
+};
+
+}  // namespace
+
+glm::vec3 ScreenTriangle::weightsAt(const glm::vec2& pixel) const {
+  const glm::vec2 ab = b.pixel - a.pixel;
+  const glm::vec2 ac = c.pixel - a.pixel;
+  const glm::vec2 ap = pixel - a.pixel;
+  const float whole = cross(ab, ac);
+  const float v = cross(ap, ac) / whole;
+  const float w = cross(ab, ap) / whole;
+  return {1.0f - v - w, v, w};
+}
+
+glm::vec3 ScreenTriangle::inSpace(const glm::vec3& weights) const {
+  const glm::vec3 w = weights / glm::vec3(a.w, b.w, c.w);
+  return w / (w.x + w.y + w.z);
+}
+
+DepthLayer depthLayer(const Shown& shown, const LayerInput& input, const gpu::Rect& area) {
+  DepthLayer layer;
+  layer.area = area;
+  LayerDrawing drawing(shown, input, layer);
+  drawing.drawSurface();
+  drawing.drawCaps();
+  drawing.fill();
+  return layer;
+}
+
+}  // namespace sline::render

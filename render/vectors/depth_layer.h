@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// A structure as pixels without a GPU: how deep its nearest surface lies, and how it is filled
+// there. What the surface and cap passes draw into a layer, for finding what hides what.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/picture/layer.h"
+
+namespace sline::render {
+
+/// Of a picture; y upwards.
+struct DepthLayer {
+  gpu::Rect area;
+  std::vector<float> depths;        ///< window depth, 1 where there is nothing; row by row
+  std::vector<std::uint8_t> tones;  ///< 0 unfilled, else one more than an index into `colours`
+  std::vector<glm::vec4> colours;   ///< premultiplied
+  /// Tones from here on are cut faces; all before are shades of the surface.
+  std::size_t firstCapTone = 0;
+
+  std::ptrdiff_t index(int x, int y) const {
+    if (x < area.x || y < area.y || x >= area.right() || y >= area.top())
+      return -1;
+    return std::ptrdiff_t(y - area.y) * area.width + (x - area.x);
+  }
+  /// 1 outside of the layer, as for the picture's shaders.
+  float depthAt(const glm::vec2& pixel) const {
+    const std::ptrdiff_t i = index(int(std::floor(pixel.x)), int(std::floor(pixel.y)));
+    return i < 0 ? 1.0f : depths[std::size_t(i)];
+  }
+  bool filled() const { return !tones.empty(); }
+};
+
+/// Everything that decides a layer's pixels.
+struct LayerInput {
+  const PictureView& view;
+  Background background = Background::white;
+  glm::vec3 keyLight{0.0f};  ///< patient frame, unit; 0: there is none
+};
+
+/// Draws surface and cut faces into `area`, which must be within the picture.
+DepthLayer depthLayer(const Shown& shown, const LayerInput& input, const gpu::Rect& area);
+
+/// Which triangle of the surface a pixel shows, and where in it.
+struct SurfaceSpot {
+  std::uint32_t triangle = 0;
+  glm::vec3 weights{0.0f};  ///< of its corners
+};
+
+/// A triangle in the picture.
+struct ScreenTriangle {
+  PictureView::Point a;
+  PictureView::Point b;
+  PictureView::Point c;
+
+  /// Weights in the picture's plane at a pixel; they add up to 1.
+  glm::vec3 weightsAt(const glm::vec2& pixel) const;
+  /// The same on the triangle itself, as perspective foreshortens it.
+  glm::vec3 inSpace(const glm::vec3& weights) const;
+};
+
+}  // namespace sline::render

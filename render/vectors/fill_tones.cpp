@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/vectors/fill_tones.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "model/base/parallel.h"
+#include "render/lines/view_fields.h"
+
+namespace sline::render {
+
+namespace {
+
+using passes::SurfaceFill;
+
+constexpr float quarterTurn = 1.5707963268f;
+
+// The three functions of phong.glsl.
+glm::vec3 inShadow(const glm::vec3& colour) {
+  const float chroma =
+      std::max({colour.r, colour.g, colour.b}) - std::min({colour.r, colour.g, colour.b});
+  return (colour * colour * 0.42f + colour * 0.08f) * (1.0f - 0.4f * chroma * chroma);
+}
+
+glm::vec3 phong(const glm::vec3& colour, float facing) {
+  const float light = facing * (1.3f - 0.3f * facing);
+  return glm::mix(inShadow(colour), colour * 1.02f, light) + 0.16f * std::pow(facing, 36.0f);
+}
+
+glm::vec3 phongWithKey(const glm::vec3& colour, float facing, float lit, float glint) {
+  const float key = std::max((lit + 0.3f) / 1.3f, 0.0f);
+  const float head = facing * (1.3f - 0.3f * facing);
+  const float light = std::min(0.22f * head + std::sqrt(head) * key, 1.0f);
+  return glm::mix(inShadow(colour), colour * 1.02f, light) +
+         0.16f * std::pow(std::max(glint, 0.0f), 36.0f);
+}
+
+float luminance(const glm::vec4& colour) {
+  return glm::dot(glm::vec3(colour), glm::vec3(0.299f, 0.587f, 0.114f));
+}
+
+/// surface.frag.glsl on the CPU.
+class Shader {
+ public:
+  Shader(const Shown& shown, const LayerInput& input)
+      : m_surface(shown.surface()),
+        m_input(input),
+        m_fill(surfaceFill(shown, input.view, input.background)) {
+    if (m_fill.kind == SurfaceFill::Kind::phong && m_fill.shading < 1.0f)
+      findGradients();
+  }
+
+  bool flat() const { return m_fill.kind != SurfaceFill::Kind::phong; }
+  /// True where some of the fill lets more through than other parts of it.
+  bool variesInOpacity() const {
+    return m_fill.complete < 1.0f && m_fill.wash.a < 0.999f * m_fill.opacity;
+  }
+  const glm::vec4& wash() const { return m_fill.wash; }
+
+  glm::vec4 colourAt(std::uint32_t triangle, const glm::vec2& pixel) const {
+    const auto& corners = m_surface.mesh->triangles()[triangle];
+    const auto positions = m_surface.mesh->positions();
+    const ScreenTriangle screen{m_input.view.project(positions[corners[0]]),
+                                m_input.view.project(positions[corners[1]]),
+                                m_input.view.project(positions[corners[2]])};
+    const glm::vec3 w = screen.inSpace(glm::clamp(screen.weightsAt(pixel), 0.0f, 1.0f));
+    glm::vec3 place(0.0f);
+    glm::vec3 normal(0.0f);
+    float gradient = 0.0f;
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t vertex = corners[std::size_t(k)];
+      place += w[k] * positions[vertex];
+      normal += w[k] * m_surface.normals[vertex];
+      if (!m_gradients.empty())
+        gradient += w[k] * m_gradients[vertex];
+    }
+    return shaded(glm::normalize(normal), directionTo(m_input.view.eye(), place), gradient);
+  }
+
+ private:
+  void findGradients() {
+    const auto positions = m_surface.mesh->positions();
+    const model::EyePoint& eye = m_input.view.eye();
+    m_gradients.resize(positions.size());
+    parallelFor(positions.size(), 4096, [&](std::size_t i) {
+      const glm::vec3 v = directionTo(eye, positions[i]);
+      const glm::vec3 n = m_surface.normals[i];
+      const float distance = eye.atInfinity ? std::numeric_limits<float>::infinity()
+                                            : glm::distance(eye.value, positions[i]);
+      const glm::vec3 k =
+          lightGradient(n, m_surface.curvature.e1[i], m_surface.curvature.k[i], v, distance);
+      m_gradients[i] = m_fill.filigree * glm::dot(k, v - glm::dot(n, v) * n);
+    });
+  }
+
+  glm::vec4 shaded(const glm::vec3& normal, const glm::vec3& towardsEye, float gradient) const {
+    float nv = glm::dot(normal, towardsEye);
+    const float side = m_fill.twoSided && nv < 0.0f ? -1.0f : 1.0f;
+    nv = std::clamp(nv * side, 0.0f, 1.0f);
+    const float threshold = quarterTurn * (1.0f - m_fill.shading);
+    const float angle = m_fill.darkGround ? std::asin(nv) : std::acos(nv);
+    const float byAngle =
+        std::clamp((angle - threshold) / std::max(quarterTurn - threshold, 1e-4f), 0.0f, 1.0f);
+    const float byLight =
+        std::clamp(gradient * side, 0.0f, 1.0f) * (1.0f - m_fill.shading) + m_fill.shading;
+    const float entered = glm::mix(byAngle * byLight, 1.0f, m_fill.complete);
+    const float opacity = entered * m_fill.opacity;
+    glm::vec3 colour = phong(m_fill.colour, nv);
+    if (const glm::vec3& key = m_input.keyLight; key != glm::vec3(0.0f)) {
+      const glm::vec3 n = normal * side;
+      const glm::vec3 half = glm::normalize(key + towardsEye);
+      colour = phongWithKey(m_fill.colour, nv, glm::dot(n, key), glm::dot(n, half));
+    }
+    if (!m_fill.darkGround)
+      colour = glm::mix(colour, glm::max(colour, m_fill.colour), 1.0f - entered);
+    return glm::vec4(glm::min(colour, 1.0f) * opacity, opacity) + m_fill.wash * (1.0f - opacity);
+  }
+
+  const model::Surface& m_surface;
+  const LayerInput& m_input;
+  SurfaceFill m_fill;
+  std::vector<float> m_gradients;
+};
+
+}  // namespace
+
+void fillTones(const Shown& shown, const LayerInput& input,
+               std::span<const std::uint32_t> triangles, DepthLayer& layer) {
+  const Shader shader(shown, input);
+  if (shader.flat()) {
+    layer.colours.push_back(shader.wash());
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+      layer.tones[i] = triangles[i] > 0 ? 1 : 0;
+    return;
+  }
+  const bool byOpacity = shader.variesInOpacity();
+  struct Sum {
+    glm::dvec4 colour{0.0};
+    std::size_t pixels = 0;
+  };
+  std::array<Sum, toneSteps + 1> sums;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (triangles[i] == 0)
+      continue;
+    const glm::vec2 pixel = glm::vec2(layer.area.x, layer.area.y) +
+                            glm::vec2(float(i % std::size_t(layer.area.width)),
+                                      float(i / std::size_t(layer.area.width))) +
+                            0.5f;
+    const glm::vec4 colour = shader.colourAt(triangles[i] - 1, pixel);
+    const float value = byOpacity ? colour.a : luminance(colour);
+    const int step = std::clamp(int(std::lround(value * float(toneSteps))), 0, toneSteps);
+    layer.tones[i] = std::uint8_t(step + 1);
+    sums[std::size_t(step)].colour += glm::dvec4(colour);
+    ++sums[std::size_t(step)].pixels;
+  }
+  // Tones that nothing has are left out.
+  std::array<std::uint8_t, toneSteps + 2> renamed{};
+  for (std::size_t step = 0; step < sums.size(); ++step)
+    if (sums[step].pixels > 0) {
+      layer.colours.emplace_back(sums[step].colour / double(sums[step].pixels));
+      renamed[step + 1] = std::uint8_t(layer.colours.size());
+    }
+  for (std::uint8_t& tone : layer.tones)
+    tone = renamed[tone];
+}
+
+}  // namespace sline::render

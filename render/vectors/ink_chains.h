@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The picture's strokes, joined again to the lines that a pen would draw in one go.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/passes/ink/pass.h"
+
+namespace sline::render {
+
+/// One after the other, each turned so that its b is the next one's a.
+using InkChain = std::vector<passes::InkSegment>;
+
+/// Every segment once. Neighbours share their ends to the last bit, in the picture and in depth; a
+/// chain ends where a line ends, or where more than two segments meet.
+std::vector<InkChain> inkChains(std::span<const passes::InkSegment> segments);
+
+}  // namespace sline::render

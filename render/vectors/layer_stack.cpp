@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/vectors/layer_stack.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace sline::render {
+
+namespace {
+
+// As resolve.frag.glsl stops.
+constexpr float opaque = 0.998f;
+// Of this many layers before a point the nearest count; more than a dozen glazes hide all.
+constexpr std::size_t mostLayers = 32;
+
+struct Fill {
+  float depth = 1.0f;
+  std::size_t layer = 0;
+  glm::vec4 colour{0.0f};
+};
+
+bool liesBefore(float depth, std::size_t layer, float otherDepth, std::size_t other) {
+  return depth < otherDepth || (depth == otherDepth && layer < other);
+}
+
+}  // namespace
+
+LayerStack::LayerStack(std::span<const DepthLayer> layers, glm::vec2 size)
+    : m_layers(layers),
+      m_columns(int(size.x) / tileSide + 1),
+      m_rows(int(size.y) / tileSide + 1),
+      m_tiles(std::size_t(m_columns) * std::size_t(m_rows)) {
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const gpu::Rect& area = layers[i].area;
+    if (!layers[i].filled() || area.empty())
+      continue;
+    for (int row = area.y / tileSide; row <= (area.top() - 1) / tileSide; ++row)
+      for (int column = area.x / tileSide; column <= (area.right() - 1) / tileSide; ++column)
+        m_tiles[std::size_t(row * m_columns + column)].push_back(std::uint16_t(i));
+  }
+}
+
+const std::vector<std::uint16_t>& LayerStack::listAt(int x, int y) const {
+  const int column = std::clamp(x / tileSide, 0, m_columns - 1);
+  const int row = std::clamp(y / tileSide, 0, m_rows - 1);
+  return m_tiles[std::size_t(row * m_columns + column)];
+}
+
+Veil LayerStack::before(const glm::vec2& pixel, float depth, std::size_t own) const {
+  const int x = int(std::floor(pixel.x));
+  const int y = int(std::floor(pixel.y));
+  std::array<Fill, mostLayers> fills;
+  std::size_t count = 0;
+  for (const std::size_t i : listAt(x, y)) {
+    const DepthLayer& layer = m_layers[i];
+    const std::ptrdiff_t at = i == own ? -1 : layer.index(x, y);
+    if (at < 0 || layer.tones[std::size_t(at)] == 0 || count == mostLayers ||
+        !liesBefore(layer.depths[std::size_t(at)], i, depth, own))
+      continue;
+    const glm::vec4& colour = layer.colours[std::size_t(layer.tones[std::size_t(at)] - 1)];
+    if (colour.a >= opaque)
+      return {glm::vec3(0.0f), 0.0f};
+    fills[count++] = {layer.depths[std::size_t(at)], i, colour};
+  }
+  std::sort(fills.begin(), fills.begin() + std::ptrdiff_t(count), [](const Fill& a, const Fill& b) {
+    return liesBefore(a.depth, a.layer, b.depth, b.layer);
+  });
+  glm::vec4 sum(0.0f);
+  for (std::size_t i = 0; i < count; ++i)
+    sum += fills[i].colour * (1.0f - sum.a);
+  if (sum.a >= opaque)
+    return {glm::vec3(0.0f), 0.0f};
+  return {glm::vec3(sum), 1.0f - sum.a};
+}
+
+bool LayerStack::hidden(int x, int y, float depth, std::size_t own) const {
+  const std::vector<std::uint16_t>& list = listAt(x, y);
+  return std::any_of(list.begin(), list.end(), [&](std::size_t i) {
+    const std::ptrdiff_t at = i == own ? -1 : m_layers[i].index(x, y);
+    if (at < 0)
+      return false;
+    const std::uint8_t tone = m_layers[i].tones[std::size_t(at)];
+    return tone > 0 && m_layers[i].colours[std::size_t(tone - 1)].a >= opaque &&
+           liesBefore(m_layers[i].depths[std::size_t(at)], i, depth, own);
+  });
+}
+
+}  // namespace sline::render

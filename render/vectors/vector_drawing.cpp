@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/vectors/vector_drawing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+
+#include "model/base/parallel.h"
+#include "render/picture/layer.h"
+#include "render/picture/transitions.h"
+#include "render/vectors/fill_shapes.h"
+#include "render/vectors/pen_shapes.h"
+#include "render/vectors/visible_strokes.h"
+
+namespace sline::render {
+
+namespace {
+
+// Depth is found in a picture this high, three pixels to λ, unless it were larger than that.
+constexpr float standardHeight = 2160.0f;
+constexpr float mostPixels = 12e6f;
+// Of all layers together, five bytes each.
+constexpr double mostLayerPixels = 90e6;
+
+/// A picture's size in pixels.
+struct PixelSize {
+  int width = 1;
+  int height = 1;
+};
+
+PixelSize pixelSize(const glm::vec2& sizeMm, float height) {
+  const float aspect = sizeMm.x / sizeMm.y;
+  const float h = std::min(height, std::sqrt(mostPixels / aspect));
+  return {std::max(16, int(std::lround(h * aspect))), std::max(16, int(std::lround(h)))};
+}
+
+/// One structure on its way to the page.
+struct Work {
+  Shown shown;
+  gpu::Rect area;
+  StructureLines lines;
+};
+
+bool hasLines(const Shown& shown) {
+  return showsLines(shown.style) || shown.cut != nullptr;
+}
+
+class Drawing {
+ public:
+  Drawing(const model::Scene& scene, const model::Camera& camera, const VectorSettings& settings,
+          const VectorProgress& progress)
+      : m_scene(scene), m_camera(camera), m_settings(settings), m_progress(progress) {}
+
+  VectorDrawing make() {
+    tell(0.0, "preparing surfaces");
+    findShown();
+    VectorDrawing drawing;
+    drawing.sizeMm = m_settings.sizeMm;
+    if (m_settings.background != Background::transparent)
+      drawing.background = backgroundAsColour();
+    if (m_work.empty())
+      return drawing;
+    layOut();
+    tell(0.3, "finding lines");
+    parallelFor(m_work.size(), 1, [&](std::size_t i) { findLines(m_work[i]); });
+    tell(0.5, "finding what hides what");
+    std::vector<DepthLayer> layers(m_work.size());
+    const LayerInput input{*m_view, m_settings.background, m_keyLight};
+    parallelFor(m_work.size(), 1, [&](std::size_t i) {
+      layers[i] = depthLayer(m_work[i].shown, input, m_work[i].area);
+    });
+    tell(0.7, "setting strokes");
+    const LayerStack stack(layers, m_view->size());
+    std::vector<VectorStructure> structures(m_work.size());
+    parallelFor(m_work.size(), 1,
+                [&](std::size_t i) { structures[i] = drawn(m_work[i], layers, i, stack); });
+    std::erase_if(structures,
+                  [](const VectorStructure& s) { return s.fills.empty() && s.lines.empty(); });
+    std::stable_sort(
+        structures.begin(), structures.end(),
+        [](const VectorStructure& a, const VectorStructure& b) { return a.depth > b.depth; });
+    drawing.structures = std::move(structures);
+    return drawing;
+  }
+
+ private:
+  void tell(double share, std::string_view what) const {
+    if (m_progress)
+      m_progress(share, what);
+  }
+
+  Colour backgroundAsColour() const {
+    const glm::vec4 c = 255.0f * backgroundColour(m_settings.background);
+    return {std::uint8_t(std::lround(c.r)), std::uint8_t(std::lround(c.g)),
+            std::uint8_t(std::lround(c.b))};
+  }
+
+  void findShown() {
+    std::vector<const model::Node*> nodes;
+    for (const model::Node& node : m_scene.nodes())
+      if (!node.isGroup() && node.mesh->triangleCount() > 0 && m_scene.resolve(node.id).visible)
+        nodes.push_back(&node);
+    std::sort(nodes.begin(), nodes.end(),
+              [](const model::Node* a, const model::Node* b) { return a->id < b->id; });
+    for (const model::Node* node : nodes) {
+      const auto known = std::find_if(m_work.begin(), m_work.end(), [&](const Work& work) {
+        return work.shown.mesh == node->mesh;
+      });
+      CachedSurface* cached = known != m_work.end() ? known->shown.cached : nullptr;
+      if (!cached) {
+        cached = &m_surfaces.emplace_back();
+        cached->surface = pictureSurface(node->mesh, node->provenance);
+      }
+      Work& work = m_work.emplace_back();
+      work.shown = {node->id, node->mesh, m_scene.resolve(node->id), cached, false, {}, {}};
+      work.shown.sections = sectionsThatCut(m_scene.sectionsOf(node->id), node->mesh->bounds());
+      if (!work.shown.sections.empty())
+        work.shown.cut = m_sections.at(cached->surface, work.shown.sections);
+      m_bounds.add(node->mesh->bounds());
+    }
+  }
+
+  /// Chooses the size of pixels so that all layers fit into memory.
+  void layOut() {
+    float height = standardHeight;
+    for (int round = 0; round < 2; ++round) {
+      const PixelSize size = pixelSize(m_settings.sizeMm, height);
+      m_view.emplace(m_camera, m_bounds, size.width, size.height);
+      double pixels = 0.0;
+      parallelFor(m_work.size(), 1, [&](std::size_t i) {
+        m_work[i].area = gpu::intersection(coverage(m_work[i].shown, *m_view, m_view->whole()).area,
+                                           m_view->whole());
+      });
+      for (const Work& work : m_work)
+        pixels += double(work.area.width) * double(work.area.height);
+      if (pixels <= mostLayerPixels)
+        break;
+      height = float(size.height) * float(std::sqrt(0.95 * mostLayerPixels / pixels));
+    }
+    std::erase_if(m_work, [](const Work& work) { return work.area.empty(); });
+    const model::KeyLight own = m_scene.keyLight().value_or(model::KeyLight());
+    m_light = m_settings.light.value_or(own.towards);
+    if (m_settings.keyLight.value_or(own.shades))
+      m_keyLight = m_view->toPatient(m_light);
+    m_page = {.mmPerPixel = m_settings.sizeMm.y / m_view->size().y,
+              .heightMm = m_settings.sizeMm.y};
+    // Layouts are shared by structures of one mesh, so each is made before lines are.
+    std::vector<CachedSurface*> hatched;
+    for (const Work& work : m_work)
+      if (showsHatching(work.shown.style))
+        hatched.push_back(work.shown.cached);
+    std::sort(hatched.begin(), hatched.end());
+    hatched.erase(std::unique(hatched.begin(), hatched.end()), hatched.end());
+    parallelFor(hatched.size(), 1, [&](std::size_t i) { hatched[i]->needStrokes(); });
+  }
+
+  void findLines(Work& work) const {
+    if (!hasLines(work.shown))
+      return;
+    const Shown& shown = work.shown;
+    work.lines.lines = styledLines(shown.surface(), *m_view, shown.style);
+    if (showsHatching(shown.style))
+      work.lines.hatching = styledHatching(*shown.cached->strokes, *m_view, shown.style, m_light);
+    if (shown.cut)
+      cutLines(*shown.cut, work.lines);
+    joinLines(shown.surface(), *m_view, shown.style, work.lines.lines);
+  }
+
+  VectorStructure drawn(Work& work, std::span<const DepthLayer> layers, std::size_t index,
+                        const LayerStack& stack) const {
+    VectorStructure structure;
+    structure.id = work.shown.id;
+    structure.depth = meanDepth(layers[index]);
+    FillShapes fills = fillShapes(layers[index], index, stack, m_page);
+    structure.fills = std::move(fills.shapes);
+    structure.fillOpacity = fills.opacity;
+    if (!hasLines(work.shown))
+      return structure;
+    const model::ResolvedStyle& style = work.shown.style;
+    const float ink = transitions(style.gamma).lines;
+    const Colour colour = inkColour(style, m_settings.background);
+    StructureLines one;
+    const auto add = [&](LineKind kind, float opacity) {
+      const StrokeScene scene{.stack = stack,
+                              .own = layers[index],
+                              .ownIndex = index,
+                              .projection = m_view->depthTerms(),
+                              .probes = contourProbes(work.shown.surface(), *m_view, style),
+                              .ink = opacity};
+      PenShapes pen(m_page, vectorTolerance * m_view->outputUnit());
+      for (const InkChain& chain :
+           inkChains(strokes(work.shown.surface(), *m_view, style, one, work.area)))
+        for (const VisibleStroke& stroke : visibleStrokes(chain, scene))
+          pen.add(stroke, colour);
+      one = {};
+      if (std::vector<VectorShape> shapes = pen.take(); !shapes.empty())
+        structure.lines.push_back({kind, opacity, std::move(shapes)});
+    };
+    if (ink > 0.0f && style.penWeight > 0.0f) {
+      one.hatching = std::move(work.lines.hatching);
+      add(LineKind::hatching, ink);
+      one.lines.suggestive = std::move(work.lines.lines.suggestive);
+      add(LineKind::suggestive, ink);
+      one.lines.contours = std::move(work.lines.lines.contours);
+      add(LineKind::contour, ink);
+    }
+    one.lines.section = std::move(work.lines.lines.section);
+    add(LineKind::section, 1.0f);
+    return structure;
+  }
+
+  const model::Scene& m_scene;
+  const model::Camera& m_camera;
+  const VectorSettings& m_settings;
+  const VectorProgress& m_progress;
+  std::deque<CachedSurface> m_surfaces;
+  SectionCache m_sections;
+  std::vector<Work> m_work;
+  model::Box m_bounds;
+  std::optional<PictureView> m_view;
+  PageMapping m_page;
+  glm::vec3 m_light{0.0f};
+  glm::vec3 m_keyLight{0.0f};  ///< patient frame; 0: there is none
+};
+
+}  // namespace
+
+Result<VectorDrawing> drawVectors(const model::Scene& scene, const model::Camera& camera,
+                                  const VectorSettings& settings, const VectorProgress& progress) {
+  for (const float side : {settings.sizeMm.x, settings.sizeMm.y})
+    if (!(side >= smallestPageMm && side <= largestPageMm))
+      return Error{
+          .reason = "a page with a side of " + std::to_string(side) + " mm cannot be drawn",
+          .remedy = "Ask for 10 to 5000 mm each way"};
+  if (const auto fault = model::cameraFault(camera))
+    return Error{.where = "camera", .reason = std::string(*fault), .remedy = "Correct the camera"};
+  return Drawing(scene, camera, settings, progress).make();
+}
+
+}  // namespace sline::render

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// A scene as shapes: the very lines of the picture as smooth paths, cut where they are hidden, and
+// the fills that lie behind them. No OpenGL is called: depth is found on the CPU, pixel by pixel at
+// a few pixels to the pen, and a line is hidden by the same rules as in the picture.
+#pragma once
+
+#include <functional>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "model/base/result.h"
+#include "model/scene/scene.h"
+#include "render/picture/picture.h"
+#include "render/vectors/path.h"
+
+namespace sline::render {
+
+/// Filled, or drawn with a round pen of that width; even-odd where regions have holes.
+struct VectorShape {
+  Path path;
+  Colour colour;
+  float opacity = 1.0f;   ///< 0 … 1
+  float penWidth = 0.0f;  ///< mm; 0: filled
+};
+
+enum class LineKind { hatching, suggestive, contour, section };
+
+/// What a pen draws of a structure, kind by kind.
+struct VectorLines {
+  LineKind kind = LineKind::contour;
+  float opacity = 1.0f;             ///< of all of them together
+  std::vector<VectorShape> shapes;  ///< of one colour but where veiled
+};
+
+struct VectorStructure {
+  model::NodeId id;
+  float depth = 0.0f;              ///< how far it lies on the whole, 0 … 1: the farthest has most
+  std::vector<VectorShape> fills;  ///< painted one over the other
+  float fillOpacity = 1.0f;        ///< of all of them together
+  std::vector<VectorLines> lines;  ///< in drawing order
+};
+
+/// In millimetres from the page's upper left corner, y downwards.
+struct VectorDrawing {
+  glm::vec2 sizeMm{160.0f, 90.0f};
+  std::optional<Colour> background;
+  std::vector<VectorStructure> structures;  ///< those that show anything, farthest first
+};
+
+struct VectorSettings {
+  glm::vec2 sizeMm{160.0f, 90.0f};
+  Background background = Background::white;
+  std::optional<glm::vec3> light;  ///< as in PictureSettings
+  std::optional<bool> keyLight;
+};
+
+/// How far curves may lie off the lines that they stand for, in λ (1/720 of the page's height): on
+/// a page of 90 mm, 0.01 mm.
+inline constexpr float vectorTolerance = 0.08f;
+
+/// Told what is being done, and what part of the whole is behind it.
+using VectorProgress = std::function<void(double share, std::string_view what)>;
+
+/// The error says what is wrong with size or camera. The result depends on the arguments alone.
+Result<VectorDrawing> drawVectors(const model::Scene& scene, const model::Camera& camera,
+                                  const VectorSettings& settings,
+                                  const VectorProgress& progress = {});
+
+/// The smallest and the largest side of a page, mm.
+inline constexpr float smallestPageMm = 10.0f;
+inline constexpr float largestPageMm = 5000.0f;
+
+}  // namespace sline::render

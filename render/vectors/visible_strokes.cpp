@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/vectors/visible_strokes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace sline::render {
+
+namespace {
+
+// Pixels. A pen would not lift for so short a gap, nor set so short a mark.
+constexpr std::size_t shortestGap = 3;
+constexpr std::size_t shortestMark = 3;
+// Fills before a line leave this many grades of it.
+constexpr int veilGrades = 8;
+// Pixels of half a width, below which there is no ink worth drawing.
+constexpr float thinnest = 0.06f;
+
+struct Sample {
+  StrokePoint point;
+  Veil veil;
+  int grade = 0;  ///< 0 hidden … veilGrades whole
+};
+
+/// As depth.glsl.
+float eyeDistance(float windowDepth, const glm::vec4& projection) {
+  const float z = 2.0f * windowDepth - 1.0f;
+  return (projection.y - z * projection.w) / (projection.x - z * projection.z);
+}
+
+class Looker {
+ public:
+  explicit Looker(const StrokeScene& scene) : m_scene(scene) {}
+
+  Sample look(const passes::InkSegment& s, float t) const {
+    const glm::vec2 on = glm::mix(s.a, s.b, t);
+    const float depth = glm::mix(s.depthA, s.depthB, t);
+    float halfWidth = glm::mix(s.halfWidthA, s.halfWidthB, t) *
+                      std::min(glm::mix(s.opacityA, s.opacityB, t) / m_scene.ink, 1.0f);
+    Sample sample;
+    sample.point.at = on;
+    float seenAt = depth;
+    if (s.contour > 0.0f) {
+      const glm::vec2 outward = outwardAt(s, t);
+      float wide = 0.0f;
+      if (!contourVisible(on, depth, s.tolerance, outward, wide))
+        return sample;
+      const float left = s.contour - 1.0f;
+      if (left < 1.0f && depthAt(on + (wide + m_scene.probes.probe) * outward) < 1.0f)
+        halfWidth *= left;
+      sample.point.at = on + std::max(halfWidth - 0.5f, 0.0f) * outward;
+      seenAt = lifted(depth, 2.0f * s.tolerance);
+    } else if (!surfaceLineVisible(on, depth, s.tolerance)) {
+      return sample;
+    }
+    sample.point.halfWidth = halfWidth;
+    if (halfWidth < thinnest)
+      return sample;
+    sample.veil = m_scene.stack.before(sample.point.at, seenAt, m_scene.ownIndex);
+    sample.grade = int(std::lround(sample.veil.transmittance * float(veilGrades)));
+    return sample;
+  }
+
+ private:
+  static glm::vec2 outwardAt(const passes::InkSegment& s, float t) {
+    const glm::vec2 outward = glm::mix(s.outwardA, s.outwardB, t);
+    const float length = glm::length(outward);
+    return length > 1e-6f ? outward / length : glm::vec2(1.0f, 0.0f);
+  }
+
+  float depthAt(const glm::vec2& pixel) const { return m_scene.own.depthAt(pixel); }
+  float distanceAt(float depth) const { return eyeDistance(depth, m_scene.projection); }
+
+  /// As contour.frag.glsl.
+  float lifted(float windowDepth, float mm) const {
+    const glm::vec4& p = m_scene.projection;
+    const float distance = distanceAt(windowDepth) - mm;
+    const float z = (p.y - distance * p.x) / (p.w - distance * p.z);
+    return std::clamp(0.5f * z + 0.5f, 0.0f, windowDepth);
+  }
+
+  /// As contour_visibility.glsl.
+  bool contourVisible(const glm::vec2& on, float depth, float tolerance, const glm::vec2& outward,
+                      float& wide) const {
+    const glm::vec2 reach = m_scene.probes.reach;
+    const float here = depthAt(on);
+    float behind = std::max(here, depthAt(on + reach.x * outward));
+    const float distance = distanceAt(depth);
+    if (distance <= distanceAt(behind) + tolerance)
+      return true;
+    if (distance > distanceAt(here) + m_scene.probes.sheet)
+      return false;
+    wide = reach.y;
+    behind = std::max(depthAt(on + 0.5f * (reach.x + reach.y) * outward),
+                      depthAt(on + reach.y * outward));
+    return distance <= distanceAt(behind) + tolerance;
+  }
+
+  /// As surface_line.frag.glsl.
+  bool surfaceLineVisible(const glm::vec2& on, float depth, float tolerance) const {
+    const glm::vec2 corner = on - 0.5f;
+    const float behind = std::max(
+        std::max(depthAt(corner), depthAt(corner + glm::vec2(1.0f, 0.0f))),
+        std::max(depthAt(corner + glm::vec2(0.0f, 1.0f)), depthAt(corner + glm::vec2(1.0f, 1.0f))));
+    return depth <= behind || distanceAt(depth) <= distanceAt(behind) + tolerance;
+  }
+
+  const StrokeScene& m_scene;
+};
+
+std::vector<Sample> samples(const InkChain& chain, const Looker& looker) {
+  std::vector<Sample> found;
+  for (const passes::InkSegment& s : chain) {
+    const int steps = std::max(1, int(std::ceil(glm::distance(s.a, s.b))));
+    for (int i = found.empty() ? 0 : 1; i <= steps; ++i)
+      found.push_back(looker.look(s, float(i) / float(steps)));
+  }
+  return found;
+}
+
+/// Gives runs of one grade that are shorter than a pen would mind the grade of the run before them.
+void closeGaps(std::vector<Sample>& all) {
+  for (std::size_t from = 0; from < all.size();) {
+    std::size_t to = from + 1;
+    while (to < all.size() && all[to].grade == all[from].grade)
+      ++to;
+    const bool between = from > 0 && to < all.size();
+    const bool wide = all[from].grade > 0 || all[from].point.halfWidth > 0.0f ||
+                      (between && all[from - 1].grade > 0 && all[to].grade > 0);
+    if (between && wide && to - from <= shortestGap && all[from - 1].grade > 0) {
+      const Sample before = all[from - 1];
+      const Sample after = all[to];
+      for (std::size_t i = from; i < to; ++i) {
+        // What was hidden was not placed either: it goes straight from one side to the other.
+        if (all[i].grade == 0) {
+          const float t = float(i - from + 1) / float(to - from + 1);
+          all[i].point = {glm::mix(before.point.at, after.point.at, t),
+                          glm::mix(before.point.halfWidth, after.point.halfWidth, t)};
+        }
+        all[i].grade = before.grade;
+        all[i].veil = before.veil;
+      }
+    }
+    from = to;
+  }
+}
+
+}  // namespace
+
+std::vector<VisibleStroke> visibleStrokes(const InkChain& chain, const StrokeScene& scene) {
+  std::vector<VisibleStroke> strokes;
+  std::vector<Sample> all = samples(chain, Looker(scene));
+  if (all.size() == 2 && chain.front().a == chain.front().b)
+    all.pop_back();  // a dot
+  closeGaps(all);
+  for (std::size_t from = 0; from < all.size();) {
+    std::size_t to = from + 1;
+    while (to < all.size() && all[to].grade == all[from].grade)
+      ++to;
+    const bool whole = to - from == all.size();
+    if (all[from].grade > 0 && (whole || to - from >= shortestMark)) {
+      VisibleStroke& stroke = strokes.emplace_back();
+      stroke.closed = whole && chain.size() > 2 && chain.front().a == chain.back().b;
+      stroke.veil = all[(from + to) / 2].veil;
+      // Neighbours of another grade meet without a gap.
+      if (from > 0 && all[from - 1].grade > 0)
+        stroke.points.push_back(all[from - 1].point);
+      for (std::size_t i = from; i < to; ++i)
+        stroke.points.push_back(all[i].point);
+    }
+    from = to;
+  }
+  return strokes;
+}
+
+}  // namespace sline::render

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lines cut where they are hidden, by the rules of the ink and resolve passes.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "render/picture/layer_lines.h"
+#include "render/vectors/ink_chains.h"
+#include "render/vectors/layer_stack.h"
+
+namespace sline::render {
+
+struct StrokePoint {
+  glm::vec2 at{0.0f};  ///< pixels of the picture, the stroke's middle
+  float halfWidth = 0.0f;
+};
+
+/// A visible piece of a line, a point for each pixel of its way.
+struct VisibleStroke {
+  std::vector<StrokePoint> points;
+  bool closed = false;  ///< the whole of a line without ends
+  Veil veil;            ///< what lies before it, the same for all of it
+};
+
+/// One structure's lines against what hides them.
+struct StrokeScene {
+  const LayerStack& stack;
+  const DepthLayer& own;
+  std::size_t ownIndex = 0;
+  glm::vec4 projection{0.0f};  ///< see depth.glsl
+  ContourProbes probes;
+  float ink = 1.0f;  ///< the opacity of a whole line: what a line has less makes it thinner
+};
+
+std::vector<VisibleStroke> visibleStrokes(const InkChain& chain, const StrokeScene& scene);
+
+}  // namespace sline::render

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: Apache-2.0
+// `sline view`.
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "model/edit/views.h"
+#include "model/files/scene_file.h"
+#include "tests/cli/sline_process.h"
+
+namespace sline::test {
+namespace {
+
+QByteArray contentOf(const QString& name) {
+  QFile file(name);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+}  // namespace
+
+class ViewCommandTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init();
+  void addedAndListed();
+  void whatTheFlagsSay();
+  void theSceneStaysAsItLooks();
+  void labels();
+  void updated();
+  void renamed_data();
+  void renamed();
+  void movedAndRemoved();
+  void anotherFileIsWritten();
+  void wrongUse_data();
+  void wrongUse();
+  void absentOnesAreTold();
+  void picturesOfViews();
+
+ private:
+  Finished view(const QStringList& more) const {
+    return runSline(QStringList{"view", m_scene} + more);
+  }
+  QJsonArray listed() const {
+    return QJsonDocument::fromJson(view({"--list", "--json"}).out).object()["views"].toArray();
+  }
+  QString names() const {
+    QStringList all;
+    for (const QJsonValue& each : listed())
+      all << each["name"].toString();
+    return all.join('|');
+  }
+  model::Scene scene() const { return model::readSceneFile(m_scene.toStdString())->scene; }
+  void write(const model::Scene& scene) const {
+    auto document = model::readSceneFile(m_scene.toStdString());
+    document->scene = scene;
+    QVERIFY(model::writeSceneFile(m_scene.toStdString(), *document).ok());
+  }
+  QString at(const QString& name) const { return m_folder->filePath(name); }
+
+  std::unique_ptr<QTemporaryDir> m_folder;
+  QString m_scene;
+};
+
+void ViewCommandTest::init() {
+  m_folder = std::make_unique<QTemporaryDir>();
+  m_scene = at("sample.sline");
+  const Finished made =
+      runSline({"import", writeSample(at("meshes")), "-o", m_scene, "--smooth", "off"});
+  QVERIFY2(made.code == 0, made.err.constData());
+}
+
+void ViewCommandTest::addedAndListed() {
+  QCOMPARE(view({"--list"}).out, QByteArray("the scene has no saved views\n"));
+  const Finished front = view({"--add", "Front"});
+  QVERIFY2(front.code == 0, front.err.constData());
+  QCOMPARE(view({"--add", "  \xC3\x84hnlich <b>", "--from", "left"}).code, 0);
+  QCOMPARE(names(), QString("Front|\u00C4hnlich <b>"));
+  QCOMPARE(view({"--list"}).out, QByteArray("1  Front\n2  \xC3\x84hnlich <b>\n"));
+  const QJsonObject second = listed()[1].toObject();
+  QVERIFY(second["camera"]["eye"][0].toDouble() > 50.0);  // from the patient's left
+  QCOMPARE(second["looks"].toInt(), int(scene().nodes().size()));
+  QCOMPARE(second["absent"].toInt(), 0);
+}
+
+void ViewCommandTest::whatTheFlagsSay() {
+  const Finished made =
+      view({"--add", "V", "--from", "superior", "--gamma", "1", "--gamma", "kidney=4.5", "--only",
+            "kidney", "--color", "kidney=#102030", "--section", "axial=3"});
+  QVERIFY2(made.code == 0, made.err.constData());
+  const model::Scene now = scene();
+  const model::View& saved = now.views().front();
+  QVERIFY(saved.camera.eye.z > 50.0f);
+  QCOMPARE(saved.sections->size(), std::size_t(1));
+  const model::Scene seen = model::shown(now, saved).scene;
+  const model::ResolvedStyle kidney = seen.resolve(now.named("kidney").front());
+  QCOMPARE(kidney.gamma.value(), 4.5f);
+  QCOMPARE(kidney.colour, (Colour{16, 32, 48}));
+  QVERIFY(kidney.visible);
+  const model::ResolvedStyle vein = seen.resolve(now.named("renal vein").front());
+  QCOMPARE(vein.gamma.value(), 1.0f);
+  QVERIFY(!vein.visible);
+}
+
+void ViewCommandTest::theSceneStaysAsItLooks() {
+  const model::Scene before = scene();
+  QCOMPARE(view({"--add", "V", "--gamma", "5", "--only", "kidney", "--section", "axial"}).code, 0);
+  const model::Scene after = scene();
+  QCOMPARE(after.views().size(), std::size_t(1));
+  QVERIFY(after.sections().empty());
+  QCOMPARE(after.nodes().size(), before.nodes().size());
+  for (const model::Node& node : before.nodes())
+    QVERIFY(after.find(node.id)->style == node.style);
+}
+
+void ViewCommandTest::labels() {
+  model::Scene with = scene();
+  for (const float x : {1.0f, 2.0f, 3.0f})
+    with.appendAnnotation({.kind = model::AnnotationKind::pin,
+                           .anchors = {model::Anchor(glm::vec3(x, 0, 0))},
+                           .text = "pin",
+                           .visible = x < 2.5f});
+  write(with);
+  using Ids = QList<quint64>;
+  const std::pair<QStringList, Ids> rows[] = {{{}, {1, 2}},
+                                              {{"--labels", "all"}, {1, 2, 3}},
+                                              {{"--labels", "none"}, {}},
+                                              {{"--labels", "3,1"}, {3, 1}}};
+  for (const auto& [flags, ids] : rows) {
+    QCOMPARE(view(QStringList{"--add", "V"} + flags).code, 0);
+    Ids saved;
+    const model::Scene now = scene();
+    for (const model::AnnotationId id : *now.views().back().annotations)
+      saved << id.value;
+    QCOMPARE(saved, ids);
+    QCOMPARE(view({"--remove", "V"}).code, 0);
+  }
+  const Finished wrong = view({"--add", "V", "--labels", "1,9"});
+  QCOMPARE(wrong.code, 2);
+  QVERIFY2(wrong.err.contains("\"9\""), wrong.err.constData());
+}
+
+void ViewCommandTest::updated() {
+  QCOMPARE(view({"--add", "A"}).code, 0);
+  QCOMPARE(view({"--add", "B"}).code, 0);
+  QCOMPARE(view({"--update", "a", "--from", "right", "--gamma", "0"}).code, 0);
+  QCOMPARE(names(), QString("A|B"));
+  QVERIFY(scene().views().front().camera.eye.x < -50.0f);
+  QCOMPARE(view({"--update", "none"}).code, 2);
+}
+
+void ViewCommandTest::renamed_data() {
+  QTest::addColumn<QString>("text");
+  QTest::addColumn<int>("code");
+  QTest::addColumn<QString>("after");
+  QTest::newRow("plain") << "one=uno" << 0 << "uno|two=2";
+  QTest::newRow("case alone") << "one=ONE" << 0 << "ONE|two=2";
+  QTest::newRow("with a sign in it") << "two=2=three" << 0 << "one|three";
+  QTest::newRow("with a sign in the new one") << "one=1=1" << 0 << "1=1|two=2";
+  QTest::newRow("taken") << "one=TWO=2" << 2 << "one|two=2";
+  QTest::newRow("nothing") << "one=" << 2 << "one|two=2";
+  QTest::newRow("no sign") << "one" << 2 << "one|two=2";
+  QTest::newRow("unknown") << "oone=x" << 2 << "one|two=2";
+}
+
+void ViewCommandTest::renamed() {
+  QFETCH(QString, text);
+  QFETCH(int, code);
+  QFETCH(QString, after);
+  QCOMPARE(view({"--add", "one"}).code, 0);
+  QCOMPARE(view({"--add", "two=2"}).code, 0);
+  const Finished finished = view({"--rename", text});
+  QVERIFY2(finished.code == code, finished.err.constData());
+  QCOMPARE(names(), after);
+}
+
+void ViewCommandTest::movedAndRemoved() {
+  for (const char* name : {"a", "b", "c"})
+    QCOMPARE(view({"--add", name}).code, 0);
+  QCOMPARE(view({"--move", "c=1"}).code, 0);
+  QCOMPARE(names(), QString("c|a|b"));
+  QCOMPARE(view({"--move", "c=3"}).code, 0);
+  QCOMPARE(names(), QString("a|b|c"));
+  QCOMPARE(view({"--move", "c=4"}).code, 2);
+  QCOMPARE(view({"--move", "c=0"}).code, 2);
+  QCOMPARE(view({"--move", "c"}).code, 2);
+  QCOMPARE(view({"--remove", "B"}).code, 0);
+  QCOMPARE(names(), QString("a|c"));
+}
+
+void ViewCommandTest::anotherFileIsWritten() {
+  const QByteArray before = contentOf(m_scene);
+  QCOMPARE(view({"--add", "V", "-o", at("other.sline")}).code, 0);
+  QCOMPARE(contentOf(m_scene), before);
+  m_scene = at("other.sline");
+  QCOMPARE(names(), QString("V"));
+}
+
+void ViewCommandTest::wrongUse_data() {
+  QTest::addColumn<QStringList>("arguments");
+  QTest::addColumn<int>("code");
+  QTest::newRow("nothing to do") << QStringList{} << 2;
+  QTest::newRow("two things") << QStringList{"--add", "x", "--remove", "V"} << 2;
+  QTest::newRow("no name") << QStringList{"--add", "  "} << 2;
+  QTest::newRow("taken") << QStringList{"--add", "v"} << 2;
+  QTest::newRow("unknown side") << QStringList{"--add", "x", "--from", "front"} << 2;
+  QTest::newRow("unknown structure") << QStringList{"--add", "x", "--gamma", "kidny=2"} << 2;
+  QTest::newRow("both cameras") << QStringList{"--add", "x", "--from", "left", "--camera", "c.json"}
+                                << 2;
+  QTest::newRow("no such camera") << QStringList{"--add", "x", "--camera", "none.json"} << 2;
+  QTest::newRow("json of nothing") << QStringList{"--remove", "V", "--json"} << 2;
+  QTest::newRow("list into a file") << QStringList{"--list", "-o", "x.sline"} << 2;
+  QTest::newRow("into a mesh") << QStringList{"--remove", "V", "-o", "x.ply"} << 2;
+  QTest::newRow("no folder") << QStringList{"--remove", "V", "-o", "/nowhere/x.sline"} << 1;
+}
+
+void ViewCommandTest::wrongUse() {
+  QFETCH(QStringList, arguments);
+  QFETCH(int, code);
+  QCOMPARE(view({"--add", "V"}).code, 0);
+  const QByteArray before = contentOf(m_scene);
+  const Finished finished = view(arguments);
+  QVERIFY2(finished.code == code, finished.err.constData());
+  QVERIFY(!finished.err.isEmpty());
+  QCOMPARE(contentOf(m_scene), before);
+}
+
+void ViewCommandTest::absentOnesAreTold() {
+  QCOMPARE(view({"--add", "V"}).code, 0);
+  model::Scene with = scene();
+  std::vector<model::View> views = with.views();
+  views.front().looks->push_back({.node = {991}});
+  views.front().looks->push_back({.node = {992}});
+  with.setViews(views);
+  write(with);
+  QCOMPARE(view({"--list"}).out,
+           QByteArray("1  V  (2 of what it shows are no longer in the scene)\n"));
+  QCOMPARE(listed().at(0).toObject()["absent"].toInt(), 2);
+}
+
+void ViewCommandTest::picturesOfViews() {
+  QCOMPARE(view({"--add", "Red", "--gamma", "5", "--color", "kidney=#ff0000"}).code, 0);
+  const auto red = [this](const QString& name) {
+    const Finished drawn =
+        runSline({"render", m_scene, "-o", at("x.png"), "--size", "160x120", "--view", name});
+    return drawn.code == 0 ? tinted(readPicture(at("x.png")), 0).count : -1;
+  };
+  QVERIFY(red("red") > 500);
+  QCOMPARE(red("anterior"), 0);
+}
+
+}  // namespace sline::test
+
+QTEST_GUILESS_MAIN(sline::test::ViewCommandTest)
+#include "view_command_test.moc"
