@@ -97,7 +97,7 @@ class LabelAnchorsTest : public QObject {
     QTest::newRow("shaded") << 5.0f << 1.0f << int(Fill::none) << true;
     QTest::newRow("lines") << 2.0f << 1.0f << int(Fill::none) << false;
     QTest::newRow("paper") << 1.0f << 1.0f << int(Fill::paper) << true;
-    QTest::newRow("tint") << 1.0f << 1.0f << int(Fill::tint) << true;
+    QTest::newRow("tint") << 1.0f << 1.0f << int(Fill::tint) << false;
     QTest::newRow("veil") << 1.0f << 1.0f << int(Fill::veil) << false;
     QTest::newRow("glass") << 5.0f << 0.2f << int(Fill::none) << false;
   }
