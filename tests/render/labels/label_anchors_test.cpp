@@ -116,7 +116,7 @@ class LabelAnchorsTest : public QObject {
 
   void hiddenByItself() {
     Two two = twoSpheres();
-    point(two.scene, two.large, {0.0f, 1.0f, 0.2f});
+    point(two.scene, two.large, {0.7f, 0.7f, 0.0f});
     QVERIFY(shown(two.scene)[0].item.hidden);
   }
 
