@@ -37,8 +37,8 @@ int run(int argc, char** argv) {
   sline::cli::addInfo(program, exit);
   sline::cli::addImport(program, exit);
   sline::cli::addReload(program, exit);
-  sline::cli::addAnnotate(program, exit);
   sline::cli::addView(program, exit);
+  sline::cli::addAnnotate(program, exit);
   sline::cli::addDemo(program, exit);
   sline::cli::addRamp(program, exit);
   sline::cli::addSteadiness(program, exit);

@@ -103,12 +103,17 @@ Worst worst(Points points, const std::vector<float>& u, const std::array<glm::ve
   return found;
 }
 
-/// Into the points from one of their ends, over a few of them: single steps are noisy.
+/// Into the points from one of their ends, over a few of them: single steps are noisy. Of the
+/// parabola through three of them, where there are as many, or arcs would seem to leave their ends
+/// too far inwards.
 glm::vec2 endTangent(Points points, bool fromBack) {
   constexpr std::size_t reach = 3;
-  const std::size_t step = std::min(reach, points.size() - 1);
-  return fromBack ? unit(points[points.size() - 1 - step] - points.back())
-                  : unit(points[step] - points.front());
+  const auto point = [&](std::size_t i) {
+    return fromBack ? points[points.size() - 1 - i] : points[i];
+  };
+  if (points.size() > 2 * reach)
+    return unit(4.0f * (point(reach) - point(0)) - (point(2 * reach) - point(0)));
+  return unit(point(std::min(reach, points.size() - 1)) - point(0));
 }
 
 class Fitter {
@@ -138,10 +143,13 @@ class Fitter {
       m_pieces.push_back({p[1], p[2], p[3]});
       return;
     }
-    const std::size_t reach = std::min({std::size_t(2), off.index, points.size() - 1 - off.index});
-    const glm::vec2 through = unit(points[off.index + reach] - points[off.index - reach]);
-    fit(points.first(off.index + 1), {tangents.start, -through});
-    fit(points.subspan(off.index), {through, tangents.end});
+    // Far from a fit, the worst place says little of where a curve should end: arcs fall apart into
+    // uneven pieces there.
+    const std::size_t split = off.squared > 16.0f * m_squared ? points.size() / 2 : off.index;
+    const std::size_t reach = std::min({std::size_t(2), split, points.size() - 1 - split});
+    const glm::vec2 through = unit(points[split + reach] - points[split - reach]);
+    fit(points.first(split + 1), {tangents.start, -through});
+    fit(points.subspan(split), {through, tangents.end});
   }
 
  private:

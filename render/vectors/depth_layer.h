@@ -36,7 +36,8 @@ struct DepthLayer {
 struct LayerInput {
   const PictureView& view;
   Background background = Background::white;
-  glm::vec3 keyLight{0.0f};  ///< patient frame, unit; 0: there is none
+  glm::vec3 keyLight{0.0f};    ///< patient frame, unit; 0: there is none
+  double pixelsPerTone = 9.0;  ///< of a structure's side: how many tones its shading has
 };
 
 /// Draws surface and cut faces into `area`, which must be within the picture.

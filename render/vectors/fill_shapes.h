@@ -13,9 +13,15 @@ struct FillShapes {
   float opacity = 1.0f;  ///< of all of them together
 };
 
+struct FilledLayer {
+  const DepthLayer& layer;
+  std::size_t index = 0;  ///< in the stack
+  /// Of each layer of the stack: those of higher rank are painted later.
+  std::span<const std::size_t> ranks;
+};
+
 /// What of the layer's fill other fills do not hide.
-FillShapes fillShapes(const DepthLayer& layer, std::size_t index, const LayerStack& stack,
-                      const PageMapping& page);
+FillShapes fillShapes(const FilledLayer& filled, const LayerStack& stack, const PageMapping& page);
 
 /// Mean depth of the layer's pixels, 0 … 1.
 float meanDepth(const DepthLayer& layer);

@@ -141,7 +141,11 @@ void fillTones(const Shown& shown, const LayerInput& input,
     glm::dvec4 colour{0.0};
     std::size_t pixels = 0;
   };
-  std::array<Sum, toneSteps + 1> sums;
+  const auto area = std::count_if(triangles.begin(), triangles.end(),
+                                  [](std::uint32_t triangle) { return triangle > 0; });
+  const int toneSteps = std::clamp(int(std::sqrt(double(area)) / input.pixelsPerTone),
+                                   fewestToneSteps, mostToneSteps);
+  std::array<Sum, mostToneSteps + 1> sums;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     if (triangles[i] == 0)
       continue;
@@ -157,7 +161,7 @@ void fillTones(const Shown& shown, const LayerInput& input,
     ++sums[std::size_t(step)].pixels;
   }
   // Tones that nothing has are left out.
-  std::array<std::uint8_t, toneSteps + 2> renamed{};
+  std::array<std::uint8_t, mostToneSteps + 2> renamed{};
   for (std::size_t step = 0; step < sums.size(); ++step)
     if (sums[step].pixels > 0) {
       layer.colours.emplace_back(sums[step].colour / double(sums[step].pixels));

@@ -9,8 +9,10 @@
 
 namespace sline::render {
 
-/// Steps from black to white, or from clear to opaque.
-inline constexpr int toneSteps = 64;
+/// Steps from black to white, or from clear to opaque: the finer the larger a structure is on the
+/// page, as nobody sees many tones on a small one.
+inline constexpr int fewestToneSteps = 14;
+inline constexpr int mostToneSteps = 64;
 
 /// Fills `layer.tones` and `layer.colours` where `triangles` (index + 1, 0 for none; one per pixel)
 /// says that the surface is seen.

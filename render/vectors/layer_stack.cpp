@@ -74,16 +74,23 @@ Veil LayerStack::before(const glm::vec2& pixel, float depth, std::size_t own) co
   return {glm::vec3(sum), 1.0f - sum.a};
 }
 
-bool LayerStack::hidden(int x, int y, float depth, std::size_t own) const {
-  const std::vector<std::uint16_t>& list = listAt(x, y);
-  return std::any_of(list.begin(), list.end(), [&](std::size_t i) {
+std::optional<std::size_t> LayerStack::hider(int x, int y, float depth, std::size_t own) const {
+  std::optional<std::size_t> nearest;
+  float nearestDepth = depth;
+  std::size_t before = own;
+  for (const std::size_t i : listAt(x, y)) {
     const std::ptrdiff_t at = i == own ? -1 : m_layers[i].index(x, y);
     if (at < 0)
-      return false;
+      continue;
     const std::uint8_t tone = m_layers[i].tones[std::size_t(at)];
-    return tone > 0 && m_layers[i].colours[std::size_t(tone - 1)].a >= opaque &&
-           liesBefore(m_layers[i].depths[std::size_t(at)], i, depth, own);
-  });
+    const float itsDepth = m_layers[i].depths[std::size_t(at)];
+    if (tone == 0 || m_layers[i].colours[std::size_t(tone - 1)].a < opaque ||
+        !liesBefore(itsDepth, i, nearestDepth, before))
+      continue;
+    nearest = before = i;
+    nearestDepth = itsDepth;
+  }
+  return nearest;
 }
 
 }  // namespace sline::render

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,8 +24,8 @@ class LayerStack {
 
   /// What fills of other layers than `own` leave of something that deep.
   Veil before(const glm::vec2& pixel, float depth, std::size_t own) const;
-  /// True where an opaque fill of another layer lies before.
-  bool hidden(int x, int y, float depth, std::size_t own) const;
+  /// The layer that is seen instead of something that deep: with the nearest opaque fill before it.
+  std::optional<std::size_t> hider(int x, int y, float depth, std::size_t own) const;
 
  private:
   static constexpr int tileSide = 32;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <numeric>
 
 #include "model/base/parallel.h"
 #include "render/picture/layer.h"
@@ -66,11 +67,14 @@ class Drawing {
     parallelFor(m_work.size(), 1, [&](std::size_t i) { findLines(m_work[i]); });
     tell(0.5, "finding what hides what");
     std::vector<DepthLayer> layers(m_work.size());
-    const LayerInput input{*m_view, m_settings.background, m_keyLight};
+    const LayerInput input{*m_view, m_settings.background, m_keyLight, pixelsPerTone()};
     parallelFor(m_work.size(), 1, [&](std::size_t i) {
       layers[i] = depthLayer(m_work[i].shown, input, m_work[i].area);
     });
     tell(0.7, "setting strokes");
+    m_depths.resize(layers.size());
+    parallelFor(layers.size(), 1, [&](std::size_t i) { m_depths[i] = meanDepth(layers[i]); });
+    m_ranks = paintRanks(m_depths);
     const LayerStack stack(layers, m_view->size());
     std::vector<VectorStructure> structures(m_work.size());
     parallelFor(m_work.size(), 1,
@@ -94,6 +98,14 @@ class Drawing {
     const glm::vec4 c = 255.0f * backgroundColour(m_settings.background);
     return {std::uint8_t(std::lround(c.r)), std::uint8_t(std::lround(c.g)),
             std::uint8_t(std::lround(c.b))};
+  }
+
+  /// The more structures are shaded the fewer tones each has: files are to stay handy.
+  double pixelsPerTone() const {
+    const auto shaded = std::count_if(m_work.begin(), m_work.end(), [](const Work& work) {
+      return transitions(work.shown.style.gamma).shading > 0.0f;
+    });
+    return std::clamp(double(shaded) / 9.0, 3.0, 9.0);
   }
 
   void findShown() {
@@ -167,12 +179,24 @@ class Drawing {
     joinLines(shown.surface(), *m_view, shown.style, work.lines.lines);
   }
 
+  /// The farthest structure is painted first.
+  static std::vector<std::size_t> paintRanks(const std::vector<float>& depths) {
+    std::vector<std::size_t> order(depths.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return depths[a] > depths[b]; });
+    std::vector<std::size_t> ranks(depths.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+      ranks[order[i]] = i;
+    return ranks;
+  }
+
   VectorStructure drawn(Work& work, std::span<const DepthLayer> layers, std::size_t index,
                         const LayerStack& stack) const {
     VectorStructure structure;
     structure.id = work.shown.id;
-    structure.depth = meanDepth(layers[index]);
-    FillShapes fills = fillShapes(layers[index], index, stack, m_page);
+    structure.depth = m_depths[index];
+    FillShapes fills = fillShapes({layers[index], index, m_ranks}, stack, m_page);
     structure.fills = std::move(fills.shapes);
     structure.fillOpacity = fills.opacity;
     if (!hasLines(work.shown))
@@ -220,6 +244,8 @@ class Drawing {
   model::Box m_bounds;
   std::optional<PictureView> m_view;
   PageMapping m_page;
+  std::vector<float> m_depths;       ///< of each layer
+  std::vector<std::size_t> m_ranks;  ///< see FilledLayer
   glm::vec3 m_light{0.0f};
   glm::vec3 m_keyLight{0.0f};  ///< patient frame; 0: there is none
 };

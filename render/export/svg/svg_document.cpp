@@ -57,7 +57,7 @@ class Document {
         m_scene(scene),
         // Steps of a hundredth of a usual pen's width or less.
         m_decimals(
-            std::clamp(int(std::ceil(-std::log10(drawing.sizeMm.y / 720.0f / 50.0f))), 1, 4)) {}
+            std::clamp(int(std::ceil(-std::log10(drawing.sizeMm.y / 720.0f / 50.0f))), 2, 4)) {}
 
   std::string make() {
     const std::string width = number(double(m_drawing.sizeMm.x), 4);
@@ -85,7 +85,8 @@ class Document {
   void close() { m_text += "</g>\n"; }
 
   void addPath(const VectorShape& shape, bool regions) {
-    const std::string d = svgPath(shape.path, m_decimals);
+    // Where a fill ends a digit less does.
+    const std::string d = svgPath(shape.path, regions ? m_decimals - 1 : m_decimals);
     if (d.empty())
       return;
     m_text += "<path";

@@ -89,7 +89,7 @@ class PathText {
     const double along = dx * px + dy * py;
     return length < 0.5 ? std::hypot(px, py) < 1.0
                         : std::abs(dx * py - dy * px) <= 0.75 * length && along >= 0.0 &&
-                              along <= length * length;
+                              along <= 1.000001 * length * length;
   }
 
   Steps rounded(const glm::vec2& p) const {

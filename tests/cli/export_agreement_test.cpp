@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// What another program makes of our vectors against our own picture: the ink lies where ours does.
+#include <QDir>
+#include <QFileInfo>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+
+#include "tests/cli/sline_process.h"
+
+namespace sline::test {
+
+namespace {
+
+constexpr int width = 1280;
+constexpr int height = 720;
+
+bool isInk(const Pixels& picture, int x, int y) {
+  const unsigned char* p = picture.at(x, y);
+  return p[0] + p[1] + p[2] < 3 * 128;
+}
+
+struct Agreement {
+  double share = 0.0;  ///< of the ink that has ink of the other within 1.5 px
+  int ink = 0;
+};
+
+Agreement agreement(const Pixels& from, const Pixels& to) {
+  Agreement found;
+  int near = 0;
+  for (int y = 0; y < from.height; ++y)
+    for (int x = 0; x < from.width; ++x) {
+      if (!isInk(from, x, y))
+        continue;
+      ++found.ink;
+      bool met = false;
+      // All neighbours are within 1.5 px, and nothing else is.
+      for (int dy = -1; dy <= 1 && !met; ++dy)
+        for (int dx = -1; dx <= 1 && !met; ++dx)
+          met = x + dx >= 0 && y + dy >= 0 && x + dx < to.width && y + dy < to.height &&
+                isInk(to, x + dx, y + dy);
+      near += met;
+    }
+  found.share = found.ink > 0 ? double(near) / found.ink : 0.0;
+  return found;
+}
+
+}  // namespace
+
+class ExportAgreementTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase();
+  void inkLiesWhereOursDoes_data();
+  void inkLiesWhereOursDoes();
+
+ private:
+  QTemporaryDir m_folder;
+  QString m_rasteriser;
+};
+
+void ExportAgreementTest::initTestCase() {
+  m_rasteriser = QStandardPaths::findExecutable("rsvg-convert");
+  if (m_rasteriser.isEmpty())
+    QSKIP("rsvg-convert is not installed");
+  for (const char* name : {"kidney", "pelvis"})
+    QCOMPARE(runSline({"demo", name, "-o", m_folder.filePath(QString(name) + ".sline")}).code, 0);
+}
+
+void ExportAgreementTest::inkLiesWhereOursDoes_data() {
+  QTest::addColumn<QString>("scene");
+  QTest::addColumn<QStringList>("flags");
+  const QString kidney = m_folder.filePath("kidney.sline");
+  const QString pelvis = m_folder.filePath("pelvis.sline");
+  const QString abdomen = SLINE_TEST_DATA "/abdomen/AbdominalAtlas-2015Sept-Slicer4-4Version.mrml";
+  QTest::newRow("kidney, hatched") << kidney << QStringList{"--gamma", "3"};
+  QTest::newRow("pelvis as it comes") << pelvis << QStringList{};
+  QTest::newRow("pelvis, silhouettes") << pelvis << QStringList{"--gamma", "0.5"};
+  QTest::newRow("pelvis, without fill") << pelvis << QStringList{"--gamma", "2", "--fill", "none"};
+  QTest::newRow("pelvis from the left, cut")
+      << pelvis
+      << QStringList{"--view", "left", "--gamma", "3", "--section", "sagittal", "--fill", "paper"};
+  QTest::newRow("abdomen, hatched")
+      << abdomen << QStringList{"--gamma", "3", "--fill", "paper", "--smooth", "off"};
+  QTest::newRow("abdomen from behind, without fill")
+      << abdomen << QStringList{"--gamma", "1", "--fill", "none", "--view", "posterior"};
+}
+
+void ExportAgreementTest::inkLiesWhereOursDoes() {
+  QFETCH(QString, scene);
+  QFETCH(QStringList, flags);
+  if (!QFileInfo::exists(scene))
+    QSKIP("there is no real anatomy to draw");
+  const QString png = m_folder.filePath("ours.png");
+  const QString svg = m_folder.filePath("ours.svg");
+  const QString theirs = m_folder.filePath("theirs.png");
+  const QString size = QString("%1x%2").arg(width).arg(height);
+  const Finished drawn =
+      runSline(QStringList{"render", scene, "-o", png, "--size", size, "--bw"} + flags);
+  if (drawn.code != 0)
+    QSKIP(("no picture can be drawn here: " + drawn.err).constData());
+  const Finished exported =
+      runSline(QStringList{"export", scene, "--svg", svg, "--size-mm", "160x90", "--bw"} + flags);
+  QVERIFY2(exported.code == 0, exported.err.constData());
+  QVERIFY(QFileInfo(svg).size() <= 5'000'000);
+  QCOMPARE(QProcess::execute(m_rasteriser, {"-w", QString::number(width), "-h",
+                                            QString::number(height), svg, "-o", theirs}),
+           0);
+  const Pixels a = readPicture(png);
+  const Pixels b = readPicture(theirs);
+  QCOMPARE(b.width, a.width);
+  QCOMPARE(b.height, a.height);
+  const Agreement vectors = agreement(b, a);
+  const Agreement picture = agreement(a, b);
+  qInfo("%d pixels of ink in vectors, %.2f %% near ours; %d in ours, %.2f %% near vectors; %lld kB",
+        vectors.ink, 100.0 * vectors.share, picture.ink, 100.0 * picture.share,
+        QFileInfo(svg).size() / 1000);
+  QVERIFY(vectors.ink > 2000);
+  QVERIFY(picture.ink > 2000);
+  QVERIFY(vectors.share >= 0.95);
+  QVERIFY(picture.share >= 0.95);
+}
+
+}  // namespace sline::test
+
+QTEST_GUILESS_MAIN(sline::test::ExportAgreementTest)
+#include "export_agreement_test.moc"

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QDir>
+#include <QFile>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QXmlStreamReader>
+
+#include "tests/cli/sline_process.h"
+#include "tests/support/shapes.h"
+
+namespace sline::test {
+
+namespace {
+
+QByteArray contents(const QString& file) {
+  QFile source(file);
+  return source.open(QIODevice::ReadOnly) ? source.readAll() : QByteArray();
+}
+
+/// Labels of the groups with an id, in order; empty where the document is not well-formed.
+QStringList labels(const QByteArray& svg) {
+  QXmlStreamReader reader(svg);
+  QStringList found;
+  while (!reader.atEnd())
+    if (reader.readNext() == QXmlStreamReader::StartElement && reader.name() == QString("g") &&
+        reader.attributes().hasAttribute("id"))
+      found << reader.attributes()
+                   .value("http://www.inkscape.org/namespaces/inkscape", "label")
+                   .toString();
+  return reader.hasError() ? QStringList() : found;
+}
+
+}  // namespace
+
+class ExportTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void writesGroupsAndPage();
+  void optionsReachTheDrawing();
+  void sectionsAndViews();
+  void wrongUse_data();
+  void wrongUse();
+  void badTargets_data();
+  void badTargets();
+  void tellsNothingElse();
+
+ private:
+  /// Exports the sample; empty where that failed.
+  QByteArray exported(const QStringList& flags);
+  QTemporaryDir m_folder;
+  QString m_sample = writeSample(m_folder.path());
+};
+
+QByteArray ExportTest::exported(const QStringList& flags) {
+  const QString file = m_folder.filePath("drawing.svg");
+  QFile::remove(file);
+  const Finished finished = runSline(QStringList{"export", m_sample, "--svg", file} + flags);
+  if (finished.code != 0)
+    qWarning("%s", finished.err.constData());
+  return finished.code == 0 ? contents(file) : QByteArray();
+}
+
+void ExportTest::writesGroupsAndPage() {
+  const QByteArray svg = exported({"--size-mm", "180x120", "--gamma", "1"});
+  QVERIFY(svg.contains("width=\"180mm\" height=\"120mm\" viewBox=\"0 0 180 120\""));
+  const QStringList found = labels(svg);
+  QCOMPARE(found.first(), QString("Lines"));
+  QCOMPARE(QStringList(found.mid(1)).size(), 5);
+  for (const char* name : {"Organs", "kidney", "Vessels", "renal artery", "renal vein"})
+    QVERIFY2(found.contains(name), name);
+  QVERIFY(found.indexOf("renal vein") > found.indexOf("Vessels"));
+  // A usual pen: 2/720 of the page's height.
+  static const QRegularExpression width("stroke-width=\"([0-9.]+)\"");
+  const double pen = width.match(QString::fromUtf8(svg)).captured(1).toDouble();
+  QVERIFY2(std::abs(pen - 2.0 * 120.0 / 720.0) < 0.03, qPrintable(QString::number(pen)));
+}
+
+void ExportTest::optionsReachTheDrawing() {
+  QVERIFY(exported({}).contains("fill=\"#ffffff\""));
+  QVERIFY(exported({"--background", "paper"}).contains("fill=\"#faf6ec\""));
+  QVERIFY(!exported({"--background", "transparent"}).contains("<rect"));
+  QVERIFY(exported({"--ink-color", "#30405a"}).contains("#30405a"));
+  QVERIFY(!labels(exported({"--only", "kidney"})).contains("renal vein"));
+  QVERIFY(labels(exported({"--gamma", "5"})).contains("Fills"));
+  QVERIFY(exported({"--from", "posterior"}) != exported({}));
+  // Black ink alone.
+  static const QRegularExpression colour("(?:fill|stroke)=\"(#[0-9a-f]{6})\"");
+  auto colours = colour.globalMatch(QString::fromUtf8(exported({"--gamma", "4", "--bw"})));
+  while (colours.hasNext()) {
+    const QString one = colours.next().captured(1);
+    QVERIFY2(one == "#000000" || one == "#ffffff", qPrintable(one));
+  }
+}
+
+void ExportTest::sectionsAndViews() {
+  const QByteArray cut = exported({"--section", "coronal", "--section-hatching"});
+  QVERIFY(cut.contains("Cut outlines"));
+  QVERIFY(labels(cut).contains("Fills"));
+  QVERIFY(!exported({}).contains("Cut outlines"));
+}
+
+void ExportTest::wrongUse_data() {
+  QTest::addColumn<QStringList>("flags");
+  QTest::addColumn<QByteArray>("says");
+  const QString svg = m_folder.filePath("wrong.svg");
+  QTest::newRow("no target") << QStringList{} << QByteArray("--svg");
+  QTest::newRow("no size") << QStringList{"--svg", svg, "--size-mm", "large"}
+                           << QByteArray("160x90");
+  QTest::newRow("too small") << QStringList{"--svg", svg, "--size-mm", "5x90"}
+                             << QByteArray("10 to 5000");
+  QTest::newRow("not a number") << QStringList{"--svg", svg, "--size-mm", "nanx90"}
+                                << QByteArray("10 to 5000");
+  QTest::newRow("unknown view") << QStringList{"--svg", svg, "--view", "askance"}
+                                << QByteArray("anterior");
+  QTest::newRow("unknown name") << QStringList{"--svg", svg, "--only", "heart"}
+                                << QByteArray("heart");
+  QTest::newRow("grey hatching") << QStringList{"--svg", svg, "--hatching", "as-printed"}
+                                 << QByteArray("sline render");
+}
+
+void ExportTest::wrongUse() {
+  QFETCH(QStringList, flags);
+  QFETCH(QByteArray, says);
+  const Finished finished = runSline(QStringList{"export", m_sample} + flags);
+  QCOMPARE(finished.code, 2);
+  QVERIFY2(finished.err.contains(says), finished.err.constData());
+  QVERIFY(!QFile::exists(m_folder.filePath("wrong.svg")));
+}
+
+void ExportTest::badTargets_data() {
+  QTest::addColumn<QString>("target");
+  QTest::newRow("no such folder") << m_folder.filePath("nowhere/drawing.svg");
+  QTest::newRow("a folder") << m_folder.filePath("sample");
+  QTest::newRow("no space") << "/dev/full";
+  QTest::newRow("below a file") << m_folder.filePath("sample/Organs/kidney.obj/drawing.svg");
+  QTest::newRow("name too long") << m_folder.filePath(QString(300, 'x') + ".svg");
+}
+
+void ExportTest::badTargets() {
+  QFETCH(QString, target);
+  if (target == "/dev/full" && !QFile::exists(target))
+    QSKIP("this system has no device without space");
+  const QStringList before = QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden);
+  const Finished finished = runSline({"export", m_sample, "--svg", target});
+  QCOMPARE(finished.code, 1);
+  QVERIFY(finished.err.startsWith("sline: "));
+  QCOMPARE(QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden), before);
+}
+
+void ExportTest::tellsNothingElse() {
+  QTemporaryDir planted(QDir::tempPath() + "/planted-marker-XXXXXX");
+  const QString source = planted.filePath("Patient-4711.obj");
+  writeObj(source, *sphere(10.0f, 3), "heart");
+  const QString target = planted.filePath("out.svg");
+  QCOMPARE(runSline({"export", source, "--svg", target}).code, 0);
+  const QByteArray svg = contents(target);
+  QVERIFY(!svg.isEmpty());
+  QVERIFY(!svg.contains("planted-marker"));
+  QVERIFY(!svg.contains(".obj"));
+  QVERIFY(!svg.contains("/tmp"));
+  for (const char* variable : {"USER", "HOME", "HOSTNAME", "LOGNAME"})
+    if (const QByteArray value = qgetenv(variable); value.size() > 3)
+      QVERIFY2(!svg.contains(value), variable);
+  // The same each time: no date, no number drawn by lot.
+  const QString again = planted.filePath("again.svg");
+  QCOMPARE(runSline({"export", source, "--svg", again}).code, 0);
+  QCOMPARE(contents(again), svg);
+}
+
+}  // namespace sline::test
+
+QTEST_GUILESS_MAIN(sline::test::ExportTest)
+#include "export_test.moc"
