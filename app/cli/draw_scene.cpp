@@ -3,8 +3,10 @@
 
 namespace sline::cli {
 
-Result<ArrangedScene> arrangedFor(const model::Scene& scene, const PictureOrder& order) {
-  const Result<model::Scene> focus = inFocus(asSaved(scene, order), order);
+namespace {
+/// The same for what `asSaved` gives.
+Result<ArrangedScene> arrangedShown(const model::Scene& shown, const PictureOrder& order) {
+  const Result<model::Scene> focus = inFocus(shown, order);
   if (!focus.ok())
     return focus.error();
   const Result<model::Scene> dressed = styled(*focus, order);
@@ -18,13 +20,18 @@ Result<ArrangedScene> arrangedFor(const model::Scene& scene, const PictureOrder&
     return camera.error();
   return ArrangedScene{*cut, *camera};
 }
+}  // namespace
+
+Result<ArrangedScene> arrangedFor(const model::Scene& scene, const PictureOrder& order) {
+  return arrangedShown(asSaved(scene, order), order);
+}
 
 Exit drawScene(const model::Scene& scene, const PictureOrder& given, Progress& progress) {
+  const model::Scene shown = asSaved(scene, given);
   PictureOrder order = given;
-  if (const Status ready = prepareLabels(order.labels, asSaved(scene, given), order.size.aspect());
-      !ready.ok())
+  if (const Status ready = prepareLabels(order.labels, shown, order.size.aspect()); !ready.ok())
     return complain(ready.error(), Exit::failed);
-  const Result<ArrangedScene> arranged = arrangedFor(scene, order);
+  const Result<ArrangedScene> arranged = arrangedShown(shown, order);
   if (!arranged.ok())
     return complain(arranged.error(), Exit::wrongUse);
   const Status drawn = drawToFile(arranged->scene, arranged->camera, order, progress);

@@ -118,7 +118,6 @@ inline void addDrawingOptions(CLI::App& command, PictureFlags& flags) {
   addDetailOptions(command, flags);
   addLookOptions(command, flags);
   addSectionOptions(command, flags.sections);
-  addLabelOptions(command, flags.labels);
 }
 
 /// The same with the file, which is needed.
@@ -129,6 +128,7 @@ inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
       ->required()
       ->type_name("FILE");
   addDrawingOptions(command, flags);
+  addLabelOptions(command, flags.labels);
 }
 
 }  // namespace sline::cli

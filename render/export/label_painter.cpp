@@ -133,17 +133,14 @@ class Painting {
     m_painter.drawRoundedRect(rect(placed.box), 0.6, 0.6);
   }
 
+  /// A line to write on, which goes on from the leader; a callout's frame is enough.
   void paintBlank(std::size_t i, const PlacedLabel& placed, bool halo) {
-    const glm::vec2 padding = paddingOf(m_plate.labels[i].item.kind, m_plate.style);
-    const QRectF box =
-        rect(placed.box)
-            .adjusted(qreal(padding.x), qreal(padding.y), -qreal(padding.x), -qreal(padding.y));
-    if (halo) {
-      m_painter.fillRect(box, m_ground);
+    if (m_plate.labels[i].item.kind == model::AnnotationKind::callout)
       return;
-    }
-    m_painter.setPen(pen(leaderWidth, false));
-    m_painter.drawLine(box.bottomLeft(), box.bottomRight());
+    const QRectF box = rect(placed.box);
+    m_painter.setPen(pen(leaderWidth, halo));
+    m_painter.drawLine(QPointF(box.left(), box.center().y()),
+                       QPointF(box.right(), box.center().y()));
   }
 
   /// Towards the place: in the left column to the right, in the right one and beside to the left.

@@ -30,6 +30,11 @@ QString fullText(const ShownLabel& label, const LabelStyle& style) {
   return text.isEmpty() ? length : text + QLatin1Char(' ') + length;
 }
 
+/// Two digits: badges are all of one width.
+float badgeMm(const QFontMetricsF& metrics, const LabelStyle& style) {
+  return float(metrics.horizontalAdvance(QStringLiteral("00"))) * pixelsToMm(style);
+}
+
 /// As few lines as there must be, each about as long as the others.
 QStringList broken(const QString& text, const QFontMetricsF& metrics, qreal widest) {
   const QStringList words = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);
@@ -94,7 +99,7 @@ LabelText textOf(const ShownLabel& label, const LabelStyle& style, float widestM
   LabelText text;
   if (style.mode == LabelMode::blank) {
     text.lines = {QString()};
-    text.box = glm::vec2(blankWidthMm(style), lineHeightMm(style)) + 2.0f * padding;
+    text.box = glm::vec2(blankWidthMm(style), 2.0f * lineHeightMm(style)) + 2.0f * padding;
     return text;
   }
   if (style.mode == LabelMode::numbers)
@@ -107,7 +112,7 @@ LabelText textOf(const ShownLabel& label, const LabelStyle& style, float widestM
   const float height = float(std::max<qsizetype>(text.lines.size(), 1)) * lineHeightMm(style);
   text.box = glm::vec2(float(width) * scale, height) + 2.0f * padding;
   if (style.mode == LabelMode::numbers)
-    text.box = glm::vec2(std::max(text.box.x, text.box.y), text.box.y);
+    text.box.x = std::max({text.box.x, text.box.y, badgeMm(metrics, style) + 2.0f * padding.x});
   return text;
 }
 

@@ -53,9 +53,9 @@ LabelReport drawLabels(Image& image, const LabelledPicture& picture, const Types
   SightTrees trees;
   const LabelPlate plate = labelPlate(picture.scene, screen, picture.style, trees);
   // QPainter blends right only where colours are multiplied by their alpha.
-  QImage canvas =
-      QImage(image.rgba.data(), image.width, image.height, 4 * image.width, QImage::Format_RGBA8888)
-          .convertToFormat(QImage::Format_RGBA8888_Premultiplied);
+  QImage canvas = QImage(image.rgba.data(), image.width, image.height, qsizetype(4) * image.width,
+                         QImage::Format_RGBA8888)
+                      .convertToFormat(QImage::Format_RGBA8888_Premultiplied);
   {
     QPainter painter(&canvas);
     painter.scale(qreal(scale), qreal(scale));

@@ -18,6 +18,10 @@ struct Sample {
 };
 using Samples = std::vector<std::optional<Sample>>;  ///< cells × cells; none: not of the structure
 
+std::size_t cellAt(int x, int y) {
+  return std::size_t(y) * std::size_t(cells) + std::size_t(x);
+}
+
 /// The structure's box in the picture.
 std::optional<LabelBox> extentOf(const model::Mesh& mesh, const Screen& screen) {
   std::optional<LabelBox> box;
@@ -49,8 +53,7 @@ Samples samplesOf(const Sights& sights, model::NodeId structure, const Screen& s
       model::Ray before = ray;
       before.farthest = own->hit.t;
       const auto first = sights.nearest(before);
-      samples[std::size_t(y * cells + x)] =
-          Sample{own->hit, !first || first->structure == structure};
+      samples[cellAt(x, y)] = Sample{own->hit, !first || first->structure == structure};
     }
   return samples;
 }
@@ -59,7 +62,6 @@ Samples samplesOf(const Sights& sights, model::NodeId structure, const Screen& s
 /// (Borgefors: Distance transformations in digital images, 1986), with chamfer weights of the
 /// cells' sides.
 std::vector<float> depths(const std::vector<bool>& counts, const glm::vec2& cell) {
-  const auto at = [](int x, int y) { return std::size_t(y * cells + x); };
   std::vector<float> depth(counts.size(), 0.0f);
   const float diagonal = glm::length(cell);
   const auto relax = [&](int x, int y, int way) {
@@ -67,10 +69,11 @@ std::vector<float> depths(const std::vector<bool>& counts, const glm::vec2& cell
       const int nx = x + dx;
       const int ny = y + dy;
       const bool inside = nx >= 0 && ny >= 0 && nx < cells && ny < cells;
-      return (inside ? depth[at(nx, ny)] : 0.0f) + cost;
+      return (inside ? depth[cellAt(nx, ny)] : 0.0f) + cost;
     };
-    depth[at(x, y)] = std::min({depth[at(x, y)], from(-way, 0, cell.x), from(0, -way, cell.y),
-                                from(-way, -way, diagonal), from(way, -way, diagonal)});
+    depth[cellAt(x, y)] =
+        std::min({depth[cellAt(x, y)], from(-way, 0, cell.x), from(0, -way, cell.y),
+                  from(-way, -way, diagonal), from(way, -way, diagonal)});
   };
   for (std::size_t i = 0; i < counts.size(); ++i)
     depth[i] = counts[i] ? std::numeric_limits<float>::infinity() : 0.0f;
@@ -89,7 +92,8 @@ std::optional<std::size_t> deepest(const std::vector<bool>& counts, const glm::v
   glm::vec2 middle(0.0f);
   float number = 0.0f;
   const auto place = [&](std::size_t i) {
-    return cell * glm::vec2(float(i % cells), float(i / cells));
+    const std::size_t row = i / cells;
+    return cell * glm::vec2(float(i % cells), float(row));
   };
   for (std::size_t i = 0; i < counts.size(); ++i)
     if (counts[i]) {

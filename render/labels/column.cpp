@@ -2,6 +2,8 @@
 #include "render/labels/column.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace sline::render {
@@ -35,6 +37,14 @@ std::vector<ColumnItem> byTangents(const Column& column, std::vector<ColumnItem>
     std::rotate(items.begin() + std::ptrdiff_t(i), highest, highest + 1);
   }
   return items;
+}
+
+/// Of moving a box that far: jumps, and above all those of who has just jumped, are dear.
+float costOf(float way, const ColumnItem& item) {
+  constexpr float jump = 2.5f;
+  constexpr float dear = 10.0f;
+  const float far = std::abs(way);
+  return far > jump ? far + (item.resting ? dear * dear : dear) : far;
 }
 
 }  // namespace
@@ -124,6 +134,38 @@ std::optional<ColumnPlace> placeAmong(const Column& column, const ColumnItem& it
       return place;
   }
   return std::nullopt;
+}
+
+bool pushIn(const Column& column, const ColumnItem& item, std::vector<ColumnItem>& items,
+            std::vector<ColumnPlace>& places) {
+  for (std::size_t k = 0; k < items.size(); ++k)
+    items[k].wanted = places[k].box.middle().y;
+  std::optional<std::vector<ColumnItem>> best;
+  float least = std::numeric_limits<float>::infinity();
+  for (std::size_t at = 0; at <= items.size(); ++at) {
+    std::vector<ColumnItem> tried = items;
+    tried.insert(tried.begin() + std::ptrdiff_t(at), item);
+    const std::vector<ColumnPlace> found = placesIn(column, tried);
+    float moved = 0.0f;
+    for (std::size_t k = 0; k < tried.size(); ++k)
+      moved += costOf(found[k].box.middle().y - tried[k].wanted, tried[k]);
+    if (moved < least && !firstCrossing(found)) {
+      least = moved;
+      best = std::move(tried);
+    }
+  }
+  if (!best)
+    return false;
+  items = *std::move(best);
+  places = placesIn(column, items);
+  return true;
+}
+
+bool makesWay(const Column& column, const ColumnItem& item, std::vector<ColumnItem> others,
+              std::size_t without) {
+  others.erase(others.begin() + std::ptrdiff_t(without));
+  std::vector<ColumnPlace> places = placesIn(column, others);
+  return placeAmong(column, item, places, columnReach) || pushIn(column, item, others, places);
 }
 
 }  // namespace sline::render

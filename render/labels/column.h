@@ -17,6 +17,9 @@ namespace sline::render {
 inline constexpr float columnGap = 0.8f;
 inline constexpr float levelPiece = 2.0f;
 
+/// Anywhere in the column.
+inline constexpr float columnReach = 1e6f;
+
 struct ColumnItem {
   std::size_t item = 0;  ///< whose it is, for whoever asks
   glm::vec2 place{0.0f};
@@ -58,5 +61,14 @@ void uncross(const Column& column, std::vector<ColumnItem>& items);
 /// crossing none of theirs; nothing where there is no such place within `reach` of it.
 std::optional<ColumnPlace> placeAmong(const Column& column, const ColumnItem& item,
                                       const std::vector<ColumnPlace>& others, float reach);
+
+/// Puts the item between the others where they have to move least for it, no leaders crossing;
+/// false, and nothing changes but what they want, where that cannot be.
+bool pushIn(const Column& column, const ColumnItem& item, std::vector<ColumnItem>& items,
+            std::vector<ColumnPlace>& places);
+
+/// Without that one of the others there would be a place for the item.
+bool makesWay(const Column& column, const ColumnItem& item, std::vector<ColumnItem> others,
+              std::size_t without);
 
 }  // namespace sline::render

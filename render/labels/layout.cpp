@@ -23,7 +23,7 @@ constexpr float slack = 12.0f;           // between a place's height and that of
 constexpr float mostAir = 4.0f;          // between boxes of a column, where there is room
 constexpr float restDegrees = 20.0f;     // a label that has jumped stays where it is for so long
 constexpr float nearGap = 25.0f;         // how far a box looks for a gap before it pushes others
-constexpr float farGap = 1e6f;           // and where it cannot push
+constexpr float columnReach = 1e6f;      // and where it cannot push
 constexpr float besideGap = 1.8f;        // between a place and a box beside it
 constexpr float clearance = 0.4f;        // between a leader and another's box
 
@@ -67,48 +67,6 @@ Leader leaderTo(const LabelBox& box, const glm::vec2& place) {
         return glm::length(a - place) < glm::length(b - place);
       });
   return {place, *nearest};
-}
-
-/// Of moving a box that far: jumps, and above all those of who has just jumped, are dear.
-float costOf(float way, const ColumnItem& item) {
-  constexpr float jump = 2.5f;
-  constexpr float dear = 10.0f;
-  const float far = std::abs(way);
-  return far > jump ? far + (item.resting ? dear * dear : dear) : far;
-}
-
-/// Puts the item between the others where they move least for it, no leaders crossing.
-bool pushIn(const Column& column, const ColumnItem& item, std::vector<ColumnItem>& items,
-            std::vector<ColumnPlace>& places) {
-  for (std::size_t k = 0; k < items.size(); ++k)
-    items[k].wanted = places[k].box.middle().y;
-  std::optional<std::vector<ColumnItem>> best;
-  float least = std::numeric_limits<float>::infinity();
-  for (std::size_t at = 0; at <= items.size(); ++at) {
-    std::vector<ColumnItem> tried = items;
-    tried.insert(tried.begin() + std::ptrdiff_t(at), item);
-    const std::vector<ColumnPlace> found = placesIn(column, tried);
-    float moved = 0.0f;
-    for (std::size_t k = 0; k < tried.size(); ++k)
-      moved += costOf(found[k].box.middle().y - tried[k].wanted, tried[k]);
-    if (moved < least && !firstCrossing(found)) {
-      least = moved;
-      best = std::move(tried);
-    }
-  }
-  if (!best)
-    return false;
-  items = *std::move(best);
-  places = placesIn(column, items);
-  return true;
-}
-
-/// Without that one of the others there would be a place for the item.
-bool makesWay(const Column& column, const ColumnItem& item, std::vector<ColumnItem> others,
-              std::size_t without) {
-  others.erase(others.begin() + std::ptrdiff_t(without));
-  std::vector<ColumnPlace> places = placesIn(column, others);
-  return placeAmong(column, item, places, farGap) || pushIn(column, item, others, places);
 }
 
 class Layouter {
@@ -362,7 +320,7 @@ bool Layouter::placeSteadily(LabelPost post, const std::vector<ColumnItem>& item
     auto place = placeAmong(column(post), one, places, nearGap);
     const bool pushed = !place && pushIn(column(post), one, staying, places);
     if (!place && !pushed)
-      place = placeAmong(column(post), one, places, farGap);
+      place = placeAmong(column(post), one, places, columnReach);
     if (place) {
       const auto above = std::count_if(places.begin(), places.end(), [&](const ColumnPlace& other) {
         return other.box.low.y < place->box.low.y;

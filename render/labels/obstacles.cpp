@@ -51,7 +51,7 @@ class Marker {
     const glm::vec2 cell = *place / m_mask.size * glm::vec2(m_mask.columns, m_mask.rows);
     const int x = std::min(int(cell.x), m_mask.columns - 1);
     const int y = std::min(int(cell.y), m_mask.rows - 1);
-    m_mask.taken[std::size_t(y * m_mask.columns + x)] = 1;
+    m_mask.taken[m_mask.cellAt(x, y)] = 1;
     if (!m_mask.extent)
       m_mask.extent = LabelBox{*place, *place};
     m_mask.extent->low = glm::min(m_mask.extent->low, *place);
@@ -73,7 +73,7 @@ float ObstacleMask::share(const LabelBox& box) const {
   float covered = 0.0f;
   for (int y = int(low.y); y < std::min(int(std::ceil(high.y)), rows); ++y)
     for (int x = int(low.x); x < std::min(int(std::ceil(high.x)), columns); ++x)
-      if (taken[std::size_t(y * columns + x)])
+      if (taken[cellAt(x, y)])
         covered += (std::min(high.x, float(x + 1)) - std::max(low.x, float(x))) *
                    (std::min(high.y, float(y + 1)) - std::max(low.y, float(y)));
   const glm::vec2 all = box.size() * scale;

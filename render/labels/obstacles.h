@@ -19,6 +19,9 @@ struct ObstacleMask {
   std::vector<std::uint8_t> taken;  ///< of cells, rows from the top
   std::optional<LabelBox> extent;   ///< of all that is drawn in the picture, finer than cells
 
+  std::size_t cellAt(int x, int y) const {
+    return std::size_t(y) * std::size_t(columns) + std::size_t(x);
+  }
   /// The share of the box's area that is taken, 0 … 1.
   float share(const LabelBox& box) const;
 };

@@ -16,8 +16,7 @@ namespace {
 bool hidesWhatIsBehind(const model::ResolvedStyle& style) {
   constexpr float shaded = 3.5f;  // half way from hatching to shading
   constexpr float thin = 0.4f;
-  const bool filled = style.gamma.value() >= shaded || style.fill == model::Fill::paper ||
-                      style.fill == model::Fill::tint;
+  const bool filled = style.gamma.value() >= shaded || style.fill == model::Fill::paper;
   return filled && style.opacity.value() >= thin;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is seen along a line of sight, and what is hidden. What is transparent hides nothing: a
-// structure without a fill or shading, a veiled one, and one that is more clear than not.
+// structure without a fill or shading, a tinted or veiled one, and one that is more clear than not.
 #pragma once
 
 #include <map>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How often labels jump while the camera turns.
+// How often labels jump while the camera turns: seldom more than once in 20°. Where the places
+// of two labels pass each other, one must go, or their leaders would cross.
 #include <QDir>
 #include <QtTest>
 #include <cmath>
@@ -50,8 +51,9 @@ void label(model::Scene& scene, std::size_t number) {
 }
 
 struct Jumps {
-  int worst = 0;      ///< of any label in any window
-  double mean = 0.0;  ///< of a label in a window
+  int worst = 0;       ///< of any label in any window
+  double mean = 0.0;   ///< of a label in a window
+  double often = 0.0;  ///< the share of windows in which a label jumps more than once
   int leftOut = 0;
 };
 
@@ -93,8 +95,10 @@ Jumps turn(const model::Scene& scene) {
       jumps.worst = std::max(jumps.worst, inWindow);
       all += inWindow;
       windows += 1.0;
+      jumps.often += inWindow > 1 ? 1.0 : 0.0;
     }
   jumps.mean = windows > 0.0 ? all / windows : 0.0;
+  jumps.often = windows > 0.0 ? jumps.often / windows : 0.0;
   return jumps;
 }
 
@@ -134,10 +138,12 @@ class LabelSteadinessTest : public QObject {
     const Jumps jumps = turn(scene);
     qInfo(
         "%d labels, once round: a label jumps %d times in 20 degrees at worst, %.3f times on "
-        "average; %d left out at worst",
-        int(scene.annotations().size()), jumps.worst, jumps.mean, jumps.leftOut);
+        "average, more than once in %.2f %% of all turns by 20 degrees; %d left out at worst",
+        int(scene.annotations().size()), jumps.worst, jumps.mean, 100.0 * jumps.often,
+        jumps.leftOut);
     QVERIFY(jumps.worst <= 3);
-    QVERIFY(jumps.mean <= 0.5);
+    QVERIFY(jumps.often <= 0.03);
+    QVERIFY(jumps.mean <= 0.3);
     QCOMPARE(jumps.leftOut, 0);
   }
 };
