@@ -149,10 +149,10 @@ void fillTones(const Shown& shown, const LayerInput& input,
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     if (triangles[i] == 0)
       continue;
-    const glm::vec2 pixel = glm::vec2(layer.area.x, layer.area.y) +
-                            glm::vec2(float(i % std::size_t(layer.area.width)),
-                                      float(i / std::size_t(layer.area.width))) +
-                            0.5f;
+    const std::size_t row = i / std::size_t(layer.area.width);
+    const std::size_t column = i % std::size_t(layer.area.width);
+    const glm::vec2 pixel =
+        glm::vec2(layer.area.x, layer.area.y) + glm::vec2(float(column), float(row)) + 0.5f;
     const glm::vec4 colour = shader.colourAt(triangles[i] - 1, pixel);
     const float value = byOpacity ? colour.a : luminance(colour);
     const int step = std::clamp(int(std::lround(value * float(toneSteps))), 0, toneSteps);
