@@ -24,19 +24,12 @@ if [ $# -gt 0 ]; then
   exec ctest --test-dir "$top/build/release" --output-on-failure "$@"
 fi
 
-# The rooms that read untrusted files and run mathematics on them, and the window, under
-# AddressSanitizer, UndefinedBehaviorSanitizer and, where the system lets it look, LeakSanitizer.
+# The rooms that read untrusted files and run mathematics on them, and the quicker half of the
+# window's tests, under the sanitizers.
 build asan sanitized_tests
-leaks=1
-if "$top/build/asan/bin/bounding_sphere_test" 2>&1 | grep -q "LeakSanitizer has encountered a fatal error"; then
-  echo "This system does not let LeakSanitizer look at a process: leaks are not checked." >&2
-  leaks=0
-fi
-ASAN_OPTIONS=detect_leaks=$leaks UBSAN_OPTIONS=print_stacktrace=1 \
-  LSAN_OPTIONS=suppressions=$top/tests/leaks.supp:print_suppressions=0 \
-  ctest --test-dir "$top/build/asan" --output-on-failure --parallel "$jobs" -L sanitized
+"$top/tests/sanitized.sh" "$top/build/asan" '^sanitized$'
 
-ctest --test-dir "$top/build/release" --output-on-failure --parallel "$jobs" -LE sanitized_alone
+ctest --test-dir "$top/build/release" --output-on-failure --parallel "$jobs"
 
 # A look for input that breaks a reader; what it once found is among the tests above.
 "$top/tests/fuzz/run.sh" 120

@@ -4,7 +4,6 @@
 #include <QApplication>
 #include <QDir>
 #include <QDropEvent>
-#include <QLibrary>
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QtTest>
@@ -19,18 +18,6 @@
 
 namespace sline::test {
 
-namespace {
-
-/// Mesa's part of GLX stays to the end, so that a report of what it leaks can name it
-/// (tests/leaks.supp).
-void keepDriver() {
-  QLibrary driver(QStringLiteral("GLX_mesa"), 0);
-  driver.setLoadHints(QLibrary::PreventUnloadHint);
-  driver.load();
-}
-
-}  // namespace
-
 QString sealed(const QString& folder) {
   qputenv("XDG_STATE_HOME", QFile::encodeName(folder + QStringLiteral("/state")));
   const QString file = folder + QStringLiteral("/settings.ini");
@@ -44,7 +31,6 @@ QString sealed(const QString& folder) {
 
 WindowFixture::WindowFixture(widgets::PainterFactory painter)
     : settings(sealed(folder.path()), QSettings::IniFormat), window(session, settings) {
-  keepDriver();
   if (painter)
     viewport().setPainter(std::move(painter));
   window.resize(1200, 800);
