@@ -132,8 +132,10 @@ class Fitter {
     std::vector<float> u = chordParameters(points);
     std::array<glm::vec2, 4> p = leastSquares(points, u, tangents);
     Worst off = worst(points, u, p);
-    constexpr int steps = 4;
-    for (int i = 0; i < steps && off.squared > m_squared && off.squared < 16.0f * m_squared; ++i) {
+    // Up to ten times too far off, better parameters can still make it fit: that spares a piece.
+    constexpr int steps = 8;
+    const float mendable = 100.0f * m_squared;
+    for (int i = 0; i < steps && off.squared > m_squared && off.squared < mendable; ++i) {
       for (std::size_t k = 0; k < points.size(); ++k)
         u[k] = nearer(p, points[k], u[k]);
       p = leastSquares(points, u, tangents);

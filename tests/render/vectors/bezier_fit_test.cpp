@@ -40,7 +40,7 @@ class BezierFitTest : public QObject {
     QTest::addColumn<int>("mostPieces");
     QTest::newRow("arc") << 0 << 0.2f << 3;
     QTest::newRow("arc, exact") << 0 << 0.02f << 6;
-    QTest::newRow("wave") << 1 << 0.2f << 18;  // three to a half-wave
+    QTest::newRow("wave") << 1 << 0.2f << 14;
     QTest::newRow("straight") << 2 << 0.05f << 1;
     QTest::newRow("spiral") << 3 << 0.2f << 24;
   }
