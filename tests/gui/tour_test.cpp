@@ -69,10 +69,7 @@ void TourTest::goingThereByTheMenu() {
 
 void TourTest::transition() {
   Views f;
-  f.add("A");
-  f.setGamma(f.left, 5.0f);
-  f.add("P");
-  QVERIFY(f.settled());
+  QVERIFY(f.addFrontAndBack());
   f.clickCard(0);
   QVERIFY(f.settled());
   f.fly();
@@ -104,10 +101,7 @@ void TourTest::transition() {
 
 void TourTest::interruptedByHand() {
   Views f;
-  f.add("A");
-  f.setGamma(f.left, 5.0f);
-  f.add("P");
-  QVERIFY(f.settled());
+  QVERIFY(f.addFrontAndBack());
   f.fly();
   f.clickCard(0);
   QVERIFY(!f.viewport().upToDate());
@@ -129,10 +123,7 @@ void TourTest::interruptedByHand() {
 
 void TourTest::editedMeanwhile() {
   Views f;
-  f.add("A");
-  f.setGamma(f.left, 5.0f);
-  f.add("P");
-  QVERIFY(f.settled());
+  QVERIFY(f.addFrontAndBack());
   f.fly();
   f.clickCard(0);
   f.undo();

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows dragged by the mouse, through the window system's own drag and drop.
-#include <QDrag>
 #include <QDropEvent>
 #include <QLineEdit>
 #include <QMimeData>
-#include <QTimer>
-#include <QWindow>
 #include <QtTest>
 
 #include "model/edit/locks.h"
@@ -42,32 +39,10 @@ class TreeDragTest : public QObject {
   /// Presses, moves and lets go while the system's drag runs; false where none began or it hangs.
   static bool dragRow(WindowFixture& f, const QPoint& from, const QPoint& to,
                       QImage* before = nullptr) {
-    QWindow* window = f.window.windowHandle();
-    QWidget* canvas = f.tree().viewport();
-    const auto inWindow = [&](const QPoint& at) { return canvas->mapTo(&f.window, at); };
-    bool began = false;
-    int step = 0;
-    QTimer hand;
-    QObject::connect(&hand, &QTimer::timeout, &f.window, [&] {
-      began = true;
-      ++step;
-      if (step < 6)
-        QTest::mouseMove(window, inWindow(from + (to - from) * step / 5));
-      else if (step == 6 && before)
+    return dragAndDrop(*f.tree().viewport(), from, to, [&] {
+      if (before)
         *before = f.window.grab().toImage();
-      else if (step == 7)
-        QTest::mouseRelease(window, Qt::LeftButton, {}, inWindow(to));
-      else if (step > 100)
-        QDrag::cancel();
     });
-    QTest::mousePress(window, Qt::LeftButton, {}, inWindow(from));
-    QTest::mouseMove(window, inWindow(from + QPoint(2, 1)));
-    hand.start(10);
-    QTest::mouseMove(window, inWindow(from + QPoint(24, 4)));  // returns when the drag is over
-    hand.stop();
-    if (!began)
-      QTest::mouseRelease(window, Qt::LeftButton, {}, inWindow(from));
-    return began && step <= 100;
   }
 
  private slots:

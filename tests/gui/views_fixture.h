@@ -59,6 +59,13 @@ struct Views : WindowFixture {
     QTest::keyClick(&viewport(), Qt::Key(key[0]));
     QTest::keyClick(&viewport(), Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
   }
+  /// Two views that differ in camera and Γ; the second is the one on screen.
+  bool addFrontAndBack() {
+    add("A");
+    setGamma(left, 5.0f);
+    add("P");
+    return settled();
+  }
   /// Front, back and left.
   void addThree() {
     for (const char* key : {"A", "P", "L"})

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Saved views in the window: made, renamed, ordered, updated, deleted, and their small pictures.
-#include <QDrag>
 #include <QMenu>
 #include <QScrollBar>
-#include <QTimer>
-#include <QWindow>
 
 #include "model/edit/views.h"
 #include "tests/gui/views_fixture.h"
@@ -137,26 +134,7 @@ void ViewsTest::orderedByDrag() {
   const QPoint begin = f.card(from).center();
   const QRect target = f.card(beside);
   const QPoint end(before ? target.left() + 4 : target.right() - 4, target.center().y());
-  // The system's drag runs an event loop of its own: what the hand does next comes from within.
-  QWindow* window = f.window.windowHandle();
-  const auto inWindow = [&](const QPoint& at) { return canvas.mapTo(&f.window, at); };
-  int step = 0;
-  QTimer hand;
-  connect(&hand, &QTimer::timeout, this, [&] {
-    ++step;
-    if (step < 6)
-      QTest::mouseMove(window, inWindow(begin + (end - begin) * step / 5));
-    else if (step == 6)
-      QTest::mouseRelease(window, Qt::LeftButton, {}, inWindow(end));
-    else if (step > 100)
-      QDrag::cancel();
-  });
-  QTest::mousePress(window, Qt::LeftButton, {}, inWindow(begin));
-  QTest::mouseMove(window, inWindow(begin + QPoint(2, 1)));
-  hand.start(10);
-  QTest::mouseMove(window, inWindow(begin + QPoint(24, 4)));  // returns when the drag is over
-  hand.stop();
-  QVERIFY2(step > 0 && step <= 100, qPrintable(QString::number(step)));
+  QVERIFY(dragAndDrop(canvas, begin, end));
   QCOMPARE(f.names(), names);
   const bool moved = names != "View 1|View 2|View 3";
   QCOMPARE(f.steps(), steps + int(moved));

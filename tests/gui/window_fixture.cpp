@@ -3,9 +3,12 @@
 
 #include <QApplication>
 #include <QDir>
+#include <QDrag>
 #include <QDropEvent>
 #include <QMimeData>
 #include <QMouseEvent>
+#include <QTimer>
+#include <QWindow>
 #include <QtTest>
 #include <cmath>
 
@@ -112,6 +115,35 @@ void WindowFixture::pullGamma(model::NodeId id, float to) {
 
 void WindowFixture::letGoOfGamma() {
   sendMouse(*tree().viewport(), QEvent::MouseButtonRelease, {});
+}
+
+bool dragAndDrop(QWidget& widget, const QPoint& from, const QPoint& to,
+                 const std::function<void()>& beforeRelease) {
+  constexpr int released = 7;
+  constexpr int hung = 100;
+  QWindow* window = widget.window()->windowHandle();
+  const auto inWindow = [&](const QPoint& at) { return widget.mapTo(widget.window(), at); };
+  int step = 0;
+  QTimer hand;
+  QObject::connect(&hand, &QTimer::timeout, &widget, [&] {
+    ++step;
+    if (step < 6)
+      QTest::mouseMove(window, inWindow(from + (to - from) * step / 5));
+    else if (step == 6 && beforeRelease)
+      beforeRelease();
+    else if (step == released)
+      QTest::mouseRelease(window, Qt::LeftButton, {}, inWindow(to));
+    else if (step > hung)
+      QDrag::cancel();
+  });
+  QTest::mousePress(window, Qt::LeftButton, {}, inWindow(from));
+  QTest::mouseMove(window, inWindow(from + QPoint(2, 1)));
+  hand.start(10);
+  QTest::mouseMove(window, inWindow(from + QPoint(24, 4)));  // returns when the drag is over
+  hand.stop();
+  if (step == 0)
+    QTest::mouseRelease(window, Qt::LeftButton, {}, inWindow(from));
+  return step > 0 && step <= hung;
 }
 
 void sendMouse(QWidget& widget, QEvent::Type type, const QPointF& at, Qt::MouseButton button,

@@ -7,6 +7,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QWidget>
+#include <functional>
 #include <memory>
 
 #include "widgets/structure_tree/structure_tree_view.h"
@@ -55,6 +56,11 @@ class WindowFixture {
 /// Press, a few moves, release.
 void dragMouse(QWidget& widget, const QPoint& from, const QPoint& to,
                Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers keys = {});
+/// A drag of the system's from one place of the widget to another: it runs an event loop of its
+/// own, and what the hand does next comes from within. `beforeRelease` happens there, just before
+/// the hand lets go. False where no drag began or it hung.
+bool dragAndDrop(QWidget& widget, const QPoint& from, const QPoint& to,
+                 const std::function<void()>& beforeRelease = {});
 void sendMouse(QWidget& widget, QEvent::Type type, const QPointF& at,
                Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers keys = {});
 
