@@ -1,60 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // `sline export`: files in, what others print and edit out.
-#include <array>
 #include <charconv>
+#include <map>
 
 #include "app/cli/command.h"
 #include "app/cli/draw_scene.h"
 #include "app/cli/picture_options.h"
-#include "app/cli/text_file.h"
-#include "render/export/svg/svg_document.h"
+#include "render/export/formats/export_formats.h"
 #include "render/vectors/vector_drawing.h"
 
 namespace sline::cli {
 
 namespace {
 
-/// What is exported, and to which page.
-struct ExportJob {
-  const model::Scene& scene;
-  const model::Camera& camera;
-  const PictureOrder& order;
-  glm::vec2 sizeMm;
-  std::string target;
-};
-
-Status writeSvg(const ExportJob& job, Progress& progress) {
-  const Result<render::VectorDrawing> drawing = render::drawVectors(
-      job.scene, job.camera,
-      {.sizeMm = job.sizeMm,
-       .background = job.order.background,
-       .light = job.order.light,
-       .keyLight = job.order.keyLight},
-      [&progress](double share, std::string_view what) { progress.show(0.9 * share, what); });
-  if (!drawing.ok())
-    return drawing.error();
-  progress.show(0.9, "writing " + job.target);
-  return writeText(job.target, render::svgDocument(*drawing, job.scene));
-}
-
-/// A kind of file, by the flag that names one.
-struct ExportFormat {
-  const char* flag;
-  const char* help;
-  Status (*write)(const ExportJob& job, Progress& progress);
-};
-constexpr std::array formats{
-    ExportFormat{"--svg",
-                 "Vectors for Inkscape, Illustrator and print: lines and hatching as smooth paths, "
-                 "hidden ones removed, a named group for each structure",
-                 writeSvg},
-};
-
 struct ExportFlags {
   InputFlags input;
   PictureFlags picture;
   std::string sizeMm = "160x90";
-  std::array<std::string, formats.size()> targets;
+  /// A target for each of the formats that are wanted.
+  std::map<std::string, std::string> targets;
 };
 
 /// "160x90", each side within what a page may have.
@@ -79,9 +43,12 @@ Result<glm::vec2> parsePage(std::string_view text) {
 }
 
 Result<PictureOrder> understoodExport(const ExportFlags& flags, glm::vec2& page) {
-  if (std::all_of(flags.targets.begin(), flags.targets.end(),
-                  [](const std::string& target) { return target.empty(); }))
-    return Error{.reason = "nothing says what to write", .remedy = "Give --svg FILE"};
+  if (flags.targets.empty()) {
+    std::string known;
+    for (const render::ExportFormat& format : render::exportFormats())
+      known += (known.empty() ? "Give --" : ", --") + std::string(format.id) + " FILE";
+    return Error{.reason = "nothing says what to write", .remedy = known};
+  }
   const Result<glm::vec2> size = parsePage(flags.sizeMm);
   if (!size.ok())
     return size.error();
@@ -95,6 +62,18 @@ Result<PictureOrder> understoodExport(const ExportFlags& flags, glm::vec2& page)
   // The camera is fitted to the page's shape.
   order->size = {int(std::lround(100.0f * page.x)), int(std::lround(100.0f * page.y))};
   return order;
+}
+
+render::ExportOrder exportOrder(const ArrangedScene& arranged, const PictureOrder& order,
+                                glm::vec2 page) {
+  render::ExportOrder job;
+  job.scene = arranged.scene;
+  job.camera = arranged.camera;
+  job.viewName = order.camera ? std::string() : order.view;
+  job.page.sizeMm = page;
+  job.look = {order.background, order.light, order.keyLight};
+  job.labels = order.labels.style;
+  return job;
 }
 
 Exit runExport(const ExportFlags& flags) {
@@ -115,11 +94,16 @@ Exit runExport(const ExportFlags& flags) {
     return complain(arranged.error(), Exit::wrongUse);
   if (arranged->scene.visibleBounds().empty())
     warn("no structure is visible: the drawing is empty");
-  for (std::size_t i = 0; i < formats.size(); ++i) {
-    if (flags.targets[i].empty())
+  const render::ExportOrder job = exportOrder(*arranged, *order, page);
+  for (const render::ExportFormat& format : render::exportFormats()) {
+    const auto target = flags.targets.find(format.id);
+    if (target == flags.targets.end())
       continue;
-    const Status written = formats[i].write(
-        {arranged->scene, arranged->camera, *order, page, flags.targets[i]}, progress);
+    const Status written =
+        format.write(job, target->second, [&progress](double share, std::string_view what) {
+          progress.show(share, what);
+          return true;
+        });
     if (!written.ok()) {
       progress.wipe();
       return complain(written.error(), Exit::failed);
@@ -130,8 +114,15 @@ Exit runExport(const ExportFlags& flags) {
 
 void declareExport(CLI::App& command, ExportFlags& flags) {
   command.add_option("INPUT", flags.input.inputs, inputHelp)->required();
-  for (std::size_t i = 0; i < formats.size(); ++i)
-    command.add_option(formats[i].flag, flags.targets[i], formats[i].help)->type_name("FILE");
+  for (const render::ExportFormat& format : render::exportFormats())
+    command
+        .add_option_function<std::string>(
+            "--" + std::string(format.id),
+            [&flags, id = std::string(format.id)](const std::string& target) {
+              flags.targets[id] = target;
+            },
+            format.help)
+        ->type_name("FILE");
   command.add_option("--size-mm", flags.sizeMm, "Width and height of the page in millimetres")
       ->type_name("WxH")
       ->capture_default_str();

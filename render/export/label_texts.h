@@ -6,7 +6,7 @@
 #include <QStringList>
 #include <glm/vec2.hpp>
 
-#include "render/export/label_style.h"
+#include "render/export/order/label_style.h"
 #include "render/labels/anchors.h"
 
 namespace sline::render {

@@ -8,7 +8,7 @@
 
 #include "model/base/result.h"
 #include "model/scene/scene.h"
-#include "render/export/label_style.h"
+#include "render/export/order/label_style.h"
 #include "render/picture/image.h"
 
 namespace sline::render {

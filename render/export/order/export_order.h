@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is exported, and how: said once, for each kind of file and whoever orders it.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "model/base/result.h"
+#include "model/scene/scene.h"
+#include "render/export/order/label_style.h"
+#include "render/picture/picture.h"
+
+namespace sline::render {
+
+/// The sheet of paper that a picture fills.
+struct ExportPage {
+  glm::vec2 sizeMm{160.0f, 90.0f};
+  float dpi = 300.0f;  ///< pixels to the inch, for pictures made of pixels
+};
+
+/// How the scene is drawn, besides what it says itself.
+struct ExportLook {
+  Background background = Background::white;
+  std::optional<glm::vec3> light;  ///< as in PictureSettings
+  std::optional<bool> keyLight;    ///< likewise
+};
+
+/// What stands at the edge of a picture, so that it can be read without the program.
+struct ExportMarks {
+  bool sides = true;         ///< R and L, and the other directions of an anatomical view
+  bool viewName = true;      ///< "Anterior view", or the saved view's name
+  bool scaleBar = true;      ///< where the projection has one scale
+  bool sectionState = true;  ///< what sections have taken away
+
+  static constexpr ExportMarks none() { return {false, false, false, false}; }
+  bool operator==(const ExportMarks&) const = default;
+};
+
+/// All that a file of any kind is made from. The scene is as it is to be drawn: a saved view, a
+/// focus or sections that were asked for are in it already.
+struct ExportOrder {
+  model::Scene scene;
+  model::Camera camera;
+  std::string viewName;  ///< of the camera, as a person reads it; empty: none
+  ExportPage page;
+  ExportLook look;
+  LabelStyle labels{.mode = LabelMode::off, .language = {}};
+  ExportMarks marks;
+};
+
+/// Told what part of the whole is behind it and what is being done; false: nobody wants the file
+/// any more, and the writer stops with `givenUp`. An empty function wants all.
+using ExportProgress = std::function<bool(double share, std::string_view what)>;
+
+/// What a writer returns that was stopped; it leaves no file.
+Error givenUp(const std::filesystem::path& target);
+
+/// Width and height of the page in pixels, each at least 1.
+glm::ivec2 pixelsOf(const ExportPage& page);
+
+}  // namespace sline::render

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/svg/svg_file.h"
+
+#include "model/files/whole_file.h"
+#include "render/export/svg/svg_document.h"
+#include "render/vectors/vector_drawing.h"
+
+namespace sline::render {
+
+Status writeSvg(const ExportOrder& order, const std::filesystem::path& target,
+                const ExportProgress& progress) {
+  bool wanted = true;
+  const auto tell = [&](double share, std::string_view what) {
+    wanted = wanted && (!progress || progress(share, what));
+  };
+  const Result<VectorDrawing> drawing =
+      drawVectors(order.scene, order.camera,
+                  {.sizeMm = order.page.sizeMm,
+                   .background = order.look.background,
+                   .light = order.look.light,
+                   .keyLight = order.look.keyLight},
+                  [&tell](double share, std::string_view what) { tell(0.9 * share, what); });
+  if (!drawing.ok())
+    return drawing.error();
+  tell(0.9, "writing the file");
+  if (!wanted)
+    return givenUp(target);
+  return model::writeText(target, svgDocument(*drawing, order.scene));
+}
+
+}  // namespace sline::render

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "render/export/order/export_order.h"
+
+namespace sline::render {
+
+/// Draws the vectors and writes them as an SVG document of the page's size.
+Status writeSvg(const ExportOrder& order, const std::filesystem::path& target,
+                const ExportProgress& progress);
+
+}  // namespace sline::render
