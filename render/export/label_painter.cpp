@@ -193,7 +193,7 @@ class Painting {
 }  // namespace
 
 LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const LabelStyle& style,
-                      SightTrees& trees, const LabelLayout* before) {
+                      SightTrees& trees, const LabelTurn& turn) {
   LabelPlate plate{.style = style,
                    .labels = shownLabels(scene, screen, style.language, trees),
                    .texts = {},
@@ -201,7 +201,8 @@ LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const Lab
   LabelRequest request{.items = {},
                        .space = {screen.size()},
                        .obstacles = {},
-                       .towardsEye = model::cameraFrame(screen.camera()).back};
+                       .towardsEye = model::cameraFrame(screen.camera()).back,
+                       .moving = turn.moving};
   for (ShownLabel& label : plate.labels) {
     plate.texts.push_back(textOf(label, style, widestText(screen.size().x, style)));
     label.item.box = plate.texts.back().box;
@@ -209,7 +210,7 @@ LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const Lab
   }
   if (!request.items.empty())
     request.obstacles = obstaclesOf(scene, screen);
-  plate.layout = layOutLabels(request, before);
+  plate.layout = layOutLabels(request, turn.before);
   return plate;
 }
 

@@ -17,10 +17,15 @@ struct LabelPlate {
   LabelLayout layout;
 };
 
-/// The scene's labels on that screen; `before` is the layout of the picture before it, for a camera
-/// that turns.
+/// What a picture follows, where it is one of many.
+struct LabelTurn {
+  const LabelLayout* before = nullptr;  ///< of the picture before it
+  bool moving = false;                  ///< as in LabelRequest: true until the camera rests
+};
+
+/// The scene's labels on that screen.
 LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const LabelStyle& style,
-                      SightTrees& trees, const LabelLayout* before = nullptr);
+                      SightTrees& trees, const LabelTurn& turn = {});
 
 /// The painter's unit must be a millimetre, from the picture's upper left corner. Lines and letters
 /// have a halo, so that they can be read on a drawing; a place that something hides is an open dot

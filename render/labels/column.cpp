@@ -2,6 +2,7 @@
 #include "render/labels/column.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -17,9 +18,67 @@ struct Pool {
   double mean() const { return sum / double(count); }
 };
 
-Leader leaderOf(const Column& column, const ColumnItem& item, float height) {
-  const float out = column.left ? levelPiece : -levelPiece;
-  return {item.place, {column.edge + out, height}, {column.edge, height}};
+/// How a leader is bent between its place and its box. `boxLevel`: it leaves the place aslant and
+/// runs level before the box, from the nearer to it the smaller `far` is. `placeLevel`: it leaves
+/// the place level and goes aslant from there on where `far` of the way lies behind it; with the
+/// order of places as that of boxes, such leaders never cross.
+struct Bend {
+  enum class Way { boxLevel, placeLevel } way = Way::boxLevel;
+  float far = 0.0f;  ///< 0 … 1
+};
+/// The straighter the earlier.
+constexpr std::array<Bend, 9> bends{{{Bend::Way::boxLevel, 0.0f},
+                                     {Bend::Way::boxLevel, 0.25f},
+                                     {Bend::Way::placeLevel, 0.25f},
+                                     {Bend::Way::boxLevel, 0.5f},
+                                     {Bend::Way::placeLevel, 0.5f},
+                                     {Bend::Way::boxLevel, 0.75f},
+                                     {Bend::Way::placeLevel, 0.75f},
+                                     {Bend::Way::boxLevel, 1.0f},
+                                     {Bend::Way::placeLevel, 1.0f}}};
+
+Leader leaderOf(const Column& column, const glm::vec2& place, float height, const Bend& bend = {}) {
+  const float inwards = column.left ? 1.0f : -1.0f;
+  const float knee = column.edge + inwards * levelPiece;
+  if (bend.way == Bend::Way::boxLevel)
+    return {place, {knee + bend.far * (place.x - knee), height}, {column.edge, height}};
+  constexpr float channel = 3.0f;
+  const float last = inwards * std::min(inwards * place.x, inwards * knee + channel);
+  return {place,
+          {place.x + bend.far * (last - place.x), place.y},
+          {knee, height},
+          {column.edge, height}};
+}
+
+/// The leader of that place, bent so.
+Leader bent(const Column& column, const ColumnPlace& place, const Bend& bend) {
+  return leaderOf(column, place.leader.front(), place.leader.back().y, bend);
+}
+
+/// Bends either of two whose leaders cross so that they cross neither each other nor any other.
+bool bendPair(const Column& column, std::vector<ColumnPlace>& places, std::size_t i,
+              std::size_t j) {
+  const auto free = [&](const Leader& leader, std::size_t self, std::size_t other) {
+    for (std::size_t k = 0; k < places.size(); ++k)
+      if (k != self && k != other && cross(leader, places[k].leader))
+        return false;
+    return true;
+  };
+  std::optional<std::pair<std::size_t, std::size_t>> best;
+  for (std::size_t one = 0; one < bends.size(); ++one)
+    for (std::size_t two = 0; two < bends.size(); ++two) {
+      if (best && one + two >= best->first + best->second)
+        break;
+      const Leader first = bent(column, places[i], bends[one]);
+      const Leader second = bent(column, places[j], bends[two]);
+      if (!cross(first, second) && free(first, i, j) && free(second, j, i))
+        best = {one, two};
+    }
+  if (!best)
+    return false;
+  places[i].leader = bent(column, places[i], bends[best->first]);
+  places[j].leader = bent(column, places[j], bends[best->second]);
+  return true;
 }
 
 /// For each box from the top the place of which no other lies above the line between them: then no
@@ -39,12 +98,14 @@ std::vector<ColumnItem> byTangents(const Column& column, std::vector<ColumnItem>
   return items;
 }
 
+/// A box that moves farther jumps, millimetres.
+constexpr float jump = 2.0f;
+
 /// Of moving a box that far: jumps, and above all those of who has just jumped, are dear.
 float costOf(float way, const ColumnItem& item) {
-  constexpr float jump = 2.5f;
   constexpr float dear = 10.0f;
   const float far = std::abs(way);
-  return far > jump ? far + (item.resting ? dear * dear : dear) : far;
+  return far > jump ? far + (item.calm <= restDegrees ? dear * dear : dear) : far;
 }
 
 }  // namespace
@@ -56,6 +117,20 @@ std::optional<std::pair<std::size_t, std::size_t>> firstCrossing(
       if (cross(places[i].leader, places[i + apart].leader))
         return std::pair(i, i + apart);
   return std::nullopt;
+}
+
+bool bendApart(const Column& column, std::vector<ColumnPlace>& places) {
+  std::vector<ColumnPlace> tried = places;
+  for (std::size_t rounds = 0; rounds <= tried.size(); ++rounds) {
+    const auto crossing = firstCrossing(tried);
+    if (!crossing) {
+      places = std::move(tried);
+      return true;
+    }
+    if (!bendPair(column, tried, crossing->first, crossing->second))
+      return false;
+  }
+  return false;
 }
 
 float heightOf(const std::vector<ColumnItem>& items, float gap) {
@@ -89,8 +164,8 @@ std::vector<ColumnPlace> placesIn(const Column& column, const std::vector<Column
       const double top = std::clamp(pool.mean(), double(column.top), lowest) + above[places.size()];
       const float left = column.left ? column.edge - item.box.x : column.edge;
       const glm::vec2 corner(left, float(top));
-      places.push_back(
-          {{corner, corner + item.box}, leaderOf(column, item, corner.y + 0.5f * item.box.y)});
+      places.push_back({{corner, corner + item.box},
+                        leaderOf(column, item.place, corner.y + 0.5f * item.box.y)});
     }
   return places;
 }
@@ -124,40 +199,50 @@ std::optional<ColumnPlace> placeAmong(const Column& column, const ColumnItem& it
         height + half > column.bottom + rounding)
       continue;
     const glm::vec2 corner(column.left ? column.edge - item.box.x : column.edge, height - half);
-    const ColumnPlace place{{corner, corner + item.box}, leaderOf(column, item, height)};
-    const bool free = std::none_of(others.begin(), others.end(), [&](const ColumnPlace& other) {
-      return (place.box.low.y < other.box.high.y + column.gap - rounding &&
-              other.box.low.y < place.box.high.y + column.gap - rounding) ||
-             cross(place.leader, other.leader);
-    });
-    if (free)
-      return place;
+    ColumnPlace place{{corner, corner + item.box}, {}};
+    if (std::any_of(others.begin(), others.end(), [&](const ColumnPlace& other) {
+          return place.box.low.y < other.box.high.y + column.gap - rounding &&
+                 other.box.low.y < place.box.high.y + column.gap - rounding;
+        }))
+      continue;
+    for (const Bend& bend : bends) {
+      place.leader = leaderOf(column, item.place, height, bend);
+      if (std::none_of(others.begin(), others.end(),
+                       [&](const ColumnPlace& other) { return cross(place.leader, other.leader); }))
+        return place;
+    }
   }
   return std::nullopt;
 }
 
 bool pushIn(const Column& column, const ColumnItem& item, std::vector<ColumnItem>& items,
-            std::vector<ColumnPlace>& places) {
+            std::vector<ColumnPlace>& places, Push push) {
   for (std::size_t k = 0; k < items.size(); ++k)
     items[k].wanted = places[k].box.middle().y;
   std::optional<std::vector<ColumnItem>> best;
+  std::vector<ColumnPlace> bestPlaces;
   float least = std::numeric_limits<float>::infinity();
   for (std::size_t at = 0; at <= items.size(); ++at) {
     std::vector<ColumnItem> tried = items;
     tried.insert(tried.begin() + std::ptrdiff_t(at), item);
-    const std::vector<ColumnPlace> found = placesIn(column, tried);
+    std::vector<ColumnPlace> found = placesIn(column, tried);
     float moved = 0.0f;
-    for (std::size_t k = 0; k < tried.size(); ++k)
-      moved += costOf(found[k].box.middle().y - tried[k].wanted, tried[k]);
-    if (moved < least && !firstCrossing(found)) {
+    bool gentle = true;
+    for (std::size_t k = 0; k < tried.size(); ++k) {
+      const float way = found[k].box.middle().y - tried[k].wanted;
+      moved += costOf(way, tried[k]);
+      gentle = gentle && (k == at || std::abs(way) <= jump);
+    }
+    if ((push == Push::any || gentle) && moved < least && bendApart(column, found)) {
       least = moved;
       best = std::move(tried);
+      bestPlaces = std::move(found);
     }
   }
   if (!best)
     return false;
   items = *std::move(best);
-  places = placesIn(column, items);
+  places = std::move(bestPlaces);
   return true;
 }
 
@@ -165,7 +250,8 @@ bool makesWay(const Column& column, const ColumnItem& item, std::vector<ColumnIt
               std::size_t without) {
   others.erase(others.begin() + std::ptrdiff_t(without));
   std::vector<ColumnPlace> places = placesIn(column, others);
-  return placeAmong(column, item, places, columnReach) || pushIn(column, item, others, places);
+  return placeAmong(column, item, places, columnReach) ||
+         pushIn(column, item, others, places, Push::any);
 }
 
 }  // namespace sline::render

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // One column of boxes beside the picture's anatomy, each joined to its place by a straight leader
-// that ends in a short level piece: one-sided boundary labelling with type-s leaders (Bekos,
-// Kaufmann, Symvonis and Wolff: Boundary labeling: models and efficient algorithms for rectangular
-// maps. Computational Geometry 36, 2007).
+// that ends in a short level piece – or a leader bent so that its box can stay where it is:
+// one-sided boundary labelling with type-s leaders (Bekos, Kaufmann, Symvonis and Wolff: Boundary
+// labeling: models and efficient algorithms for rectangular maps. Computational Geometry 36, 2007).
 #pragma once
 
 #include <optional>
@@ -17,15 +17,18 @@ namespace sline::render {
 inline constexpr float columnGap = 0.8f;
 inline constexpr float levelPiece = 2.0f;
 
+/// A box that has jumped stays where it is for so long, where others can give way.
+inline constexpr float restDegrees = 20.0f;
+
 /// Anywhere in the column.
 inline constexpr float columnReach = 1e6f;
 
 struct ColumnItem {
   std::size_t item = 0;  ///< whose it is, for whoever asks
   glm::vec2 place{0.0f};
-  glm::vec2 box{0.0f};   ///< width and height
-  bool resting = false;  ///< had better not be pushed far
-  float wanted = 0.0f;   ///< height of the box's middle; of its place, or not far from it
+  glm::vec2 box{0.0f};  ///< width and height
+  float calm = 360.0f;  ///< degrees that the camera has turned since its box last jumped
+  float wanted = 0.0f;  ///< height of the box's middle; of its place, or not far from it
 };
 
 struct Column {
@@ -52,6 +55,10 @@ std::vector<ColumnPlace> placesIn(const Column& column, const std::vector<Column
 std::optional<std::pair<std::size_t, std::size_t>> firstCrossing(
     const std::vector<ColumnPlace>& places);
 
+/// Bends leaders, as few and as little as are found to be needed, until no two cross; boxes stay.
+/// False, and nothing changes, where that cannot be.
+bool bendApart(const Column& column, std::vector<ColumnPlace>& places);
+
 /// Exchanges items until no two leaders cross, as few as are found to be needed. An exchange of two
 /// that cross makes leaders shorter, so that it comes to an end (Bekos et al., lemma on type-s
 /// leaders); boxes of different heights may leave crossings all the same.
@@ -62,10 +69,13 @@ void uncross(const Column& column, std::vector<ColumnItem>& items);
 std::optional<ColumnPlace> placeAmong(const Column& column, const ColumnItem& item,
                                       const std::vector<ColumnPlace>& others, float reach);
 
+/// `gentle`: so that none of the others jumps.
+enum class Push { gentle, any };
+
 /// Puts the item between the others where they have to move least for it, no leaders crossing;
 /// false, and nothing changes but what they want, where that cannot be.
 bool pushIn(const Column& column, const ColumnItem& item, std::vector<ColumnItem>& items,
-            std::vector<ColumnPlace>& places);
+            std::vector<ColumnPlace>& places, Push push);
 
 /// Without that one of the others there would be a place for the item.
 bool makesWay(const Column& column, const ColumnItem& item, std::vector<ColumnItem> others,

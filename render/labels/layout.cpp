@@ -9,7 +9,7 @@
 #include <limits>
 #include <tuple>
 
-#include "render/labels/column.h"
+#include "render/labels/steady_column.h"
 
 namespace sline::render {
 
@@ -21,9 +21,6 @@ constexpr float anatomyGapMost = 14.0f;  // the anatomy draws back that far befo
 constexpr float stay = 0.25f;            // of the anatomy's width past its middle: sides stay
 constexpr float slack = 12.0f;           // between a place's height and that of its box
 constexpr float mostAir = 4.0f;          // between boxes of a column, where there is room
-constexpr float restDegrees = 20.0f;     // a label that has jumped stays where it is for so long
-constexpr float nearGap = 25.0f;         // how far a box looks for a gap before it pushes others
-constexpr float columnReach = 1e6f;      // and where it cannot push
 constexpr float besideGap = 1.8f;        // between a place and a box beside it
 constexpr float clearance = 0.4f;        // between a leader and another's box
 
@@ -51,6 +48,11 @@ bool isColumn(LabelPost post) {
 
 LabelPost otherSide(LabelPost post) {
   return post == LabelPost::left ? LabelPost::right : LabelPost::left;
+}
+
+bool jumps(const PlacedLabel& was, const PlacedLabel& is) {
+  constexpr float jump = 2.0f;
+  return was.post != is.post || std::abs(was.box.middle().y - is.box.middle().y) > jump;
 }
 
 /// From the place to the middle of the side of the box that is nearest.
@@ -107,6 +109,10 @@ class Layouter {
   void setColumns();
   /// How many degrees the camera has turned since the label last jumped.
   float calm(std::size_t i) const;
+  /// Where the camera was then; zero for one that has not.
+  glm::vec3 lastJump(std::size_t i) const;
+  /// It may not jump in this layout.
+  bool rests(std::size_t i) const { return m_request.moving && calm(i) <= restDegrees; }
   float medianOfPlaces() const;
   void choosePosts();
   LabelPost sideOf(std::size_t i) const;
@@ -174,11 +180,20 @@ void Layouter::setColumns() {
 
 float Layouter::calm(std::size_t i) const {
   constexpr float never = 360.0f;
-  const PlacedLabel* was = before(i);
-  if (!was || was->jumpedAt == glm::vec3(0.0f))
+  const glm::vec3 jumpedAt = lastJump(i);
+  if (jumpedAt == glm::vec3(0.0f))
     return never;
-  return glm::degrees(
-      std::acos(std::clamp(glm::dot(was->jumpedAt, m_request.towardsEye), -1.0f, 1.0f)));
+  return glm::degrees(std::acos(std::clamp(glm::dot(jumpedAt, m_request.towardsEye), -1.0f, 1.0f)));
+}
+
+glm::vec3 Layouter::lastJump(std::size_t i) const {
+  if (const PlacedLabel* was = before(i))
+    return was->jumpedAt;
+  if (m_before)
+    for (const WaitingLabel& waiting : m_before->waiting)
+      if (waiting.id == item(i).id)
+        return waiting.jumpedAt;
+  return glm::vec3(0.0f);
 }
 
 LabelPost Layouter::sideOf(std::size_t i) const {
@@ -195,7 +210,8 @@ void Layouter::choosePosts() {
   for (std::size_t i = 0; i < m_fates.size(); ++i) {
     const LabelItem& one = item(i);
     m_fates[i].out = one.places.empty() || one.box.x > m_frame.size().x ||
-                     one.box.y > m_frame.size().y || !(one.box.x > 0.0f) || !(one.box.y > 0.0f);
+                     one.box.y > m_frame.size().y || !(one.box.x > 0.0f) || !(one.box.y > 0.0f) ||
+                     (rests(i) && !before(i));
     m_fates[i].post = one.offset          ? LabelPost::byHand
                       : standsBeside(one) ? LabelPost::beside
                                           : sideOf(i);
@@ -223,7 +239,7 @@ std::vector<ColumnItem> Layouter::inColumn(LabelPost post) const {
   std::vector<ColumnItem> items;
   for (std::size_t i = 0; i < m_fates.size(); ++i)
     if (!m_fates[i].out && m_fates[i].post == post)
-      items.push_back({i, placeOf(item(i)), item(i).box, calm(i) <= restDegrees, wantedHeight(i)});
+      items.push_back({i, placeOf(item(i)), item(i).box, calm(i), wantedHeight(i)});
   const auto height = [&](const ColumnItem& one) {
     const PlacedLabel* was = before(one.item);
     return was && was->post == post ? was->box.middle().y : one.wanted;
@@ -295,57 +311,18 @@ void Layouter::placeColumn(LabelPost post) {
 
 bool Layouter::placeSteadily(LabelPost post, const std::vector<ColumnItem>& items) {
   std::vector<ColumnItem> staying;
-  std::vector<ColumnItem> moving;
+  std::vector<ColumnItem> coming;
   for (const ColumnItem& one : items) {
     const PlacedLabel* was = before(one.item);
-    (was && was->post == post ? staying : moving).push_back(one);
+    (was && was->post == post ? staying : coming).push_back(one);
   }
-  std::vector<ColumnPlace> places = placesIn(column(post), staying);
-  while (const auto crossing = firstCrossing(places)) {
-    // Who has not jumped for longer jumps.
-    const std::size_t goes =
-        calm(staying[crossing->first].item) > calm(staying[crossing->second].item)
-            ? crossing->first
-            : crossing->second;
-    moving.push_back(staying[goes]);
-    moving.back().wanted = placeOf(item(staying[goes].item)).y;
-    staying.erase(staying.begin() + std::ptrdiff_t(goes));
-    places.erase(places.begin() + std::ptrdiff_t(goes));
-  }
-  std::vector<std::size_t> moved;
-  while (!moving.empty()) {
-    const ColumnItem one = moving.front();
-    moving.erase(moving.begin());
-    moved.push_back(one.item);
-    auto place = placeAmong(column(post), one, places, nearGap);
-    const bool pushed = !place && pushIn(column(post), one, staying, places);
-    if (!place && !pushed)
-      place = placeAmong(column(post), one, places, columnReach);
-    if (place) {
-      const auto above = std::count_if(places.begin(), places.end(), [&](const ColumnPlace& other) {
-        return other.box.low.y < place->box.low.y;
-      });
-      staying.insert(staying.begin() + above, one);
-      places.insert(places.begin() + above, *place);
-    } else if (!pushed) {
-      // Another has to move as well: the one that has not jumped for longest.
-      std::optional<std::size_t> goes;
-      for (std::size_t k = 0; k < staying.size(); ++k)
-        if (std::find(moved.begin(), moved.end(), staying[k].item) == moved.end() &&
-            (!goes || calm(staying[k].item) > calm(staying[*goes].item)) &&
-            makesWay(column(post), one, staying, k))
-          goes = k;
-      if (!goes)
-        return false;
-      moving.push_back(staying[*goes]);
-      moving.back().wanted = placeOf(item(moving.back().item)).y;
-      staying.erase(staying.begin() + std::ptrdiff_t(*goes));
-      places.erase(places.begin() + std::ptrdiff_t(*goes));
-      moving.insert(moving.begin(), one);
-    }
-  }
-  for (std::size_t k = 0; k < staying.size(); ++k)
-    put(staying[k], post, places[k]);
+  SteadyColumn steady(column(post), m_request.moving);
+  if (!steady.fill(std::move(staying), std::move(coming)))
+    return false;
+  for (std::size_t k = 0; k < steady.items().size(); ++k)
+    put(steady.items()[k], post, steady.places()[k]);
+  for (const std::size_t out : steady.out())
+    m_fates[out].out = true;
   return true;
 }
 
@@ -429,7 +406,9 @@ std::optional<std::size_t> Layouter::firstLoser() const {
 
 void Layouter::giveWay(std::size_t i) {
   Fate& fate = m_fates[i];
-  if (!isColumn(fate.post))
+  if (rests(i))
+    fate.out = true;
+  else if (!isColumn(fate.post))
     fate.post = sideOf(i);
   else if (!fate.tried) {
     fate.post = otherSide(fate.post);
@@ -440,19 +419,20 @@ void Layouter::giveWay(std::size_t i) {
 }
 
 LabelLayout Layouter::answer() const {
-  LabelLayout layout{.labels = {}, .leftOut = {}, .edges = m_edges};
-  for (std::size_t i = 0; i < m_placed.size(); ++i)
-    if (m_placed[i] && !m_fates[i].out) {
-      constexpr float jump = 2.0f;
-      const PlacedLabel* was = before(i);
+  LabelLayout layout{.labels = {}, .leftOut = {}, .waiting = {}, .edges = m_edges};
+  for (std::size_t i = 0; i < m_placed.size(); ++i) {
+    const PlacedLabel* was = before(i);
+    const bool in = m_placed[i] && !m_fates[i].out;
+    const bool jumped = in && m_before && (!was || jumps(*was, *m_placed[i]));
+    if (in && !(jumped && rests(i))) {
       layout.labels.push_back(*m_placed[i]);
-      PlacedLabel& is = layout.labels.back();
-      const bool jumped =
-          was && (was->post != is.post || std::abs(was->box.middle().y - is.box.middle().y) > jump);
-      is.jumpedAt = jumped ? m_request.towardsEye : was ? was->jumpedAt : glm::vec3(0.0f);
+      layout.labels.back().jumpedAt = jumped ? m_request.towardsEye : lastJump(i);
     } else {
       layout.leftOut.push_back(item(i).id);
+      if (lastJump(i) != glm::vec3(0.0f))
+        layout.waiting.push_back({item(i).id, lastJump(i)});
     }
+  }
   return layout;
 }
 

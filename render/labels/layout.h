@@ -40,6 +40,9 @@ struct LabelRequest {
   ObstacleMask obstacles;
   /// From the scene to the eye, a unit vector: how far the camera has turned since a label jumped.
   glm::vec3 towardsEye{0.0f};
+  /// The camera is on its way: who has just jumped does not jump again, but is left out where there
+  /// is no other way, until the camera rests or 20° are behind it.
+  bool moving = false;
 };
 
 /// `beside`: its place, without a leader.
@@ -55,9 +58,17 @@ struct PlacedLabel {
   bool operator==(const PlacedLabel&) const = default;
 };
 
+/// Left out for now, after a jump there.
+struct WaitingLabel {
+  model::AnnotationId id;
+  glm::vec3 jumpedAt{0.0f};
+  bool operator==(const WaitingLabel&) const = default;
+};
+
 struct LabelLayout {
   std::vector<PlacedLabel> labels;           ///< in the order of the items
   std::vector<model::AnnotationId> leftOut;  ///< for which there was no room
+  std::vector<WaitingLabel> waiting;         ///< of those, who was there while the camera turned
   std::array<float, 2> edges{};              ///< of the left and the right column
   bool operator==(const LabelLayout&) const = default;
 

@@ -142,6 +142,7 @@ class LabelLayoutTest : public QObject {
       LabelRequest request = randomRequest(seed, 30);
       LabelLayout layout;
       for (int step = 0; step < 40; ++step) {
+        request.moving = step % 2 == 1;
         layout = layOutLabels(request, &layout);
         const QString fault = broken(request, layout);
         QVERIFY2(fault.isEmpty(), qPrintable(QString("seed %1: %2").arg(seed).arg(fault)));
