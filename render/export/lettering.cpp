@@ -54,7 +54,7 @@ void paintInk(QPainter& painter, const LetteringItem& item, const TextSetter& se
 
 LetteringColours letteringColours(bool onDark) {
   return onDark ? LetteringColours{{240, 240, 240}, {28, 28, 30}}
-                : LetteringColours{{17, 17, 17}, {255, 255, 255}};
+                : LetteringColours{{0, 0, 0}, {255, 255, 255}};
 }
 
 QColor painterColour(const Colour& colour) {

@@ -49,7 +49,8 @@ void setPlate(QPainter& painter, const FigurePlate& plate) {
 class Sheet {
  public:
   explicit Sheet(const ExportOrder& order)
-      : m_order(sheetFigure(order)),
+      : m_given(order),
+        m_order(sheetFigure(order)),
         m_layout(sheetLayout(order)),
         m_words(sheetWords(order.labels.language)) {}
 
@@ -89,16 +90,16 @@ class Sheet {
     }
     beginPage({});
     setFigure(m_plate);
-    const SheetRows rows = sheetRows(m_order, m_numbers.size());
-    setList(rows.first, m_words.labels);
+    const SheetRows rows = sheetRows(m_given, m_numbers.size());
+    setList(rows.first);
     if (rows.test.empty())
       return;
     beginPage(QString::fromUtf8(m_words.selfTest));
     setFigure(plateIn(LabelMode::numbers));
-    setList(rows.test, nullptr);
+    setList(rows.test);
     beginPage(QString::fromUtf8(m_words.key));
     setFigure(plateIn(LabelMode::numbers));
-    setList(rows.key, m_words.key);
+    setList(rows.key);
   }
 
   QString nameOf(const model::Node& node) const {
@@ -117,6 +118,13 @@ class Sheet {
     for (const ShownLabel& label : numbered.labels->labels)
       if (numbered.labels->layout.find(label.item.id))
         m_numbers.push_back({label.number, QString::fromStdString(label.text).simplified()});
+    if (hasLabels(m_given.scene) || m_order.labels.mode != LabelMode::numbers)
+      return;
+    for (const model::Annotation& annotation : m_order.scene.annotations())
+      for (const ShownLabel& label : numbered.labels->labels)
+        if (label.item.id == annotation.id && numbered.labels->layout.find(annotation.id))
+          m_numberOf[std::get<model::SurfacePoint>(annotation.anchors.front()).structure] =
+              label.number;
   }
 
   Status prepareLegend() {
@@ -197,42 +205,52 @@ class Sheet {
     painter.restore();
   }
 
-  /// A list with a heading has that one; the legend's follows where the rows have two.
-  void setList(const std::vector<RowKind>& kinds, const char* heading) {
-    const std::vector<RowPlace> places = flow(kinds, m_layout.lists);
-    std::size_t page = 0;
+  /// The figures of a list as they come, row by row.
+  struct Progress {
     std::size_t number = 0;
     std::size_t legend = 0;
-    bool numbers = false;
+  };
+
+  void setList(const std::vector<RowKind>& kinds) {
+    const std::vector<RowPlace> places = flow(kinds, m_layout.lists);
+    std::size_t page = 0;
+    Progress progress;
     for (std::size_t i = 0; i < kinds.size(); ++i) {
       for (; page < places[i].page; ++page)
         beginPage(QString::fromUtf8(m_words.continued));
-      SheetRow row{.kind = kinds[i], .text = {}, .number = 0, .colour = {}, .sample = nullptr};
-      if (kinds[i] == RowKind::heading) {
-        numbers = i + 1 < kinds.size() && kinds[i + 1] == RowKind::number;
-        row.text = QString::fromUtf8(numbers && heading ? heading
-                                     : heading          ? m_words.legend
-                                                        : m_words.selfTest);
-      } else if (kinds[i] == RowKind::group) {
-        row.text = nameOf(*m_order.scene.find(m_legend[legend].node->parent));
-      } else if (kinds[i] == RowKind::legend) {
-        const model::Node& node = *m_legend[legend].node;
-        row.text = nameOf(node);
-        row.colour = m_order.scene.resolve(node.id).colour;
-        row.sample = &m_samples[legend++];
-      } else {
-        row.number = m_numbers[number].number;
-        row.text = m_numbers[number++].text;
-      }
+      SheetRow row = rowOf(kinds[i], progress);
+      if (kinds[i] == RowKind::heading)
+        row.text =
+            QString::fromUtf8(kinds[i + 1] == RowKind::number ? m_words.labels : m_words.legend);
       const LabelBox& frame = page == 0 ? m_layout.lists.first : m_layout.lists.next;
       const int columns = page == 0 ? m_layout.lists.firstColumns : m_layout.lists.nextColumns;
       setRow(*m_pages, row, places[i].at, columnWidth(frame, columns));
     }
   }
 
+  SheetRow rowOf(RowKind kind, Progress& progress) const {
+    SheetRow row{.kind = kind};
+    if (kind == RowKind::group) {
+      row.text = nameOf(*m_order.scene.find(m_legend[progress.legend].node->parent));
+    } else if (kind == RowKind::legend) {
+      const model::Node& node = *m_legend[progress.legend].node;
+      const auto number = m_numberOf.find(node.id);
+      row.text = nameOf(node);
+      row.number = number == m_numberOf.end() ? 0 : number->second;
+      row.indented = !m_numberOf.empty();
+      row.colour = m_order.scene.resolve(node.id).colour;
+      row.sample = &m_samples[progress.legend++];
+    } else if (kind != RowKind::heading) {
+      row.number = m_numbers[progress.number].number;
+      row.text = m_numbers[progress.number++].text;
+    }
+    return row;
+  }
+
   void setPatientText();
 
-  ExportOrder m_order;
+  const ExportOrder& m_given;
+  ExportOrder m_order;  ///< of the figure
   SheetLayout m_layout;
   const SheetWords& m_words;
   SightTrees m_trees;
@@ -243,6 +261,7 @@ class Sheet {
     QString text;
   };
   std::vector<Number> m_numbers;
+  std::map<model::NodeId, int> m_numberOf;  ///< where the legend tells them
   std::vector<LegendRow> m_legend;
   std::vector<VectorDrawing> m_samples;
   std::unique_ptr<PdfPages> m_pages;

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "render/export/marks/marks.h"
+#include "render/export/pdf/sheet_order.h"
+
 namespace sline::render {
 
 namespace {
@@ -82,11 +85,13 @@ int columnsOf(float width) {
 }
 
 /// At least as many as the figure will have labels.
-std::size_t mostLabels(const model::Scene& scene) {
+std::size_t labelsAtMost(const model::Scene& scene) {
   const auto& annotations = scene.annotations();
-  const auto visible = std::count_if(annotations.begin(), annotations.end(),
-                                     [](const model::Annotation& a) { return a.visible; });
-  return visible > 0 ? std::size_t(visible) : legendRows(scene).size();
+  constexpr std::size_t usual = 24;
+  return hasLabels(scene)
+             ? std::size_t(std::count_if(annotations.begin(), annotations.end(),
+                                         [](const model::Annotation& a) { return a.visible; }))
+             : std::min(usual, legendRows(scene).size());
 }
 
 }  // namespace
@@ -104,7 +109,7 @@ float rowHeight(RowKind kind) {
     case RowKind::writeLine:
       break;
   }
-  return 9.0f;
+  return 8.0f;
 }
 
 float columnWidth(const LabelBox& frame, int columns) {
@@ -146,23 +151,22 @@ SheetRows sheetRows(const ExportOrder& order, std::size_t labels) {
   SheetRows rows;
   if (order.sheet.kind != SheetKind::figure && order.sheet.kind != SheetKind::teaching)
     return rows;
-  const auto list = [labels](std::vector<RowKind>& to, RowKind kind) {
-    to.push_back(RowKind::heading);
-    to.insert(to.end(), labels, kind);
-  };
   const bool teaching = order.sheet.kind == SheetKind::teaching;
   const LabelMode mode = order.labels.mode;
-  if (labels > 0 && (mode == LabelMode::numbers || (teaching && mode == LabelMode::off)))
-    list(rows.first, RowKind::number);
+  const bool numbered = mode == LabelMode::numbers || (teaching && mode == LabelMode::off);
+  if (labels > 0 && numbered && hasLabels(order.scene)) {
+    rows.first.push_back(RowKind::heading);
+    rows.first.insert(rows.first.end(), labels, RowKind::number);
+  }
   rows.first.push_back(RowKind::heading);
   for (const LegendRow& row : legendRows(order.scene)) {
     if (row.newGroup)
       rows.first.push_back(RowKind::group);
     rows.first.push_back(RowKind::legend);
   }
-  if (teaching && labels > 0) {
-    list(rows.test, RowKind::writeLine);
-    list(rows.key, RowKind::number);
+  if (teaching) {
+    rows.test.assign(labels, RowKind::writeLine);
+    rows.key.assign(labels, RowKind::number);
   }
   return rows;
 }
@@ -174,6 +178,9 @@ SheetLayout sheetLayout(const ExportOrder& order) {
   layout.content = {{sideMargin, topMargin + (header ? headerHeight : 0.0f)},
                     layout.paper - glm::vec2(sideMargin, bottomMargin)};
   layout.figure = layout.content;
+  // Marks at the figure's sides stand in line with all else.
+  layout.figure.low.x -= markMargin;
+  layout.figure.high.x += markMargin;
   layout.lists.next = layout.content;
   layout.lists.nextColumns = columnsOf(layout.content.size().x);
   layout.text = layout.content;
@@ -192,7 +199,7 @@ SheetLayout sheetLayout(const ExportOrder& order) {
     return layout;
   }
   layout.lists.firstColumns = layout.lists.nextColumns;
-  const SheetRows rows = sheetRows(order, mostLabels(order.scene));
+  const SheetRows rows = sheetRows(order, labelsAtMost(order.scene));
   float lists = 0.0f;
   for (const std::vector<RowKind>* one : {&rows.first, &rows.test, &rows.key})
     lists = std::max(lists, evenHeight(*one, mostOfHeight * height, layout.lists.firstColumns));

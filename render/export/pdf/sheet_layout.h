@@ -52,7 +52,7 @@ struct SheetLayout {
 SheetLayout sheetLayout(const ExportOrder& order);
 
 /// The rows of the first page's, the test's and the key's lists, where the sheet has them, for so
-/// many labels.
+/// many labels. Labels that the sheet adds have their numbers in the legend.
 struct SheetRows {
   std::vector<RowKind> first;
   std::vector<RowKind> test;

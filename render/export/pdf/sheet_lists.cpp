@@ -11,19 +11,20 @@ namespace sline::render {
 namespace {
 
 constexpr float swatch = 3.4f;
-constexpr float rowText = 8.5f;    // points
-constexpr float smallText = 7.0f;  // of names that need two lines
-constexpr float numberWidth = 7.0f;
+constexpr float rowText = 8.5f;     // points
+constexpr float legendText = 7.5f;  // beside swatches
+constexpr float smallText = 6.6f;   // of names that need two lines
+constexpr float numberWidth = 6.5f;
 
 /// One line, or where that is too long two smaller ones; the second is shortened where it must.
-LetteringText fitted(const QString& text, const glm::vec2& middle, float width) {
+LetteringText fitted(const QString& text, const glm::vec2& middle, float width, float points) {
   LetteringText set{.lines = {text},
-                    .at = middle + glm::vec2(0.0f, 0.5f * capHeightMm(rowText)),
+                    .at = middle + glm::vec2(0.0f, 0.5f * capHeightMm(points)),
                     .leading = 0.0f,
-                    .points = rowText,
+                    .points = points,
                     .anchor = TextAnchor::start,
                     .ink = textInk};
-  if (textWidthMm(text, rowText) <= width)
+  if (textWidthMm(text, points) <= width)
     return set;
   set.points = smallText;
   set.leading = 1.1f * smallText * millimetresPerPoint;
@@ -89,26 +90,29 @@ void setRow(PdfPages& pages, const SheetRow& row, const glm::vec2& at, float wid
       break;
     }
     case RowKind::group:
-      setText(painter, {.lines = {elidedText(row.text, rowText, width)},
+      setText(painter, {.lines = {elidedText(row.text, legendText, width)},
                         .at = {at.x, at.y + height - 1.5f},
                         .leading = 0.0f,
-                        .points = smallText + 0.5f,
+                        .points = legendText,
                         .anchor = TextAnchor::start,
                         .ink = quietInk});
       break;
     case RowKind::legend: {
-      setSwatch(painter, row.colour, middle - glm::vec2(0.0f, 0.5f * swatch));
-      const glm::vec2 corner = middle + glm::vec2(swatch + 1.2f, -0.5f * sampleMm.y);
+      if (row.number > 0)
+        setNumber(painter, row.number, middle);
+      const float indent = row.indented ? numberWidth : 0.0f;
+      setSwatch(painter, row.colour, middle + glm::vec2(indent, -0.5f * swatch));
+      const glm::vec2 corner = middle + glm::vec2(indent + swatch + 1.2f, -0.5f * sampleMm.y);
       if (row.sample)
         pages.place(*row.sample, {corner, {corner, corner + sampleMm}});
-      const float left = swatch + sampleMm.x + 2.8f;
-      setText(painter, fitted(row.text, middle + glm::vec2(left, 0.0f), width - left));
+      const float left = indent + swatch + sampleMm.x + 2.8f;
+      setText(painter, fitted(row.text, middle + glm::vec2(left, 0.0f), width - left, legendText));
       break;
     }
     case RowKind::number:
       setNumber(painter, row.number, middle);
-      setText(painter,
-              fitted(row.text, middle + glm::vec2(numberWidth, 0.0f), width - numberWidth));
+      setText(painter, fitted(row.text, middle + glm::vec2(numberWidth, 0.0f), width - numberWidth,
+                              rowText));
       break;
     case RowKind::writeLine: {
       const glm::vec2 foot = at + glm::vec2(0.0f, height - 2.4f);

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/pdf/style_samples.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
-
-#include "model/base/parallel.h"
 
 namespace sline::render {
 
@@ -19,9 +18,9 @@ model::MeshPtr bean() {
   std::vector<model::Triangle> triangles;
   const auto at = [](float t, float a) {
     const float x = std::cos(t);
-    const float wide = std::sin(t);
-    const float bend = 0.95f * x * x - 0.42f;
-    return glm::vec3(3.2f * x, 1.45f * wide * std::sin(a), 1.45f * wide * std::cos(a) + bend);
+    const float thick = 1.5f * std::pow(std::max(std::sin(t), 0.0f), 0.6f);
+    const float bend = 1.7f * x * x - 0.6f;
+    return glm::vec3(3.2f * x, thick * std::sin(a), thick * std::cos(a) + bend);
   };
   for (int ring = 1; ring < rings; ++ring)
     for (int i = 0; i < around; ++i)
