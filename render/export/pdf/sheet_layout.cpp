@@ -26,6 +26,8 @@ glm::vec2 paperSize(const ExportSheet& sheet) {
   return sheet.landscape ? glm::vec2(upright.y, upright.x) : upright;
 }
 
+constexpr float tolerance = 0.01f;  ///< of heights, as they are summed up
+
 bool isHeading(RowKind kind) {
   return kind == RowKind::heading || kind == RowKind::group;
 }
@@ -49,11 +51,12 @@ class Filling {
         if (!isHeading(m_rows[k]))
           break;
       }
-      if (y > 0.0f && y + need > m_height + 1e-3f) {
+      if (y > 0.0f && y + need > m_height + tolerance) {
         y = 0.0f;
-        if (++column == m_columns)
-          break;
+        ++column;
       }
+      if (column == m_columns || need > m_height + tolerance)
+        break;
       places.emplace_back(float(column), y);
       y += rowHeight(m_rows[i]);
     }
@@ -125,10 +128,8 @@ std::vector<RowPlace> flow(std::span<const RowKind> rows, const ListFrames& fram
     const float height = evenHeight(rest, frame.size().y, columns);
     const float step = columnWidth(frame, columns) + columnSpace;
     const std::vector<glm::vec2> filled = Filling(rest, height, columns).fill();
-    // A frame too low for a single row has none, but the next page's never is.
-    const bool room = page > 0 || rowHeight(rest.front()) <= frame.size().y;
-    for (std::size_t i = 0; room && i < filled.size(); ++i)
-      places.push_back({page, frame.low + glm::vec2(filled[i].x * step, filled[i].y)});
+    for (const glm::vec2& place : filled)
+      places.push_back({page, frame.low + glm::vec2(place.x * step, place.y)});
   }
   return places;
 }
@@ -203,7 +204,7 @@ SheetLayout sheetLayout(const ExportOrder& order) {
   float lists = 0.0f;
   for (const std::vector<RowKind>* one : {&rows.first, &rows.test, &rows.key})
     lists = std::max(lists, evenHeight(*one, mostOfHeight * height, layout.lists.firstColumns));
-  layout.lists.first.low.y = layout.content.high.y - lists;
+  layout.lists.first.low.y = layout.content.high.y - lists - 2.0f * tolerance;
   layout.figure.high.y = layout.lists.first.low.y - belowFigure;
   return layout;
 }
