@@ -163,7 +163,8 @@ class MarkLayout {
     const auto addLine = [&](const std::string& name, const QString& line, float size) {
       const float em = points(size) * millimetresPerPoint;
       const float cap = capHeightMm(points(size));
-      const float besideLetter = m_top ? m_top->low.x - gap - margin : m_size.x - 2.0f * margin;
+      const float besideLetter =
+          m_top ? m_top->low.x - 3.0f * gap - margin : m_size.x - 2.0f * margin;
       float baseline = above > 0.0f ? above + 1.35f * em : margin + std::max(letterCap(), cap);
       if (above <= 0.0f && m_top && textWidthMm(line, points(size)) > besideLetter)
         baseline += letterCap() + gap;
@@ -212,7 +213,7 @@ class MarkLayout {
     const float cap = capHeightMm(points(smallSize));
     float baseline = m_size.y - margin;
     const float end = margin + bar + gap + textWidthMm(line, points(smallSize));
-    if (m_bottom && end > m_bottom->low.x - gap)
+    if (m_bottom && end > m_bottom->low.x - 3.0f * gap)
       baseline -= letterCap() + gap;
     const LetteringText words =
         text(line, {margin + bar + gap, baseline}, smallSize, TextAnchor::start);

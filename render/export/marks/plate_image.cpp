@@ -50,7 +50,7 @@ LabelReport drawPlate(Image& image, const ExportOrder& given, const Typesetting&
 glm::vec2 shareBesidePlate(const ExportOrder& order, const Typesetting&) {
   // Fitted cameras leave 5 % on either side anyway.
   constexpr float airOfCameras = 1.06f;
-  constexpr float least = 0.4f;
+  constexpr float least = 0.3f;
   const glm::vec2 page = order.page.sizeMm;
   const EdgeRoom edges = marksOf(order).edges;
   // What is said of sections may take more lines, in a corner that anatomy seldom reaches.
