@@ -2584,18 +2584,6 @@ OpenGL: %3</translation>
 <context>
     <name>sline::widgets::ScaleBarMark</name>
     <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
-        <source>%1 cm</source>
-        <translation>%1 cm</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
         <source>Scale: %1</source>
         <translation>Målestokk: %1</translation>
     </message>

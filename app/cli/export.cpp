@@ -6,7 +6,10 @@
 #include "app/cli/command.h"
 #include "app/cli/draw_scene.h"
 #include "app/cli/picture_options.h"
+#include "app/cli/sheet_options.h"
 #include "render/export/formats/export_formats.h"
+#include "render/export/pdf/sheet_layout.h"
+#include "render/export/pdf/sheet_order.h"
 #include "render/vectors/vector_drawing.h"
 
 namespace sline::cli {
@@ -17,6 +20,7 @@ struct ExportFlags {
   InputFlags input;
   PictureFlags picture;
   std::string sizeMm = "160x90";
+  SheetFlags sheet;
   /// A target for each of the formats that are wanted.
   std::map<std::string, std::string> targets;
 };
@@ -69,10 +73,26 @@ render::ExportOrder exportOrder(const ArrangedScene& arranged, const PictureOrde
   render::ExportOrder job;
   job.scene = arranged.scene;
   job.camera = arranged.camera;
-  job.viewName = order.camera ? std::string() : order.view;
+  job.viewName = order.labels.viewName;
   job.page.sizeMm = page;
   job.look = {order.background, order.light, order.keyLight};
   job.labels = order.labels.style;
+  job.marks = order.labels.marks;
+  return job;
+}
+
+/// The order with the figure as large as its sheet lets it, and the camera fitted to that.
+Result<render::ExportOrder> onSheet(render::ExportOrder job, PictureOrder& order,
+                                    const render::Typesetting& typesetting) {
+  job.page.sizeMm = render::sheetFigureMm(job);
+  const render::ExportOrder figure = render::sheetFigure(job);
+  order.labels.anatomyShare = render::shareBesidePlate(figure, typesetting);
+  order.size = {int(std::lround(100.0f * job.page.sizeMm.x)),
+                int(std::lround(100.0f * job.page.sizeMm.y))};
+  const Result<model::Camera> camera = cameraFor(job.scene, order);
+  if (!camera.ok())
+    return camera.error();
+  job.camera = *camera;
   return job;
 }
 
@@ -81,20 +101,33 @@ Exit runExport(const ExportFlags& flags) {
   if (!options.ok())
     return complain(options.error(), Exit::wrongUse);
   glm::vec2 page(0.0f);
-  const Result<PictureOrder> order = understoodExport(flags, page);
+  Result<PictureOrder> order = understoodExport(flags, page);
   if (!order.ok())
     return complain(order.error(), Exit::wrongUse);
+  const Result<render::ExportSheet> sheet = understood(flags.sheet);
+  if (!sheet.ok())
+    return complain(sheet.error(), Exit::wrongUse);
+  const auto typesetting = render::Typesetting::create();
+  if (!typesetting.ok())
+    return complain(typesetting.error(), Exit::failed);
 
   Progress progress;
   const Result<model::Imported> imported = readInputs(flags.input.inputs, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
-  const Result<ArrangedScene> arranged = arrangedFor(imported->scene, *order);
+  const Result<ArrangedScene> arranged = arrangedOn(page, imported->scene, *order);
   if (!arranged.ok())
     return complain(arranged.error(), Exit::wrongUse);
   if (arranged->scene.visibleBounds().empty())
     warn("no structure is visible: the drawing is empty");
-  const render::ExportOrder job = exportOrder(*arranged, *order, page);
+  render::ExportOrder job = exportOrder(*arranged, *order, page);
+  job.sheet = *sheet;
+  if (sheet->kind != render::SheetKind::none) {
+    const Result<render::ExportOrder> fitted = onSheet(job, *order, **typesetting);
+    if (!fitted.ok())
+      return complain(fitted.error(), Exit::wrongUse);
+    job = *fitted;
+  }
   for (const render::ExportFormat& format : render::exportFormats()) {
     const auto target = flags.targets.find(format.id);
     if (target == flags.targets.end())
@@ -123,9 +156,11 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
             },
             format.help)
         ->type_name("FILE");
-  command.add_option("--size-mm", flags.sizeMm, "Width and height of the page in millimetres")
-      ->type_name("WxH")
-      ->capture_default_str();
+  CLI::Option* size =
+      command.add_option("--size-mm", flags.sizeMm, "Width and height of the page in millimetres")
+          ->type_name("WxH")
+          ->capture_default_str();
+  addSheetOptions(command, flags.sheet, size);
   CLI::Option* view = command
                           .add_option("--view,--from", flags.picture.view,
                                       "A saved view of the scene, shown as it was saved; else "
@@ -136,6 +171,8 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
   addCameraOption(command, flags.picture, view);
   addDetailOptions(command, flags.picture);
   addLookOptions(command, flags.picture);
+  flags.picture.labels.marks = "on";
+  addLabelOptions(command, flags.picture.labels, "the page");
   addSectionOptions(command, flags.picture.sections);
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")

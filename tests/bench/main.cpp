@@ -15,6 +15,7 @@
 #include "model/import/import.h"
 #include "render/gpu/headless/context.h"
 #include "render/picture/picture.h"
+#include "render/vectors/vector_drawing.h"
 #include "tests/bench/gamma_drag.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/report.h"
@@ -132,6 +133,16 @@ Status measurePhong(render::Picture& picture, const Stage& stage, bench::Report&
   return Unit{};
 }
 
+/// From the front, on a page of the picture's shape.
+Status measureVectors(const Stage& stage, bench::Report& report) {
+  const float aspect = float(stage.settings.width) / float(stage.settings.height);
+  const bench::Stopwatch watch;
+  const auto drawing =
+      render::drawVectors(stage.scene, stage.camera, {.sizeMm = {90.0f * aspect, 90.0f}});
+  report.vectorsMs = watch.milliseconds();
+  return drawing ? Status(Unit{}) : drawing.error();
+}
+
 /// In a context of its own: VTK takes a fresh one's state for granted.
 Status measureVtk(const Stage& stage, bench::Report& report) {
   auto context = render::gpu::HeadlessContext::create();
@@ -213,6 +224,8 @@ Result<bench::Report> run(const Options& options, const glm::ivec2& size) {
   if (const Status status = measureFrames(**picture, *stage, report); !status)
     return status.error();
   if (const Status status = measurePhong(**picture, *stage, report); !status)
+    return status.error();
+  if (const Status status = measureVectors(*stage, report); !status)
     return status.error();
   const Status vtk = measureVtk(*stage, report);
   (*context)->makeCurrent();

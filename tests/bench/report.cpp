@@ -30,6 +30,10 @@ double Report::frameRatio() const {
   return yardstick > 0.0 ? frame.median / yardstick : 0.0;
 }
 
+double Report::vectorsRatio() const {
+  return frame.median > 0.0 ? vectorsMs / frame.median : 0.0;
+}
+
 std::string asJson(const Report& r) {
   Json passes = Json::object();
   for (const auto& [name, spread] : r.passes)
@@ -45,6 +49,7 @@ std::string asJson(const Report& r) {
                  {"passes_ms", passes},
                  {"phong_ms", json(r.phong)},
                  {"vtk_phong_ms", json(r.vtkPhong)},
+                 {"vectors_ms", r.vectorsMs},
                  {"driver", r.driver}};
   return all.dump(2) + "\n";
 }
@@ -63,7 +68,9 @@ std::string asText(const Report& r) {
     line(out, "  " + name, spread);
   line(out, "plain Phong", r.phong);
   line(out, "VTK's Phong", r.vtkPhong);
-  out << std::setprecision(2) << "frame / smaller yardstick " << r.frameRatio() << '\n';
+  out << "vector drawing " << r.vectorsMs << " ms\n";
+  out << std::setprecision(2) << "frame / smaller yardstick " << r.frameRatio()
+      << ", vector drawing / frame " << r.vectorsRatio() << '\n';
   return out.str();
 }
 

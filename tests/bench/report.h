@@ -22,11 +22,14 @@ struct Report {
   std::vector<std::pair<std::string, Spread>> passes;
   Spread phong;
   Spread vtkPhong;
+  double vectorsMs = 0.0;  ///< lines as paths, hidden ones removed, and fills as shapes
   std::string driver;
 
   double bytesPerTriangle() const;
   /// The frame over the smaller of both yardsticks.
   double frameRatio() const;
+  /// A vector drawing over the frame.
+  double vectorsRatio() const;
 };
 
 std::string asJson(const Report& report);
