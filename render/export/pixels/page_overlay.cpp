@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/pixels/page_overlay.h"
+
+#include <QImage>
+#include <QPainter>
+
+#include "render/export/label_painter.h"
+#include "render/export/labelled_image.h"
+
+namespace sline::render {
+
+struct PageOverlay::Data {
+  std::unique_ptr<Typesetting> typesetting;
+  LabelPlate labels;
+  qreal pixelsPerMm = 1.0;
+};
+
+PageOverlay::PageOverlay() : m_data(std::make_unique<Data>()) {}
+PageOverlay::~PageOverlay() = default;
+
+Result<std::unique_ptr<PageOverlay>> PageOverlay::create(const ExportOrder& order,
+                                                         glm::ivec2 pixels) {
+  std::unique_ptr<PageOverlay> overlay(new PageOverlay);
+  if (order.labels.mode == LabelMode::off)
+    return overlay;
+  Result<std::unique_ptr<Typesetting>> made = Typesetting::create();
+  if (!made.ok())
+    return made.error();
+  Data& data = *overlay->m_data;
+  data.typesetting = std::move(*made);
+  data.pixelsPerMm = qreal(pixels.y) / qreal(order.page.sizeMm.y);
+  SightTrees trees;
+  data.labels =
+      labelPlate(order.scene, Screen(order.camera, order.page.sizeMm), order.labels, trees);
+  return overlay;
+}
+
+void PageOverlay::paint(PixelRows& rows, int top) const {
+  if (m_data->labels.labels.empty())
+    return;
+  QImage canvas(reinterpret_cast<uchar*>(rows.rgba.data()), rows.width, rows.height,
+                qsizetype(8) * rows.width, QImage::Format_RGBA64_Premultiplied);
+  QPainter painter(&canvas);
+  painter.translate(0.0, -qreal(top));
+  painter.scale(m_data->pixelsPerMm, m_data->pixelsPerMm);
+  paintLabels(painter, m_data->labels);
+}
+
+}  // namespace sline::render
