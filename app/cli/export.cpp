@@ -80,10 +80,11 @@ render::ExportOrder exportOrder(const ArrangedScene& arranged, const PictureOrde
   render::ExportOrder job;
   job.scene = arranged.scene;
   job.camera = arranged.camera;
-  job.viewName = order.camera ? std::string() : order.view;
+  job.viewName = order.labels.viewName;
   job.page = page;
   job.look = {order.background, order.light, order.keyLight};
   job.labels = order.labels.style;
+  job.marks = order.labels.marks;
   return job;
 }
 
@@ -105,7 +106,7 @@ Exit runExport(const ExportFlags& flags) {
   const Result<model::Imported> imported = readInputs(flags.input.inputs, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
-  const Result<ArrangedScene> arranged = arrangedFor(imported->scene, *order);
+  const Result<ArrangedScene> arranged = arrangedOn(page->sizeMm, imported->scene, *order);
   if (!arranged.ok())
     return complain(arranged.error(), Exit::wrongUse);
   if (arranged->scene.visibleBounds().empty())
@@ -154,6 +155,8 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
   addCameraOption(command, flags.picture, view);
   addDetailOptions(command, flags.picture);
   addLookOptions(command, flags.picture);
+  flags.picture.labels.marks = "on";
+  addLabelOptions(command, flags.picture.labels, "the page");
   addSectionOptions(command, flags.picture.sections);
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
@@ -161,7 +164,10 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
   command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
   command.footer(
       "Lines are as wide as in a picture of the same shape: a contour is 1/360 of the page's\n"
-      "height. Names of groups and structures are written into the file, nothing else is.\n\n"
+      "height, whatever its pixels. Vectors hold names of groups and structures; where the scene\n"
+      "came from, who drew it and when is in no file. Several kinds can be written at once.\n\n"
+      "  sline export pelvis.sline --png pelvis.png --size-mm 180x120 --dpi 300\n"
+      "  sline export pelvis.sline --tiff figure1.tiff --bw --bits 1 --dpi 600\n"
       "  sline export pelvis.sline --svg pelvis.svg --view anterior --size-mm 180x120\n"
       "  sline export abdomen/ --svg abdomen.svg --gamma 3 --background transparent");
 }
@@ -169,9 +175,9 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
 }  // namespace
 
 void addExport(CLI::App& program, Exit& exit) {
-  addCommand<ExportFlags>(program, exit,
-                          {"export", "Write vector drawings of meshes, folders and scenes"},
-                          declareExport, runExport);
+  addCommand<ExportFlags>(
+      program, exit, {"export", "Write pictures for print and vector drawings of what files hold"},
+      declareExport, runExport);
 }
 
 }  // namespace sline::cli

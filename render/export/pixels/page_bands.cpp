@@ -51,7 +51,7 @@ class BandWriter {
   double share() const {
     const double rows = double(m_top) + double(m_filled) / double(m_bands.size.x) /
                                             double(m_bands.samples * m_bands.samples);
-    return rows / double(m_bands.size.y);
+    return std::min(rows / double(m_bands.size.y), 1.0);
   }
 
  private:
@@ -121,13 +121,14 @@ Status drawBands(const ExportOrder& order, const PageBands& bands, const BandTak
 }
 
 int usualSamples(glm::ivec2 size, const ExportPixels& pixels) {
+  constexpr int mostPixels = 65535;  // of a picture's side, samples counted
+  const int most = std::max(mostPixels / std::max(size.x, size.y), 1);
   if (pixels.samples > 0)
-    return pixels.samples;
+    return std::min(pixels.samples, most);
   const double count = double(size.x) * double(size.y);
-  const bool ink = pixels.pureInk || pixels.bits == 1;
-  if (count <= 12.0e6)
-    return ink || pixels.bits == 16 ? 4 : 2;
-  return ink || pixels.bits == 16 || count <= 40.0e6 ? 2 : 1;
+  const bool fine = pixels.pureInk || pixels.bits != 8;
+  const int wanted = count <= 12.0e6 ? (fine ? 4 : 2) : (fine || count <= 40.0e6 ? 2 : 1);
+  return std::min(wanted, most);
 }
 
 }  // namespace sline::render

@@ -4,14 +4,14 @@
 #include <QImage>
 #include <QPainter>
 
-#include "render/export/label_painter.h"
-#include "render/export/labelled_image.h"
+#include "render/export/marks/figure_plate.h"
+#include "render/export/typesetting.h"
 
 namespace sline::render {
 
 struct PageOverlay::Data {
   std::unique_ptr<Typesetting> typesetting;
-  LabelPlate labels;
+  std::optional<FigurePlate> plate;
   qreal pixelsPerMm = 1.0;
 };
 
@@ -21,7 +21,7 @@ PageOverlay::~PageOverlay() = default;
 Result<std::unique_ptr<PageOverlay>> PageOverlay::create(const ExportOrder& order,
                                                          glm::ivec2 pixels) {
   std::unique_ptr<PageOverlay> overlay(new PageOverlay);
-  if (order.labels.mode == LabelMode::off)
+  if (order.labels.mode == LabelMode::off && order.marks == ExportMarks::none())
     return overlay;
   Result<std::unique_ptr<Typesetting>> made = Typesetting::create();
   if (!made.ok())
@@ -29,21 +29,19 @@ Result<std::unique_ptr<PageOverlay>> PageOverlay::create(const ExportOrder& orde
   Data& data = *overlay->m_data;
   data.typesetting = std::move(*made);
   data.pixelsPerMm = qreal(pixels.y) / qreal(order.page.sizeMm.y);
-  SightTrees trees;
-  data.labels =
-      labelPlate(order.scene, Screen(order.camera, order.page.sizeMm), order.labels, trees);
+  data.plate = figurePlate(order);
   return overlay;
 }
 
 void PageOverlay::paint(PixelRows& rows, int top) const {
-  if (m_data->labels.labels.empty())
+  if (!m_data->plate)
     return;
   QImage canvas(reinterpret_cast<uchar*>(rows.rgba.data()), rows.width, rows.height,
                 qsizetype(8) * rows.width, QImage::Format_RGBA64_Premultiplied);
   QPainter painter(&canvas);
   painter.translate(0.0, -qreal(top));
   painter.scale(m_data->pixelsPerMm, m_data->pixelsPerMm);
-  paintLabels(painter, m_data->labels);
+  paintPlate(painter, *m_data->plate);
 }
 
 }  // namespace sline::render

@@ -14,10 +14,13 @@ namespace sline::render {
 
 namespace {
 
-/// Predicted differences should clear the bar by this factor: shading and strokes are not
-/// predicted.
+/// Predicted differences should clear the bar by this factor, and by so much more for each change
+/// that did not do: how strokes and what shines through dilute a colour is not predicted.
 constexpr double reserve = 1.15;
-constexpr int mostRounds = 4;
+constexpr double moreReserve = 0.45;
+constexpr int mostRounds = 5;
+/// After so many colours that did not do, Γ is changed.
+constexpr std::size_t mostColours = 3;
 
 ProofPair pairOf(const SeenStructure& a, const SeenStructure& b, const ProofSettings& settings) {
   ProofPair pair{.a = a.id, .b = b.id};
@@ -160,6 +163,9 @@ class Mender {
 
   /// True where no neighbour that is to differ would look like `changed`.
   bool fits(std::size_t which, const SeenStructure& changed) const {
+    const auto tried = m_triedColours.find(changed.id);
+    const double failures = tried == m_triedColours.end() ? 0.0 : double(tried->second.size());
+    const double caution = reserve + moreReserve * failures;
     for (const SharedBorder& border : m_now.borders) {
       if (border.a != which && border.b != which)
         continue;
@@ -168,7 +174,7 @@ class Mender {
       ProofPair after =
           border.a == which ? m_bar.compare(changed, other) : m_bar.compare(other, changed);
       for (double& difference : after.difference)
-        difference /= reserve;
+        difference /= caution;
       if (m_bar.fails(after))
         return false;
     }
@@ -180,7 +186,7 @@ class Mender {
     if (structure.locked)
       return false;
     std::set<Colour>& tried = m_triedColours[structure.id];
-    if (structure.coloured)
+    if (structure.coloured && tried.size() < mostColours)
       for (const Colour& colour : otherColours(firstColourOf(structure))) {
         SeenStructure changed = structure;
         changed.light = recoloured(structure, colour);

@@ -18,6 +18,7 @@ struct SeenStructure {
   float gamma = 0.0f;
   bool coloured = false;  ///< its own colour shows
   Colour colour;          ///< that, whether it shows or not
+  bool locked = false;    ///< its look is to stay
 };
 
 /// Where two structures lie side by side in the picture.

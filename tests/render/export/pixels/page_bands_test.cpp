@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/pixels/page_bands.h"
 
+#include <QFile>
 #include <QTest>
 #include <cmath>
 
+#include "model/edit/style.h"
+#include "model/import/import.h"
 #include "tests/render/export/pixels/ordered_scene.h"
 
 namespace sline::test {
@@ -68,6 +71,36 @@ render::PixelRows averagedRows(const render::PixelRows& rows, int side) {
   return result;
 }
 
+/// Every manner of drawing, some of it half clear, cut open, with a label and marks.
+render::ExportOrder anatomyOrder(const model::Scene& imported) {
+  render::ExportOrder order;
+  order.scene = imported;
+  std::size_t number = 0;
+  std::vector<model::NodeId> ids;
+  for (const model::Node& node : imported.nodes())
+    if (!node.isGroup())
+      ids.push_back(node.id);
+  for (const model::NodeId id : ids) {
+    model::Style style = gammaStyle(0.4f + 0.55f * float(number % 9));
+    style.fill = number % 4 == 0 ? model::Fill::paper : model::Fill::none;
+    if (number % 5 == 1)
+      style.opacity = Opacity::clamped(0.5f);
+    order.scene = model::withStyle(order.scene, std::span(&id, 1), style).scene;
+    ++number;
+  }
+  cut(order.scene, model::AnatomicalView::posterior, imported.visibleBounds().centre().y,
+      ids[ids.size() / 2]);
+  model::Annotation label;
+  label.anchors = {model::SurfacePoint{ids.front(), 0, {0.3f, 0.3f}}};
+  label.text = "the first of all";
+  order.scene.appendAnnotation(label);
+  order.page = {.sizeMm = {240.0f, 180.0f}, .dpi = 100.0f};
+  order.camera = model::anatomicalCamera(model::AnatomicalView::anterior,
+                                         order.scene.visibleBounds(), 240.0f / 180.0f);
+  order.labels.mode = render::LabelMode::on;
+  return order;
+}
+
 }  // namespace
 
 class PageBandsTest : public QObject {
@@ -77,8 +110,11 @@ class PageBandsTest : public QObject {
   void initTestCase();
   void noSeams_data();
   void noSeams();
+  void noSeamsInAnatomy_data();
+  void noSeamsInAnatomy();
   void printSizeDecides();
   void averagesHoldMore();
+  void samplesStayDrawable();
   void failedBandStops();
 };
 
@@ -111,6 +147,28 @@ void PageBandsTest::noSeams() {
     QVERIFY2(found.share <= 1e-4,
              qPrintable(QString("%1 of the pixels, up to %2").arg(found.share).arg(found.largest)));
   }
+}
+
+void PageBandsTest::noSeamsInAnatomy_data() {
+  QTest::addColumn<QString>("input");
+  QTest::newRow("pelvis") << QStringLiteral(SLINE_TEST_DATA "/pelvis/bodyparts3d");
+  QTest::newRow("abdomen") << QStringLiteral(
+      SLINE_TEST_DATA "/abdomen/AbdominalAtlas-2015Sept-Slicer4-4Version.mrml");
+}
+
+void PageBandsTest::noSeamsInAnatomy() {
+  QFETCH(QString, input);
+  if (!QFile::exists(input))
+    QSKIP("no anatomy to draw");
+  const std::array<std::filesystem::path, 1> inputs{input.toStdString()};
+  const Result<model::Imported> imported = model::importInputs(inputs, {}, {});
+  QVERIFY(imported.ok());
+  const render::ExportOrder order = anatomyOrder(imported->scene);
+  const render::PixelRows whole = drawn(order, {.samples = 1, .bandSamples = 1 << 30});
+  const render::PixelRows bands = drawn(order, {.samples = 1, .bandSamples = 57 * whole.width});
+  const Apart found = apart(whole, bands);
+  QVERIFY2(found.share <= 1e-4,
+           qPrintable(QString("%1 of the pixels, up to %2").arg(found.share).arg(found.largest)));
 }
 
 void PageBandsTest::printSizeDecides() {
@@ -146,6 +204,17 @@ void PageBandsTest::averagesHoldMore() {
   render::PixelRows rows{.width = 1, .height = 1, .rgba = std::vector<std::uint16_t>(4)};
   putAverages(piece, 2, 0, rows);
   QCOMPARE(int(rows.rgba[0]), (low + high + 1) / 2);
+}
+
+void PageBandsTest::samplesStayDrawable() {
+  QCOMPARE(render::usualSamples({1000, 1000}, {}), 2);
+  QCOMPARE(render::usualSamples({1000, 1000}, {.bits = 16}), 4);
+  QCOMPARE(render::usualSamples({7016, 9933}, {}), 1);
+  QCOMPARE(render::usualSamples({7016, 9933}, {.pureInk = true}), 2);
+  QCOMPARE(render::usualSamples({7016, 9933}, {.samples = 3}), 3);
+  // No more than a picture can have.
+  for (const int asked : {0, 4})
+    QVERIFY(20000 * render::usualSamples({20000, 100}, {.bits = 16, .samples = asked}) <= 65535);
 }
 
 void PageBandsTest::failedBandStops() {

@@ -208,6 +208,5 @@ void PrintProofTest::stops() {
 
 }  // namespace sline::test
 
-Q_DECLARE_METATYPE(sline::Colour)
 QTEST_APPLESS_MAIN(sline::test::PrintProofTest)
 #include "print_proof_test.moc"
