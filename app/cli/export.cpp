@@ -6,6 +6,7 @@
 #include "app/cli/command.h"
 #include "app/cli/draw_scene.h"
 #include "app/cli/picture_options.h"
+#include "app/cli/pixel_options.h"
 #include "app/cli/sheet_options.h"
 #include "render/export/formats/export_formats.h"
 #include "render/export/pdf/sheet_layout.h"
@@ -19,6 +20,7 @@ namespace {
 struct ExportFlags {
   InputFlags input;
   PictureFlags picture;
+  PixelFlags pixels;
   std::string sizeMm = "160x90";
   SheetFlags sheet;
   /// A target for each of the formats that are wanted.
@@ -46,17 +48,25 @@ Result<glm::vec2> parsePage(std::string_view text) {
                .remedy = "Write width and height in millimetres, 10 to 5000 each, as in 160x90"};
 }
 
-Result<PictureOrder> understoodExport(const ExportFlags& flags, glm::vec2& page) {
+Result<render::ExportPage> understoodPage(const ExportFlags& flags) {
+  const Result<std::optional<render::ExportPage>> pixels = pageOf(flags.pixels);
+  if (!pixels.ok())
+    return pixels.error();
+  if (*pixels)
+    return **pixels;
+  const Result<glm::vec2> size = parsePage(flags.sizeMm);
+  if (!size.ok())
+    return size.error();
+  return render::ExportPage{.sizeMm = *size, .dpi = float(flags.pixels.dpi)};
+}
+
+Result<PictureOrder> understoodExport(const ExportFlags& flags, const render::ExportPage& page) {
   if (flags.targets.empty()) {
     std::string known;
     for (const render::ExportFormat& format : render::exportFormats())
       known += (known.empty() ? "Give --" : ", --") + std::string(format.id) + " FILE";
     return Error{.reason = "nothing says what to write", .remedy = known};
   }
-  const Result<glm::vec2> size = parsePage(flags.sizeMm);
-  if (!size.ok())
-    return size.error();
-  page = *size;
   Result<PictureOrder> order = understoodLook(flags.picture);
   if (!order.ok())
     return order;
@@ -64,17 +74,18 @@ Result<PictureOrder> understoodExport(const ExportFlags& flags, glm::vec2& page)
     return Error{.reason = "hatching as Sline's paper prints it is made of grey pixels, not lines",
                  .remedy = "Leave --hatching out, or draw a picture with `sline render`"};
   // The camera is fitted to the page's shape.
-  order->size = {int(std::lround(100.0f * page.x)), int(std::lround(100.0f * page.y))};
+  order->size = {int(std::lround(100.0f * page.sizeMm.x)),
+                 int(std::lround(100.0f * page.sizeMm.y))};
   return order;
 }
 
 render::ExportOrder exportOrder(const ArrangedScene& arranged, const PictureOrder& order,
-                                glm::vec2 page) {
+                                const render::ExportPage& page) {
   render::ExportOrder job;
   job.scene = arranged.scene;
   job.camera = arranged.camera;
   job.viewName = order.labels.viewName;
-  job.page.sizeMm = page;
+  job.page = page;
   job.look = {order.background, order.light, order.keyLight};
   job.labels = order.labels.style;
   job.marks = order.labels.marks;
@@ -100,8 +111,13 @@ Exit runExport(const ExportFlags& flags) {
   const Result<model::ImportOptions> options = importOptions(flags.input);
   if (!options.ok())
     return complain(options.error(), Exit::wrongUse);
-  glm::vec2 page(0.0f);
-  Result<PictureOrder> order = understoodExport(flags, page);
+  const Result<render::ExportPage> page = understoodPage(flags);
+  if (!page.ok())
+    return complain(page.error(), Exit::wrongUse);
+  const Result<render::ExportPixels> pixels = understood(flags.pixels, flags.picture.blackAndWhite);
+  if (!pixels.ok())
+    return complain(pixels.error(), Exit::wrongUse);
+  Result<PictureOrder> order = understoodExport(flags, *page);
   if (!order.ok())
     return complain(order.error(), Exit::wrongUse);
   const Result<render::ExportSheet> sheet = understood(flags.sheet);
@@ -115,12 +131,13 @@ Exit runExport(const ExportFlags& flags) {
   const Result<model::Imported> imported = readInputs(flags.input.inputs, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
-  const Result<ArrangedScene> arranged = arrangedOn(page, imported->scene, *order);
+  const Result<ArrangedScene> arranged = arrangedOn(page->sizeMm, imported->scene, *order);
   if (!arranged.ok())
     return complain(arranged.error(), Exit::wrongUse);
   if (arranged->scene.visibleBounds().empty())
     warn("no structure is visible: the drawing is empty");
-  render::ExportOrder job = exportOrder(*arranged, *order, page);
+  render::ExportOrder job = exportOrder(*arranged, *order, *page);
+  job.pixels = *pixels;
   job.sheet = *sheet;
   if (sheet->kind != render::SheetKind::none) {
     const Result<render::ExportOrder> fitted = onSheet(job, *order, **typesetting);
@@ -160,6 +177,7 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
       command.add_option("--size-mm", flags.sizeMm, "Width and height of the page in millimetres")
           ->type_name("WxH")
           ->capture_default_str();
+  addPixelOptions(command, flags.pixels);
   addSheetOptions(command, flags.sheet, size);
   CLI::Option* view = command
                           .add_option("--view,--from", flags.picture.view,
@@ -180,7 +198,10 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
   command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
   command.footer(
       "Lines are as wide as in a picture of the same shape: a contour is 1/360 of the page's\n"
-      "height. Names of groups and structures are written into the file, nothing else is.\n\n"
+      "height, whatever its pixels. Vectors hold names of groups and structures; where the scene\n"
+      "came from, who drew it and when is in no file. Several kinds can be written at once.\n\n"
+      "  sline export pelvis.sline --png pelvis.png --size-mm 180x120 --dpi 300\n"
+      "  sline export pelvis.sline --tiff figure1.tiff --bw --bits 1 --dpi 600\n"
       "  sline export pelvis.sline --svg pelvis.svg --view anterior --size-mm 180x120\n"
       "  sline export abdomen/ --svg abdomen.svg --gamma 3 --background transparent");
 }
@@ -188,9 +209,9 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
 }  // namespace
 
 void addExport(CLI::App& program, Exit& exit) {
-  addCommand<ExportFlags>(program, exit,
-                          {"export", "Write vector drawings of meshes, folders and scenes"},
-                          declareExport, runExport);
+  addCommand<ExportFlags>(
+      program, exit, {"export", "Write pictures for print and vector drawings of what files hold"},
+      declareExport, runExport);
 }
 
 }  // namespace sline::cli

@@ -6,11 +6,11 @@
 #include <glm/trigonometric.hpp>
 
 #include "app/cli/camera_file.h"
-#include "app/cli/image_file.h"
 #include "app/cli/names.h"
 #include "model/edit/style.h"
 #include "model/edit/views.h"
 #include "model/geometry/plane_section.h"
+#include "render/export/pixels/image_file.h"
 #include "render/gpu/headless/context.h"
 
 namespace sline::cli {
@@ -204,7 +204,7 @@ Status understoodLabels(const PictureFlags& flags, PictureOrder& order) {
 }  // namespace
 
 Result<PictureOrder> understood(const PictureFlags& flags) {
-  if (Status named = checkImageName(flags.output); !named.ok())
+  if (Status named = render::checkImageName(flags.output); !named.ok())
     return named.error();
   return understoodLook(flags);
 }
@@ -364,7 +364,7 @@ Status drawToFile(const model::Scene& scene, const model::Camera& camera, const 
   render::Image drawn = order.samples > 1 ? render::averaged(*image, order.samples) : *image;
   drawLabels(drawn, scene, camera, order.labels, order.background);
   progress.show(0.9, "writing " + order.output);
-  return writeImage(drawn, order.output);
+  return render::writeImage(drawn, order.output);
 }
 
 }  // namespace sline::cli
