@@ -22,6 +22,9 @@ packages=(
   zlib1g-dev libbz2-dev
 )
 
+# For Khronos's glTF validator; whoever has npm from elsewhere keeps it.
+command -v npm >/dev/null || packages+=(nodejs npm)
+
 missing=()
 for package in "${packages[@]}"; do
   state=$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null || true)

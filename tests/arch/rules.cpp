@@ -63,6 +63,8 @@ const std::vector<Room>& rooms() {
        {"model/base", "model/geometry", "model/scene", "render/lines", "render/gpu",
         "render/passes", "render/picture"}},
       {"render/export/order", {"model/base", "model/scene", "render/picture"}},
+      {"render/export/gltf",
+       {"model/base", "model/files", "model/geometry", "model/scene", "render/export/order"}},
       {"render/export/svg",
        {"model/base", "model/files", "model/scene", "render/export/order", "render/vectors"}},
       {"render/export/formats", {"model/base", "render/export"}},
@@ -118,7 +120,9 @@ const std::vector<Library>& libraries() {
       {"CLI11", std::regex("CLI/.*"), {"app", "tests"}},
       {"libzip", std::regex("zip(conf)?\\.h"), {"model/files"}},
       {"zlib, bzip2", std::regex("(zlib|bzlib)\\.h"), {"model/import", "tests"}},
-      {"nlohmann-json", std::regex("nlohmann/.*"), {"app", "model/files", "model/import", "tests"}},
+      {"nlohmann-json",
+       std::regex("nlohmann/.*"),
+       {"app", "model/files", "model/import", "render/export/gltf", "tests"}},
   };
   return table;
 }

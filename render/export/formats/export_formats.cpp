@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "render/export/gltf/gltf_file.h"
 #include "render/export/svg/svg_file.h"
 
 namespace sline::render {
@@ -13,6 +14,10 @@ std::span<const ExportFormat> exportFormats() {
                    "Vectors for Inkscape, Illustrator and print: lines and hatching as smooth "
                    "paths, hidden ones removed, a named group for each structure",
                    "svg", writeSvg},
+      ExportFormat{"glb", "glTF (GLB)",
+                   "Surfaces for Blender, PowerPoint, web pages and headsets: groups, names and "
+                   "colours, annotations, cameras of the saved views",
+                   "glb", writeGltf},
   };
   return formats;
 }
