@@ -5,6 +5,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/draw_scene.h"
+#include "app/cli/film_options.h"
 #include "app/cli/picture_options.h"
 #include "render/export/formats/export_formats.h"
 #include "render/vectors/vector_drawing.h"
@@ -16,6 +17,7 @@ namespace {
 struct ExportFlags {
   InputFlags input;
   PictureFlags picture;
+  FilmFlags film;
   std::string sizeMm = "160x90";
   /// A target for each of the formats that are wanted.
   std::map<std::string, std::string> targets;
@@ -76,7 +78,10 @@ render::ExportOrder exportOrder(const ArrangedScene& arranged, const PictureOrde
   return job;
 }
 
-Exit runExport(const ExportFlags& flags) {
+Exit runExport(const ExportFlags& typed) {
+  ExportFlags flags = typed;
+  if (const Status film = addFilmTarget(typed.film, flags.targets); !film.ok())
+    return complain(film.error(), Exit::wrongUse);
   const Result<model::ImportOptions> options = importOptions(flags.input);
   if (!options.ok())
     return complain(options.error(), Exit::wrongUse);
@@ -94,7 +99,11 @@ Exit runExport(const ExportFlags& flags) {
     return complain(arranged.error(), Exit::wrongUse);
   if (arranged->scene.visibleBounds().empty())
     warn("no structure is visible: the drawing is empty");
-  const render::ExportOrder job = exportOrder(*arranged, *order, page);
+  const Result<render::FilmOptions> film = understood(flags.film, arranged->scene);
+  if (!film.ok())
+    return complain(film.error(), Exit::wrongUse);
+  render::ExportOrder job = exportOrder(*arranged, *order, page);
+  job.film = *film;
   for (const render::ExportFormat& format : render::exportFormats()) {
     const auto target = flags.targets.find(format.id);
     if (target == flags.targets.end())
@@ -137,6 +146,7 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
   addDetailOptions(command, flags.picture);
   addLookOptions(command, flags.picture);
   addSectionOptions(command, flags.picture.sections);
+  addFilmOptions(command, flags.film);
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
       ->default_str("auto");

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "render/export/gltf/gltf_file.h"
+#include "render/export/motion/film_file.h"
 #include "render/export/svg/svg_file.h"
 
 namespace sline::render {
@@ -18,6 +19,17 @@ std::span<const ExportFormat> exportFormats() {
                    "Surfaces for Blender, PowerPoint, web pages and headsets: groups, names and "
                    "colours, annotations, cameras of the saved views",
                    "glb", writeGltf},
+      ExportFormat{"mp4", "MP4 film",
+                   "A film for slides and web pages, where the program ffmpeg is installed", "mp4",
+                   writeMp4},
+      ExportFormat{"webp", "Animated WebP", "A film that browsers show as a picture", "webp",
+                   writeWebp},
+      ExportFormat{"gif", "Animated GIF",
+                   "A film that every program shows, of at most 255 colours: small ones", "gif",
+                   writeGif},
+      ExportFormat{"frames", "Frames of a film",
+                   "A new folder of numbered PNG pictures, for programs that cut films", "",
+                   writeFrames},
   };
   return formats;
 }

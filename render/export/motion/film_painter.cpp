@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/motion/film_painter.h"
+
+#include <QImage>
+#include <cstring>
+
+#include "render/export/label_painter.h"
+#include "render/export/labelled_image.h"
+#include "render/gpu/headless/context.h"
+
+namespace sline::render {
+
+struct FilmPainter::Data {
+  const ExportOrder& order;
+  std::unique_ptr<Typesetting> typesetting;
+  std::unique_ptr<gpu::HeadlessContext> context;
+  std::unique_ptr<Picture> picture;  ///< goes before its context
+  SightTrees trees;
+  std::optional<LabelLayout> layout;  ///< of the frame before
+
+  bool labelled() const { return order.labels.mode != LabelMode::off; }
+  LabelPlate plateOf(const FilmFrame& frame);
+  Result<Image> drawn(const FilmFrame& frame, const glm::ivec2& size);
+  void paint(Image& image, const LabelPlate& plate) const;
+};
+
+FilmPainter::FilmPainter(std::unique_ptr<Data> data) : m_data(std::move(data)) {}
+FilmPainter::~FilmPainter() = default;
+
+Result<std::unique_ptr<FilmPainter>> FilmPainter::create(const ExportOrder& order) {
+  std::unique_ptr<Data> data(new Data{order, nullptr, nullptr, nullptr, {}, std::nullopt});
+  if (data->labelled()) {
+    Result<std::unique_ptr<Typesetting>> typesetting = Typesetting::create();
+    if (!typesetting.ok())
+      return typesetting.error();
+    data->typesetting = std::move(*typesetting);
+  }
+  Result<std::unique_ptr<gpu::HeadlessContext>> context = gpu::HeadlessContext::create();
+  if (!context.ok())
+    return context.error();
+  data->context = std::move(*context);
+  Result<std::unique_ptr<Picture>> picture = Picture::create();
+  if (!picture.ok())
+    return picture.error();
+  data->picture = std::move(*picture);
+  return std::unique_ptr<FilmPainter>(new FilmPainter(std::move(data)));
+}
+
+float FilmPainter::anatomyShare() const {
+  const ExportOrder& order = m_data->order;
+  if (!m_data->labelled())
+    return 1.0f;
+  return shareBesideLabels(
+      {.scene = order.scene, .style = order.labels, .heightMm = order.page.sizeMm.y},
+      order.page.sizeMm.x / order.page.sizeMm.y, *m_data->typesetting);
+}
+
+LabelPlate FilmPainter::Data::plateOf(const FilmFrame& frame) {
+  const Screen screen(frame.camera, order.page.sizeMm);
+  LabelPlate plate =
+      labelPlate(frame.scene, screen, order.labels, trees, layout ? &*layout : nullptr);
+  layout = plate.layout;
+  return plate;
+}
+
+void FilmPainter::settleLabels(const Film& film) {
+  if (!m_data->labelled() || !film.loops())
+    return;
+  for (int i = 0; i < film.frames(); ++i)
+    m_data->plateOf(film.at(i));
+}
+
+Result<Image> FilmPainter::Data::drawn(const FilmFrame& frame, const glm::ivec2& size) {
+  // As pictures are drawn: averaged where pixels are not fine enough by themselves.
+  constexpr std::int64_t fine = 8'000'000;
+  const int samples = std::int64_t(size.x) * size.y > fine ? 1 : 2;
+  Result<Image> image = picture->render(frame.scene, frame.camera,
+                                        {.width = samples * size.x,
+                                         .height = samples * size.y,
+                                         .background = order.look.background,
+                                         .light = order.look.light,
+                                         .keyLight = order.look.keyLight});
+  if (!image.ok() || samples == 1)
+    return image;
+  return averaged(*image, samples);
+}
+
+void FilmPainter::Data::paint(Image& image, const LabelPlate& plate) const {
+  // QPainter blends right only where colours are multiplied by their alpha.
+  QImage canvas = QImage(image.rgba.data(), image.width, image.height, qsizetype(4) * image.width,
+                         QImage::Format_RGBA8888)
+                      .convertToFormat(QImage::Format_RGBA8888_Premultiplied);
+  {
+    QPainter painter(&canvas);
+    painter.scale(qreal(image.width) / qreal(order.page.sizeMm.x),
+                  qreal(image.height) / qreal(order.page.sizeMm.y));
+    paintLabels(painter, plate);
+  }
+  const QImage straight = canvas.convertToFormat(QImage::Format_RGBA8888);
+  const std::size_t row = std::size_t(4) * std::size_t(image.width);
+  for (int y = 0; y < image.height; ++y)
+    std::memcpy(&image.rgba[row * std::size_t(y)], straight.constScanLine(y), row);
+}
+
+Result<Image> FilmPainter::draw(const Film& film, int frame) {
+  const FilmFrame shown = film.at(frame);
+  Result<Image> image = m_data->drawn(shown, film.size());
+  if (image.ok() && m_data->labelled())
+    m_data->paint(*image, m_data->plateOf(shown));
+  return image;
+}
+
+Result<Image> FilmPainter::drawAlone(const Film& film, int frame) {
+  const std::optional<LabelLayout> before = m_data->layout;
+  Result<Image> image = draw(film, frame);
+  m_data->layout = before;
+  return image;
+}
+
+}  // namespace sline::render
