@@ -22,6 +22,8 @@ packages=(
   zlib1g-dev libbz2-dev
   # films; ffmpeg is a program that writes some where it is installed
   libwebp-dev libgif-dev ffmpeg
+  # Anki's packages
+  libsqlite3-dev
 )
 
 # For Khronos's glTF validator; whoever has npm from elsewhere keeps it.

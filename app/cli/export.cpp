@@ -3,6 +3,7 @@
 #include <charconv>
 #include <map>
 
+#include "app/cli/anki_options.h"
 #include "app/cli/command.h"
 #include "app/cli/draw_scene.h"
 #include "app/cli/film_options.h"
@@ -18,6 +19,7 @@ struct ExportFlags {
   InputFlags input;
   PictureFlags picture;
   FilmFlags film;
+  render::AnkiOptions anki;
   std::string sizeMm = "160x90";
   /// A target for each of the formats that are wanted.
   std::map<std::string, std::string> targets;
@@ -104,6 +106,7 @@ Exit runExport(const ExportFlags& typed) {
     return complain(film.error(), Exit::wrongUse);
   render::ExportOrder job = exportOrder(*arranged, *order, page);
   job.film = *film;
+  job.anki = flags.anki;
   for (const render::ExportFormat& format : render::exportFormats()) {
     const auto target = flags.targets.find(format.id);
     if (target == flags.targets.end())
@@ -147,6 +150,7 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
   addLookOptions(command, flags.picture);
   addSectionOptions(command, flags.picture.sections);
   addFilmOptions(command, flags.film);
+  addAnkiOptions(command, flags.anki);
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
       ->default_str("auto");

@@ -63,6 +63,7 @@ const std::vector<Room>& rooms() {
        {"model/base", "model/geometry", "model/scene", "render/lines", "render/gpu",
         "render/passes", "render/picture"}},
       {"render/export/order", {"model/base", "model/scene", "render/picture"}},
+      {"render/export/anki", {"model/base", "model/files", "model/scene", "render"}},
       {"render/export/gltf",
        {"model/base", "model/files", "model/geometry", "model/scene", "render/export/order"}},
       {"render/export/motion", {"model", "render"}},
@@ -120,11 +121,12 @@ const std::vector<Library>& libraries() {
       {"OpenImageIO", std::regex("OpenImageIO/.*"), {"app/cli", "render/export", "tests"}},
       {"CLI11", std::regex("CLI/.*"), {"app", "tests"}},
       {"libzip", std::regex("zip(conf)?\\.h"), {"model/files"}},
+      {"sqlite3", std::regex("sqlite3\\.h"), {"render/export/anki", "tests"}},
       {"libwebp, giflib", std::regex("webp/.*|gif_lib\\.h"), {"render/export/motion", "tests"}},
       {"zlib, bzip2", std::regex("(zlib|bzlib)\\.h"), {"model/import", "tests"}},
       {"nlohmann-json",
        std::regex("nlohmann/.*"),
-       {"app", "model/files", "model/import", "render/export/gltf", "tests"}},
+       {"app", "model/files", "model/import", "render/export/anki", "render/export/gltf", "tests"}},
   };
   return table;
 }

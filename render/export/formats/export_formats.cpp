@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "render/export/anki/anki_file.h"
 #include "render/export/gltf/gltf_file.h"
 #include "render/export/motion/film_file.h"
 #include "render/export/svg/svg_file.h"
@@ -30,6 +31,10 @@ std::span<const ExportFormat> exportFormats() {
       ExportFormat{"frames", "Frames of a film",
                    "A new folder of numbered PNG pictures, for programs that cut films", "",
                    writeFrames},
+      ExportFormat{"anki", "Anki deck",
+                   "Cards that ask for the labels of the picture: a package for Anki (.apkg), or "
+                   "text and pictures in a ZIP (.zip) or a new folder",
+                   "apkg", writeAnki},
   };
   return formats;
 }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/motion/film_file.h"
 
-#include <unistd.h>
-
 #include <cerrno>
 #include <system_error>
 
 #include "model/files/whole_file.h"
+#include "model/files/whole_folder.h"
 #include "render/export/motion/film_painter.h"
 #include "render/export/motion/film_sink.h"
 
@@ -118,23 +117,6 @@ Status writeFilm(Filming& filming, const fs::path& target, const Begin& newSink)
   });
 }
 
-/// Nothing, or a folder without anything in it, may stand where a folder of frames shall be.
-Status checkedFolder(const fs::path& target) {
-  std::error_code failure;
-  const fs::file_status status = fs::status(target, failure);
-  if (!fs::exists(status))
-    return Unit{};
-  if (!fs::is_directory(status))
-    return Error{.file = target.string(),
-                 .reason = "it is a file; frames need a folder",
-                 .remedy = "Name a folder that is not there yet"};
-  if (!fs::is_empty(target, failure) || failure)
-    return Error{.file = target.string(),
-                 .reason = failure ? "the folder cannot be read" : "the folder is not empty",
-                 .remedy = "Name a folder that is not there yet, or an empty one"};
-  return Unit{};
-}
-
 }  // namespace
 
 Status writeWebp(const ExportOrder& order, const fs::path& target, const ExportProgress& progress) {
@@ -162,32 +144,15 @@ Status writeMp4(const ExportOrder& order, const fs::path& target, const ExportPr
                    [&](const fs::path& file) { return mp4Sink(file, filming.shape()); });
 }
 
-Status writeFrames(const ExportOrder& order, const fs::path& named,
+Status writeFrames(const ExportOrder& order, const fs::path& target,
                    const ExportProgress& progress) {
-  // "frames/" ends with an empty name.
-  const fs::path target = named.has_filename() ? named : named.parent_path();
-  Filming filming(order, target, progress);
-  if (const Status free = checkedFolder(target); !free.ok())
-    return free;
-  if (const Status ready = filming.prepare(); !ready.ok())
-    return ready;
-  const fs::path temporary =
-      target.parent_path() / ("." + target.filename().string() + "." + std::to_string(getpid()));
-  std::error_code failure;
-  fs::create_directory(temporary, failure);
-  if (failure)
-    return filmNotWritten(target, failure.value());
-  NewSink sink = frameSink(temporary, filming.shape());
-  Status written = sink.ok() ? filming.run(**sink) : Status(sink.error());
-  if (written.ok()) {
-    fs::rename(temporary, target, failure);
-    if (failure)
-      written = filmNotWritten(target, failure.value());
-  }
-  std::error_code ignored;
-  if (!written.ok())
-    fs::remove_all(temporary, ignored);
-  return written.ok() ? written : Status(filming.at(written.error()));
+  return model::writeFolder(target, [&](const fs::path& folder) -> Status {
+    Filming filming(order, target, progress);
+    if (const Status ready = filming.prepare(); !ready.ok())
+      return ready;
+    NewSink sink = frameSink(folder, filming.shape());
+    return sink.ok() ? filming.run(**sink) : Status(sink.error());
+  });
 }
 
 }  // namespace sline::render

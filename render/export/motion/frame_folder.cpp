@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <QBuffer>
-#include <QImage>
 #include <algorithm>
 
 #include "model/files/whole_file.h"
 #include "render/export/motion/film_sink.h"
+#include "render/export/png_image.h"
 
 namespace sline::render {
 
@@ -17,28 +16,11 @@ class FrameFolder : public FilmSink {
         m_digits(std::max<std::size_t>(std::to_string(shape.frames).size(), 4)) {}
 
   Status add(const Image& frame) override {
-    // Not QImage::save: it would say no reason.
-    QByteArray png;
-    QBuffer buffer(&png);
-    buffer.open(QIODevice::WriteOnly);
-    const QImage image(frame.rgba.data(), frame.width, frame.height, qsizetype(4) * frame.width,
-                       QImage::Format_RGBA8888);
-    const bool opaque = [&frame] {
-      for (std::size_t i = 3; i < frame.rgba.size(); i += 4)
-        if (frame.rgba[i] != 255)
-          return false;
-      return true;
-    }();
-    const bool encoded = opaque ? image.convertToFormat(QImage::Format_RGB888).save(&buffer, "PNG")
-                                : image.save(&buffer, "PNG");
     std::string number = std::to_string(++m_added);
     number.insert(0, m_digits - std::min(m_digits, number.size()), '0');
     const std::filesystem::path file = m_folder / ("frame_" + number + ".png");
-    if (!encoded)
-      return Error{.file = file.string(),
-                   .reason = "the picture cannot be made",
-                   .remedy = "Make it smaller"};
-    return model::writeText(file, std::string_view(png.constData(), std::size_t(png.size())));
+    const Result<std::string> png = pngOf(frame);
+    return png.ok() ? model::writeText(file, *png) : Status(png.error());
   }
 
   Status finish() override { return Unit{}; }

@@ -56,6 +56,12 @@ struct FilmOptions {
   std::vector<model::NodeId> swept;  ///< whose Γ changes; none: everything's
 };
 
+/// For decks of cards that ask for labels.
+struct AnkiOptions {
+  std::string deck;          ///< its name; empty: the view's, or "Anatomy"
+  bool othersShown = false;  ///< a card shows the other labels, too
+};
+
 /// All that a file of any kind is made from. The scene is as it is to be drawn: a saved view, a
 /// focus or sections that were asked for are in it already.
 struct ExportOrder {
@@ -67,6 +73,7 @@ struct ExportOrder {
   LabelStyle labels{.mode = LabelMode::off, .language = {}};
   ExportMarks marks;
   FilmOptions film;
+  AnkiOptions anki;
 };
 
 /// Told what part of the whole is behind it and what is being done; false: nobody wants the file
