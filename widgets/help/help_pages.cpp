@@ -40,7 +40,7 @@ std::vector<QString> helpPageIds() {
   std::vector<QString> ids;
   for (const char* id : {"start", "tree", "gamma", "focus", "sections", "picture", "views", "files",
                          "import", "keys", "label_volumes", "dicom", "slicer", "molecules",
-                         "annotate", "vectors", "scene_file"})
+                         "annotate", "vectors", "films", "scene_file"})
     ids.push_back(QLatin1String(id));
   return ids;
 }
