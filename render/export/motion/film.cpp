@@ -39,7 +39,7 @@ Status checked(const FilmOptions& options, const glm::ivec2& size) {
 
 }  // namespace
 
-Result<Film> Film::create(const ExportOrder& order, float share) {
+Result<Film> Film::create(const ExportOrder& order, const glm::vec2& share) {
   const FilmOptions& options = order.film;
   const double aspect = double(order.page.sizeMm.x) / double(order.page.sizeMm.y);
   Film film;

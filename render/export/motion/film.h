@@ -28,7 +28,7 @@ class Film {
  public:
   /// The error says what the film lacks: views for a tour, time for its rests. `share` as for
   /// Turntable.
-  static Result<Film> create(const ExportOrder& order, float share = 1.0f);
+  static Result<Film> create(const ExportOrder& order, const glm::vec2& share = glm::vec2(1.0f));
 
   int frames() const { return m_frames; }
   int framesPerSecond() const { return m_framesPerSecond; }

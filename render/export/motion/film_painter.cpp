@@ -46,13 +46,14 @@ Result<std::unique_ptr<FilmPainter>> FilmPainter::create(const ExportOrder& orde
   return std::unique_ptr<FilmPainter>(new FilmPainter(std::move(data)));
 }
 
-float FilmPainter::anatomyShare() const {
+glm::vec2 FilmPainter::anatomyShare() const {
   const ExportOrder& order = m_data->order;
   if (!m_data->labelled())
-    return 1.0f;
-  return shareBesideLabels(
+    return glm::vec2(1.0f);
+  const float width = shareBesideLabels(
       {.scene = order.scene, .style = order.labels, .heightMm = order.page.sizeMm.y},
       order.page.sizeMm.x / order.page.sizeMm.y, *m_data->typesetting);
+  return {width, 1.0f};
 }
 
 LabelPlate FilmPainter::Data::plateOf(const FilmFrame& frame) {

@@ -17,8 +17,8 @@ class FilmPainter {
   static Result<std::unique_ptr<FilmPainter>> create(const ExportOrder& order);
   ~FilmPainter();
 
-  /// What of the width columns of labels leave to the anatomy.
-  float anatomyShare() const;
+  /// What of the width and the height labels leave to the anatomy.
+  glm::vec2 anatomyShare() const;
   /// Labels begin where they end when the film comes round: of one that loops, the first frame
   /// follows the last as any other.
   void settleLabels(const Film& film);

@@ -86,48 +86,52 @@ bool fits(const Camera& camera, const std::vector<glm::vec3>& points, const glm:
   });
 }
 
-/// The picture shows `factor` times as much.
-Camera steppedBack(Camera camera, float factor) {
-  camera.eye = camera.target + factor * (camera.eye - camera.target);
-  camera.heightMm *= factor;
-  return camera;
+/// In the middle of how far the points reach across the axis.
+glm::vec3 middleOf(const std::vector<glm::vec3>& points, const glm::vec3& axis) {
+  model::Box box;
+  for (const glm::vec3& p : points)
+    box.add(p);
+  // Along the axis any place will do.
+  return box.centre() - glm::dot(box.centre(), axis) * axis;
 }
 
-Camera withRoom(const Camera& camera, const std::vector<glm::vec3>& points,
-                const glm::vec2& limit) {
-  constexpr float farthest = 8.0f;
-  if (fits(camera, points, limit) || !fits(steppedBack(camera, farthest), points, limit))
-    return camera;
-  float near = 1.0f;
-  float far = farthest;
-  for (int i = 0; i < 24; ++i) {
-    const float middle = 0.5f * (near + far);
-    (fits(steppedBack(camera, middle), points, limit) ? far : near) = middle;
-  }
-  return steppedBack(camera, far);
+/// Moved so that all points are in the part of the picture that is free.
+Camera fittedWithin(const Camera& camera, const std::vector<glm::vec3>& points, float aspect,
+                    const glm::vec2& share) {
+  Camera fitted = model::fitted(camera, points, aspect * share.x / share.y);
+  fitted.eye = fitted.target + (fitted.eye - fitted.target) / share.y;
+  fitted.heightMm /= share.y;
+  return fitted;
 }
 
 }  // namespace
 
-Turntable::Turntable(const model::Scene& scene, const Camera& camera, float aspect, float share)
-    : m_camera(camera) {
+Turntable::Turntable(const model::Scene& scene, const Camera& camera, float aspect,
+                     const glm::vec2& share)
+    : m_camera(camera), m_middle(camera.target) {
   const model::CameraFrame frame = model::cameraFrame(camera);
   constexpr float along = 0.97f;
   if (std::abs(frame.back.z) > along)
     m_axis = frame.up;
   const std::vector<glm::vec3> points = visiblePoints(scene, 200'000);
-  if (!points.empty() && fits(camera, points, {aspect, 1.0f}))
-    m_camera = withRoom(camera, turned(points, camera.target, m_axis),
-                        reach * glm::vec2(share * aspect, 1.0f));
+  if (points.empty() || !fits(camera, points, {aspect, 1.0f}) ||
+      fits(camera, turned(points, camera.target, m_axis), reach * share * glm::vec2(aspect, 1.0f)))
+    return;
+  m_middle = middleOf(points, m_axis);
+  m_camera = fittedWithin(camera, turned(points, m_middle, m_axis), aspect, share);
 }
 
 Camera Turntable::at(double part) const {
   if (part <= 0.0 || part >= 1.0)
     return m_camera;
   const glm::dquat turn = glm::angleAxis(2.0 * std::numbers::pi * part, glm::dvec3(m_axis));
+  const glm::dvec3 middle(m_middle);
+  const auto turnedAbout = [&](const glm::vec3& p) {
+    return glm::vec3(middle + turn * (glm::dvec3(p) - middle));
+  };
   Camera camera = m_camera;
-  const glm::dvec3 target(m_camera.target);
-  camera.eye = glm::vec3(target + turn * (glm::dvec3(m_camera.eye) - target));
+  camera.eye = turnedAbout(m_camera.eye);
+  camera.target = turnedAbout(m_camera.target);
   camera.up = glm::vec3(turn * glm::dvec3(m_camera.up));
   return camera;
 }

@@ -50,11 +50,15 @@ float gammaIn(const render::FilmFrame& frame, std::size_t node = 0) {
   return frame.scene.resolve(frame.scene.nodes()[node].id).gamma.value();
 }
 
-bool allInside(const render::FilmFrame& frame, const glm::vec2& size) {
+/// Within what a margin on all sides leaves of the picture.
+bool allInside(const render::FilmFrame& frame, const glm::vec2& size,
+               const glm::vec2& margin = glm::vec2(0.0f)) {
   const render::Screen screen(frame.camera, size);
   for (const model::Node& node : frame.scene.nodes())
     for (const glm::vec3& p : node.mesh->positions())
-      if (const auto place = screen.place(p); !place || !screen.inside(*place))
+      if (const auto place = screen.place(p); !place || place->x < margin.x ||
+                                              place->y < margin.y || place->x > size.x - margin.x ||
+                                              place->y > size.y - margin.y)
         return false;
   return true;
 }
@@ -99,6 +103,12 @@ class FilmTest : public QObject {
       order.page.sizeMm = {100.0f, 100.0f};
       const Film film = std::move(Film::create(order)).value();
       QVERIFY(!(film.at(0).camera == order.camera));
+      // In the middle, and no smaller than it must be.
+      QVERIFY(glm::length(film.at(9).camera.target - film.at(27).camera.target) < 1.0f);
+      bool full = false;
+      for (int i = 0; i < film.frames(); ++i)
+        full = full || !allInside(film.at(i), order.page.sizeMm, 0.08f * order.page.sizeMm);
+      QVERIFY(full);
       for (int i = 0; i < film.frames(); ++i)
         QVERIFY2(allInside(film.at(i), order.page.sizeMm), qPrintable(QString::number(i)));
     }
