@@ -73,10 +73,11 @@ render::ExportOrder exportOrder(const ArrangedScene& arranged, const PictureOrde
   render::ExportOrder job;
   job.scene = arranged.scene;
   job.camera = arranged.camera;
-  job.viewName = order.camera ? std::string() : order.view;
+  job.viewName = order.labels.viewName;
   job.page.sizeMm = page;
   job.look = {order.background, order.light, order.keyLight};
   job.labels = order.labels.style;
+  job.marks = order.labels.marks;
   return job;
 }
 
@@ -88,7 +89,7 @@ Exit runExport(const ExportFlags& typed) {
   if (!options.ok())
     return complain(options.error(), Exit::wrongUse);
   glm::vec2 page(0.0f);
-  const Result<PictureOrder> order = understoodExport(flags, page);
+  Result<PictureOrder> order = understoodExport(flags, page);
   if (!order.ok())
     return complain(order.error(), Exit::wrongUse);
 
@@ -96,7 +97,7 @@ Exit runExport(const ExportFlags& typed) {
   const Result<model::Imported> imported = readInputs(flags.input.inputs, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
-  const Result<ArrangedScene> arranged = arrangedFor(imported->scene, *order);
+  const Result<ArrangedScene> arranged = arrangedOn(page, imported->scene, *order);
   if (!arranged.ok())
     return complain(arranged.error(), Exit::wrongUse);
   if (arranged->scene.visibleBounds().empty())
@@ -148,6 +149,8 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
   addCameraOption(command, flags.picture, view);
   addDetailOptions(command, flags.picture);
   addLookOptions(command, flags.picture);
+  flags.picture.labels.marks = "on";
+  addLabelOptions(command, flags.picture.labels, "the page");
   addSectionOptions(command, flags.picture.sections);
   addFilmOptions(command, flags.film);
   addAnkiOptions(command, flags.anki);

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cstring>
 
-#include "render/export/label_painter.h"
-#include "render/export/labelled_image.h"
+#include "render/export/marks/figure_plate.h"
 #include "render/export/png_image.h"
+#include "render/export/typesetting.h"
 #include "render/gpu/headless/context.h"
 
 namespace sline::render {
@@ -56,12 +56,13 @@ LabelPlate onlyThose(const LabelPlate& plate, std::size_t asked, bool others) {
 /// Paints cards over the same ground.
 class Cards {
  public:
-  Cards(const ExportOrder& order, const Image& ground, const LabelPlate& plate)
+  Cards(const ExportOrder& order, const Image& ground, const FigurePlate& plate)
       : m_order(order),
         m_ground(QImage(ground.rgba.data(), ground.width, ground.height,
                         qsizetype(4) * ground.width, QImage::Format_RGBA8888)
                      .convertToFormat(QImage::Format_RGBA8888_Premultiplied)),
-        m_plate(plate) {}
+        m_plate(*plate.labels),
+        m_marks(plate.marks) {}
 
   Result<std::string> answer(std::size_t i) const {
     return painted(onlyThose(m_plate, i, m_order.anki.othersShown), nullptr);
@@ -120,6 +121,7 @@ class Cards {
       painter.scale(qreal(canvas.width()) / qreal(m_order.page.sizeMm.x),
                     qreal(canvas.height()) / qreal(m_order.page.sizeMm.y));
       paintLabels(painter, plate);
+      paintMarks(painter, m_marks);
       if (asked)
         paintBox(painter, *asked);
     }
@@ -135,6 +137,7 @@ class Cards {
   const ExportOrder& m_order;
   QImage m_ground;
   const LabelPlate& m_plate;
+  const Marks& m_marks;
 };
 
 /// Its name stands for its bytes.
@@ -169,19 +172,17 @@ Result<AnkiDeck> ankiCards(const ExportOrder& order, const ExportProgress& progr
   const auto typesetting = Typesetting::create();
   if (!typesetting.ok())
     return typesetting.error();
-  LabelStyle style = order.labels;
-  style.mode = LabelMode::on;
-  style.onDark = order.look.background == Background::dark;
-  SightTrees trees;
-  const LabelPlate plate =
-      labelPlate(order.scene, Screen(order.camera, order.page.sizeMm), style, trees);
+  ExportOrder labelled = order;
+  labelled.labels.mode = LabelMode::on;
+  const FigurePlate whole = figurePlate(labelled);
+  const LabelPlate& plate = *whole.labels;
   if (plate.layout.labels.empty())
     return Error{.reason = "the picture has no labels to ask for",
                  .remedy = "Label structures, or choose a view that shows some"};
   const Result<Image> ground = groundOf(order);
   if (!ground.ok())
     return ground.error();
-  const Cards cards(order, *ground, plate);
+  const Cards cards(order, *ground, whole);
   AnkiDeck deck = emptyDeck(order);
   for (std::size_t i = 0; i < plate.labels.size(); ++i) {
     const ShownLabel& label = plate.labels[i];

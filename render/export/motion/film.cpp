@@ -52,8 +52,7 @@ Result<Film> Film::create(const ExportOrder& order, const glm::vec2& share) {
     case Motion::turntable:
       film.m_motion = Turn{
           order.scene,
-          Turntable(order.scene, order.camera, float(film.m_size.x) / float(film.m_size.y), share),
-          order.viewName};
+          Turntable(order.scene, order.camera, float(film.m_size.x) / float(film.m_size.y), share)};
       return film;
     case Motion::tour: {
       Result<Tour> tour = tourOf(order);
@@ -121,9 +120,8 @@ Result<Film::Sweep> Film::sweepOf(const ExportOrder& order) {
 
 FilmFrame Film::at(int frame) const {
   if (const auto* turn = std::get_if<Turn>(&m_motion))
-    // The name of the view is true of where the turn begins alone.
-    return {turn->scene, turn->table.at(double(frame) / double(m_frames)),
-            frame == 0 ? turn->viewName : std::string()};
+    // The view's name would be true of where the turn begins alone.
+    return {turn->scene, turn->table.at(double(frame) / double(m_frames)), {}};
   if (const auto* tour = std::get_if<Tour>(&m_motion))
     return atTime(*tour, double(frame) / double(m_framesPerSecond));
   const double last = std::max(double(m_frames - 1), 1.0);

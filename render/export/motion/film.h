@@ -42,7 +42,6 @@ class Film {
   struct Turn {
     model::Scene scene;
     Turntable table;
-    std::string viewName;
   };
   struct Leg {
     model::SceneBlend blend;

@@ -69,7 +69,7 @@ class Filming {
   }
 
   Status run(FilmSink& sink) {
-    m_painter->settleLabels(*m_film);
+    m_painter->settle(*m_film);
     const int count = m_film->frames();
     for (int i = 0; i < count; ++i) {
       const std::string what =

@@ -4,8 +4,8 @@
 #include <QImage>
 #include <cstring>
 
-#include "render/export/label_painter.h"
-#include "render/export/labelled_image.h"
+#include "render/export/marks/figure_plate.h"
+#include "render/export/marks/plate_image.h"
 #include "render/gpu/headless/context.h"
 
 namespace sline::render {
@@ -17,19 +17,22 @@ struct FilmPainter::Data {
   std::unique_ptr<Picture> picture;  ///< goes before its context
   SightTrees trees;
   std::optional<LabelLayout> layout;  ///< of the frame before
+  EdgeRoom edges;                     ///< what marks take in any frame: labels keep out of it
 
   bool labelled() const { return order.labels.mode != LabelMode::off; }
-  LabelPlate plateOf(const FilmFrame& frame);
+  bool bare() const { return !labelled() && order.marks == ExportMarks::none(); }
+  ExportOrder orderOf(const FilmFrame& frame) const;
+  FigurePlate plateOf(const FilmFrame& frame);
   Result<Image> drawn(const FilmFrame& frame, const glm::ivec2& size);
-  void paint(Image& image, const LabelPlate& plate) const;
+  void paint(Image& image, const FigurePlate& plate) const;
 };
 
 FilmPainter::FilmPainter(std::unique_ptr<Data> data) : m_data(std::move(data)) {}
 FilmPainter::~FilmPainter() = default;
 
 Result<std::unique_ptr<FilmPainter>> FilmPainter::create(const ExportOrder& order) {
-  std::unique_ptr<Data> data(new Data{order, nullptr, nullptr, nullptr, {}, std::nullopt});
-  if (data->labelled()) {
+  std::unique_ptr<Data> data(new Data{order, nullptr, nullptr, nullptr, {}, std::nullopt, {}});
+  if (!data->bare()) {
     Result<std::unique_ptr<Typesetting>> typesetting = Typesetting::create();
     if (!typesetting.ok())
       return typesetting.error();
@@ -47,28 +50,50 @@ Result<std::unique_ptr<FilmPainter>> FilmPainter::create(const ExportOrder& orde
 }
 
 glm::vec2 FilmPainter::anatomyShare() const {
-  const ExportOrder& order = m_data->order;
-  if (!m_data->labelled())
-    return glm::vec2(1.0f);
-  const float width = shareBesideLabels(
-      {.scene = order.scene, .style = order.labels, .heightMm = order.page.sizeMm.y},
-      order.page.sizeMm.x / order.page.sizeMm.y, *m_data->typesetting);
-  return {width, 1.0f};
+  return m_data->bare() ? glm::vec2(1.0f) : shareBesidePlate(m_data->order, *m_data->typesetting);
 }
 
-LabelPlate FilmPainter::Data::plateOf(const FilmFrame& frame) {
-  const Screen screen(frame.camera, order.page.sizeMm);
-  LabelPlate plate =
-      labelPlate(frame.scene, screen, order.labels, trees, layout ? &*layout : nullptr);
-  layout = plate.layout;
+ExportOrder FilmPainter::Data::orderOf(const FilmFrame& frame) const {
+  ExportOrder now;
+  now.scene = frame.scene;
+  now.camera = frame.camera;
+  now.viewName = frame.viewName;
+  now.page = order.page;
+  now.look = order.look;
+  now.labels = order.labels;
+  now.marks = order.marks;
+  return now;
+}
+
+FigurePlate FilmPainter::Data::plateOf(const FilmFrame& frame) {
+  FigurePlate plate{.labels = {}, .marks = marksOf(orderOf(frame))};
+  if (!labelled())
+    return plate;
+  LabelStyle style = order.labels;
+  style.onDark = order.look.background == Background::dark;
+  style.edges = edges;
+  plate.labels = labelPlate(frame.scene, Screen(frame.camera, order.page.sizeMm), style, trees,
+                            layout ? &*layout : nullptr);
+  layout = plate.labels->layout;
   return plate;
 }
 
-void FilmPainter::settleLabels(const Film& film) {
-  if (!m_data->labelled() || !film.loops())
+void FilmPainter::settle(const Film& film) {
+  if (!m_data->labelled())
     return;
-  for (int i = 0; i < film.frames(); ++i)
-    m_data->plateOf(film.at(i));
+  // Marks come and go; labels are not to give way each time.
+  const int step = std::max(film.frames() / 48, 1);
+  EdgeRoom& edges = m_data->edges;
+  for (int i = 0; i < film.frames(); i += step) {
+    const EdgeRoom now = marksOf(m_data->orderOf(film.at(i))).edges;
+    edges = {.left = std::max(edges.left, now.left),
+             .top = std::max(edges.top, now.top),
+             .right = std::max(edges.right, now.right),
+             .bottom = std::max(edges.bottom, now.bottom)};
+  }
+  if (film.loops())
+    for (int i = 0; i < film.frames(); ++i)
+      m_data->plateOf(film.at(i));
 }
 
 Result<Image> FilmPainter::Data::drawn(const FilmFrame& frame, const glm::ivec2& size) {
@@ -86,7 +111,7 @@ Result<Image> FilmPainter::Data::drawn(const FilmFrame& frame, const glm::ivec2&
   return averaged(*image, samples);
 }
 
-void FilmPainter::Data::paint(Image& image, const LabelPlate& plate) const {
+void FilmPainter::Data::paint(Image& image, const FigurePlate& plate) const {
   // QPainter blends right only where colours are multiplied by their alpha.
   QImage canvas = QImage(image.rgba.data(), image.width, image.height, qsizetype(4) * image.width,
                          QImage::Format_RGBA8888)
@@ -95,7 +120,7 @@ void FilmPainter::Data::paint(Image& image, const LabelPlate& plate) const {
     QPainter painter(&canvas);
     painter.scale(qreal(image.width) / qreal(order.page.sizeMm.x),
                   qreal(image.height) / qreal(order.page.sizeMm.y));
-    paintLabels(painter, plate);
+    paintPlate(painter, plate);
   }
   const QImage straight = canvas.convertToFormat(QImage::Format_RGBA8888);
   const std::size_t row = std::size_t(4) * std::size_t(image.width);
@@ -106,7 +131,7 @@ void FilmPainter::Data::paint(Image& image, const LabelPlate& plate) const {
 Result<Image> FilmPainter::draw(const Film& film, int frame) {
   const FilmFrame shown = film.at(frame);
   Result<Image> image = m_data->drawn(shown, film.size());
-  if (image.ok() && m_data->labelled())
+  if (image.ok() && !m_data->bare())
     m_data->paint(*image, m_data->plateOf(shown));
   return image;
 }

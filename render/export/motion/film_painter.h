@@ -17,11 +17,11 @@ class FilmPainter {
   static Result<std::unique_ptr<FilmPainter>> create(const ExportOrder& order);
   ~FilmPainter();
 
-  /// What of the width and the height labels leave to the anatomy.
+  /// What of the width and the height labels and marks leave to the anatomy.
   glm::vec2 anatomyShare() const;
-  /// Labels begin where they end when the film comes round: of one that loops, the first frame
-  /// follows the last as any other.
-  void settleLabels(const Film& film);
+  /// Finds what room marks take in any of the frames, and where labels stand when the film comes
+  /// round: of one that loops, the first frame follows the last as any other.
+  void settle(const Film& film);
   Result<Image> draw(const Film& film, int frame);
   /// The same, but as if no other frame was before it: for a look at the film.
   Result<Image> drawAlone(const Film& film, int frame);

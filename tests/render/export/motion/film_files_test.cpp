@@ -37,6 +37,7 @@ render::ExportOrder smallOrder() {
       test::moved(*test::sphere(9.0f, 3), 1.0f, {14.0f, 6.0f, 12.0f}));
   order.camera = model::anatomicalCamera(model::AnatomicalView::anterior,
                                          order.scene.visibleBounds(), 16.0f / 9.0f);
+  order.marks = render::ExportMarks::none();
   order.film = {.seconds = 0.6, .framesPerSecond = 10, .height = 54, .hold = {}, .swept = {}};
   return order;
 }
@@ -227,6 +228,30 @@ class FilmFilesTest : public QObject {
                  without.frames[i].pixelColor(x, y).lightness() == 255;
       QVERIFY2(ink > 40, qPrintable(QString::number(ink)));
     }
+  }
+
+  void marksAreThere() {
+    const QTemporaryDir folder;
+    render::ExportOrder order = smallOrder();
+    order.film.height = 108;
+    order.page.sizeMm = {80.0f, 45.0f};
+    order.marks.sides = true;
+    order.film.framesPerSecond = 20;
+    QVERIFY(render::writeFrames(order, folder.filePath("with").toStdString(), {}).ok());
+    const test::DecodedFilm film = decodedFrames(folder.filePath("with"));
+    QCOMPARE(int(film.frames.size()), 12);
+    // R, P, L and A at the left edge: from the front, the patient's left, the back, the right.
+    std::vector<QImage> letters;
+    for (const std::size_t i : {0u, 3u, 6u, 9u}) {
+      letters.push_back(film.frames[i].copy(0, 40, 16, 28));
+      int ink = 0;
+      for (int y = 0; y < 28; ++y)
+        for (int x = 0; x < 16; ++x)
+          ink += letters.back().pixelColor(x, y).lightness() < 128;
+      QVERIFY2(ink > 5, qPrintable(QString("%1: %2").arg(i).arg(ink)));
+    }
+    for (std::size_t i = 0; i < 4; ++i)
+      QVERIFY(difference(letters[i], letters[(i + 1) % 4]) > 1.0);
   }
 
   void stoppedLeavesNothing_data() { readsBack_data(); }

@@ -90,8 +90,8 @@ class FilmTest : public QObject {
       QVERIFY(std::abs(camera.eye.z - film.at(0).camera.eye.z) < 1e-3f);
     }
     QVERIFY(film.at(0).camera == film.at(36).camera);
-    QCOMPARE(film.at(0).viewName, std::string("left"));
-    QVERIFY(film.at(5).viewName.empty());
+    // A name that flashes up once would be no help.
+    QVERIFY(film.at(0).viewName.empty());
   }
 
   void nothingLeavesThePicture() {
