@@ -169,11 +169,17 @@ class AnkiTest : public QObject {
                qPrintable(QString("%1 × %2").arg(boxes.back().width()).arg(boxes.back().height())));
       // Something yellow asks.
       int yellow = 0;
+      QRect asking;
       for (int y = boxes.back().top(); y <= boxes.back().bottom(); ++y)
         for (int x = boxes.back().left(); x <= boxes.back().right(); ++x) {
           const QColor c = question.pixelColor(x, y);
-          yellow += c.red() > 220 && c.blue() < 160;
+          if (c.red() > 220 && c.blue() < 160) {
+            ++yellow;
+            asking = asking.united(QRect(x, y, 1, 1));
+          }
         }
+      // The question has none of the text, which is longer than what asks.
+      QVERIFY(boxes.back().width() > asking.width() + 10);
       QVERIFY(yellow > 200);
     }
     for (std::size_t i = 0; i < 3; ++i)

@@ -114,6 +114,26 @@ class FilmTest : public QObject {
     }
   }
 
+  /// Whatever way the camera is tilted.
+  void theAxisRests() {
+    for (const bool close : {false, true}) {
+      render::ExportOrder order = longOrder();
+      const glm::vec3 centre = order.camera.target;
+      order.camera.eye = centre + glm::vec3(close ? 60.0f : 420.0f, -90.0f, 130.0f);
+      order.camera.up = {0.1f, 0.3f, 0.9f};
+      const Film film = std::move(Film::create(order)).value();
+      for (const float height : {-8.0f, 0.0f, 8.0f}) {
+        const auto placeIn = [&](int frame) {
+          return *render::Screen(film.at(frame).camera, order.page.sizeMm)
+                      .place(centre + glm::vec3(0.0f, 0.0f, height));
+        };
+        for (int i = 1; i < film.frames(); ++i)
+          QVERIFY2(glm::distance(placeIn(i), placeIn(0)) < 0.02f,
+                   qPrintable(QString("%1: %2").arg(i).arg(close)));
+      }
+    }
+  }
+
   void whatHasRoomOrIsCloseStays() {
     render::ExportOrder order = longOrder(model::AnatomicalView::anterior);
     QVERIFY(std::move(Film::create(order)).value().at(0).camera == order.camera);
