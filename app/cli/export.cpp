@@ -97,7 +97,13 @@ Exit runExport(const ExportFlags& typed) {
   const Result<model::Imported> imported = readInputs(flags.input.inputs, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
+  // Cards ask for labels, so a camera that is fitted leaves them room.
+  render::LabelMode& labels = order->labels.style.mode;
+  const render::LabelMode asked = labels;
+  if (flags.targets.contains("anki") && labels == render::LabelMode::off)
+    labels = render::LabelMode::on;
   const Result<ArrangedScene> arranged = arrangedOn(page, imported->scene, *order);
+  labels = asked;
   if (!arranged.ok())
     return complain(arranged.error(), Exit::wrongUse);
   if (arranged->scene.visibleBounds().empty())
