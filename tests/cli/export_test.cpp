@@ -211,7 +211,8 @@ void ExportTest::surfacesAndCards() {
   QCOMPARE(runSline({"annotate", scene, "--on", "kidney", "--on", "renal vein"}).code, 0);
   const QString deck = m_folder.filePath("deck");
   QCOMPARE(
-      runSline({"export", scene, "--anki", deck, "--deck", "Niere", "--size-mm", "40x30"}).code, 0);
+      runSline({"export", scene, "--anki", deck, "--deck", "Niere", "--size-mm", "100x60"}).code,
+      0);
   QVERIFY(contents(deck + "/deck.txt").contains("#deck:Niere"));
   QCOMPARE(QDir(deck).entryList({"*.png"}).size(), 4);
   const Finished bare = runSline({"export", m_sample, "--anki", m_folder.filePath("none.apkg")});
