@@ -41,7 +41,7 @@ Status free(const fs::path& folder) {
 Status writeFolder(const fs::path& named, const std::function<Status(const fs::path&)>& write) {
   // "frames/" ends with an empty name.
   const fs::path folder = named.has_filename() ? named : named.parent_path();
-  if (const Status place = free(folder); !place.ok())
+  if (Status place = free(folder); !place.ok())
     return place;
   const fs::path temporary =
       folder.parent_path() / ("." + folder.filename().string() + "." + std::to_string(getpid()));

@@ -31,12 +31,12 @@ Result<Image> groundOf(const ExportOrder& order) {
     size = glm::max(size * widestCard / size.x, glm::ivec2(1));
   constexpr std::int64_t fine = 8'000'000;
   const int samples = std::int64_t(size.x) * size.y > fine ? 1 : 2;
-  const Result<Image> drawn = (*picture)->render(order.scene, order.camera,
-                                                 {.width = samples * size.x,
-                                                  .height = samples * size.y,
-                                                  .background = order.look.background,
-                                                  .light = order.look.light,
-                                                  .keyLight = order.look.keyLight});
+  Result<Image> drawn = (*picture)->render(order.scene, order.camera,
+                                           {.width = samples * size.x,
+                                            .height = samples * size.y,
+                                            .background = order.look.background,
+                                            .light = order.look.light,
+                                            .keyLight = order.look.keyLight});
   if (!drawn.ok() || samples == 1)
     return drawn;
   return averaged(*drawn, samples);

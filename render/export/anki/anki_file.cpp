@@ -17,8 +17,7 @@ constexpr const char* textName = "deck.txt";
 
 Status fillFolder(const AnkiDeck& deck, const fs::path& folder) {
   for (const model::ZipMember& picture : deck.media)
-    if (const Status written = model::writeText(folder / picture.name, picture.bytes);
-        !written.ok())
+    if (Status written = model::writeText(folder / picture.name, picture.bytes); !written.ok())
       return written;
   return model::writeText(folder / textName, ankiText(deck));
 }

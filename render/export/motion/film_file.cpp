@@ -79,7 +79,7 @@ class Filming {
       const Result<Image> image = m_painter->draw(*m_film, i);
       if (!image.ok())
         return at(image.error());
-      if (const Status added = sink.add(*image); !added.ok())
+      if (Status added = sink.add(*image); !added.ok())
         return added;
     }
     if (!tell(0.99, "finishing the film"))
@@ -107,7 +107,7 @@ class Filming {
 /// `newSink(filming, file)` begins the file.
 template <class Begin>
 Status writeFilm(Filming& filming, const fs::path& target, const Begin& newSink) {
-  if (const Status ready = filming.prepare(); !ready.ok())
+  if (Status ready = filming.prepare(); !ready.ok())
     return ready;
   return model::writeBeside(target, [&](const fs::path& file) -> Status {
     NewSink sink = newSink(file);
@@ -148,7 +148,7 @@ Status writeFrames(const ExportOrder& order, const fs::path& target,
                    const ExportProgress& progress) {
   return model::writeFolder(target, [&](const fs::path& folder) -> Status {
     Filming filming(order, target, progress);
-    if (const Status ready = filming.prepare(); !ready.ok())
+    if (Status ready = filming.prepare(); !ready.ok())
       return ready;
     NewSink sink = frameSink(folder, filming.shape());
     return sink.ok() ? filming.run(**sink) : Status(sink.error());
