@@ -142,7 +142,7 @@ class Cards {
 
 /// Its name stands for its bytes.
 std::string addPicture(AnkiDeck& deck, std::string png) {
-  const std::string name = "sline-" + hexOf(fingerprintOf(png)) + ".png";
+  std::string name = "sline-" + hexOf(fingerprintOf(png)) + ".png";
   const bool known = std::any_of(deck.media.begin(), deck.media.end(),
                                  [&name](const auto& member) { return member.name == name; });
   if (!known)

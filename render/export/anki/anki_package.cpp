@@ -244,6 +244,7 @@ Result<std::string> ankiPackage(const AnkiDeck& deck) {
   }
   members.push_back({"media", textOf(names)});
   std::vector<const model::ZipMember*> all;
+  all.reserve(members.size());
   for (const model::ZipMember& member : members)
     all.push_back(&member);
   return model::zipped(all);
