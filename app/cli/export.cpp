@@ -3,8 +3,10 @@
 #include <charconv>
 #include <map>
 
+#include "app/cli/anki_options.h"
 #include "app/cli/command.h"
 #include "app/cli/draw_scene.h"
+#include "app/cli/film_options.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/pixel_options.h"
 #include "app/cli/sheet_options.h"
@@ -21,6 +23,8 @@ struct ExportFlags {
   InputFlags input;
   PictureFlags picture;
   PixelFlags pixels;
+  FilmFlags film;
+  render::AnkiOptions anki;
   std::string sizeMm = "160x90";
   SheetFlags sheet;
   /// A target for each of the formats that are wanted.
@@ -107,7 +111,10 @@ Result<render::ExportOrder> onSheet(render::ExportOrder job, PictureOrder& order
   return job;
 }
 
-Exit runExport(const ExportFlags& flags) {
+Exit runExport(const ExportFlags& typed) {
+  ExportFlags flags = typed;
+  if (const Status film = addFilmTarget(typed.film, flags.targets); !film.ok())
+    return complain(film.error(), Exit::wrongUse);
   const Result<model::ImportOptions> options = importOptions(flags.input);
   if (!options.ok())
     return complain(options.error(), Exit::wrongUse);
@@ -131,13 +138,24 @@ Exit runExport(const ExportFlags& flags) {
   const Result<model::Imported> imported = readInputs(flags.input.inputs, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
+  // Cards ask for labels, so a camera that is fitted leaves them room.
+  render::LabelMode& labels = order->labels.style.mode;
+  const render::LabelMode asked = labels;
+  if (flags.targets.contains("anki") && labels == render::LabelMode::off)
+    labels = render::LabelMode::on;
   const Result<ArrangedScene> arranged = arrangedOn(page->sizeMm, imported->scene, *order);
+  labels = asked;
   if (!arranged.ok())
     return complain(arranged.error(), Exit::wrongUse);
   if (arranged->scene.visibleBounds().empty())
     warn("no structure is visible: the drawing is empty");
+  const Result<render::FilmOptions> film = understood(flags.film, arranged->scene);
+  if (!film.ok())
+    return complain(film.error(), Exit::wrongUse);
   render::ExportOrder job = exportOrder(*arranged, *order, *page);
   job.pixels = *pixels;
+  job.film = *film;
+  job.anki = flags.anki;
   job.sheet = *sheet;
   if (sheet->kind != render::SheetKind::none) {
     const Result<render::ExportOrder> fitted = onSheet(job, *order, **typesetting);
@@ -172,7 +190,7 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
               flags.targets[id] = target;
             },
             format.help)
-        ->type_name("FILE");
+        ->type_name(*format.extension ? "FILE" : "FOLDER");
   CLI::Option* size =
       command.add_option("--size-mm", flags.sizeMm, "Width and height of the page in millimetres")
           ->type_name("WxH")
@@ -192,6 +210,8 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
   flags.picture.labels.marks = "on";
   addLabelOptions(command, flags.picture.labels, "the page");
   addSectionOptions(command, flags.picture.sections);
+  addFilmOptions(command, flags.film);
+  addAnkiOptions(command, flags.anki);
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
       ->default_str("auto");

@@ -39,8 +39,8 @@ QString read(const QString& path) {
 std::vector<QString> helpPageIds() {
   std::vector<QString> ids;
   for (const char* id : {"start", "tree", "gamma", "focus", "sections", "picture", "views",
-                         "export", "sheets", "files", "import", "keys", "label_volumes", "dicom",
-                         "slicer", "molecules", "annotate", "vectors", "scene_file"})
+                         "export", "sheets", "films", "files", "import", "keys", "label_volumes",
+                         "dicom", "slicer", "molecules", "annotate", "vectors", "scene_file"})
     ids.push_back(QLatin1String(id));
   return ids;
 }
