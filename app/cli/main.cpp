@@ -32,6 +32,7 @@ int run(int argc, char** argv) {
   Exit exit = Exit::done;
   sline::cli::addRender(program, exit);
   sline::cli::addExport(program, exit);
+  sline::cli::addJobs(program, exit);
   sline::cli::addLines(program, exit);
   sline::cli::addCurvature(program, exit);
   sline::cli::addInfo(program, exit);

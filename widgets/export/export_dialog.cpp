@@ -109,17 +109,17 @@ QWidget* ExportDialog::makeKinds() {
   m_kinds->setObjectName(QStringLiteral("exportKinds"));
   m_kinds->setAccessibleName(tr("Kind of file"));
   m_kinds->setWordWrap(true);
-  m_kinds->setSpacing(2);
   m_kinds->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   for (const render::ExportFormat& format : render::exportFormats()) {
     auto* item = new QListWidgetItem(titleOf(format), m_kinds);
     item->setData(Qt::UserRole, QLatin1String(format.id));
+    item->setSizeHint({0, 2 * m_kinds->fontMetrics().lineSpacing()});
     item->setData(Qt::AccessibleDescriptionRole, helpOf(format));
     if (m_draft.kind == QLatin1String(format.id))
       m_kinds->setCurrentItem(item);
   }
   layout->addWidget(m_kinds, 1);
-  column->setFixedWidth(200);
+  column->setFixedWidth(210);
   return column;
 }
 
@@ -224,7 +224,7 @@ QWidget* ExportDialog::makeButtons() {
   buttons->addButton(m_export, QDialogButtonBox::AcceptRole);
   m_export->setObjectName(QStringLiteral("exportButton"));
   m_export->setDefault(true);
-  QPushButton* close = buttons->addButton(QDialogButtonBox::Cancel);
+  QPushButton* close = buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
   close->setObjectName(QStringLiteral("exportCancelButton"));
   close->setAutoDefault(false);
   connect(m_export, &QPushButton::clicked, this, &ExportDialog::tryToExport);

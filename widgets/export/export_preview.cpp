@@ -32,7 +32,7 @@ QImage withLabels(const QImage& picture, const render::ExportOrder& order) {
 }  // namespace
 
 ExportPreview::ExportPreview(Viewport& viewport, QWidget* parent)
-    : QWidget(parent), m_viewport(viewport) {
+    : QWidget(parent), m_viewport(&viewport) {
   setObjectName(QStringLiteral("exportPreview"));
   setAccessibleName(tr("Preview"));
   setMinimumSize(280, 240);
@@ -44,7 +44,8 @@ ExportPreview::ExportPreview(Viewport& viewport, QWidget* parent)
 
 ExportPreview::~ExportPreview() {
   m_queue.drop();
-  m_viewport.askPreviews({.previews = {}, .asker = PreviewsOf::exported});
+  if (m_viewport)
+    m_viewport->askPreviews({.previews = {}, .asker = PreviewsOf::exported});
 }
 
 void ExportPreview::show(const ExportFile& file) {
@@ -78,7 +79,7 @@ void ExportPreview::ask() {
 }
 
 void ExportPreview::draw(int number, const render::ExportOrder& order) {
-  if (number != m_wanted)
+  if (number != m_wanted || !m_viewport)
     return;
   m_drawn = order;
   const QSize page = (QSizeF(pageRect().size()) * devicePixelRatioF()).toSize();
@@ -92,7 +93,7 @@ void ExportPreview::draw(int number, const render::ExportOrder& order) {
                                            .light = order.look.light,
                                            .keyLight = order.look.keyLight},
                               .samples = samples});
-  m_viewport.askPreviews(std::move(request));
+  m_viewport->askPreviews(std::move(request));
 }
 
 void ExportPreview::took(PreviewsOf asker, int number, const QImage& image) {
@@ -117,7 +118,7 @@ void ExportPreview::resizeEvent(QResizeEvent* event) {
 
 void ExportPreview::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), palette().color(QPalette::Midlight));
+  painter.fillRect(rect(), palette().color(QPalette::Mid));
   const QRect page = pageRect();
   if (page.isEmpty())
     return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QImage>
+#include <QPointer>
 #include <QTimer>
 #include <QWidget>
 #include <optional>
@@ -38,7 +39,7 @@ class ExportPreview : public QWidget {
   void draw(int number, const render::ExportOrder& order);
   void took(PreviewsOf asker, int number, const QImage& image);
 
-  Viewport& m_viewport;
+  QPointer<Viewport> m_viewport;  ///< a window that closes may take it away first
   QTimer m_rest;
   std::optional<ExportFile> m_file;
   render::ExportOrder m_drawn;  ///< what the renderer was asked for

@@ -11,6 +11,7 @@
 
 #include "widgets/export/export_texts.h"
 #include "widgets/export/page_presets.h"
+#include "widgets/export/row_form.h"
 
 namespace sline::widgets {
 
@@ -67,10 +68,12 @@ void PagePanel::place(QGridLayout& grid) {
   grid.setContentsMargins(0, 0, 0, 0);
   grid.setHorizontalSpacing(12);
   grid.setVerticalSpacing(8);
+  grid.setColumnMinimumWidth(0, captionWidth);
   auto* paper = new QLabel(tr("&Paper"));
   paper->setBuddy(m_preset);
   grid.addWidget(paper, 0, 0);
   auto* first = new QHBoxLayout;
+  first->setSpacing(6);
   first->addWidget(m_preset, 1);
   first->addWidget(m_turn);
   grid.addLayout(first, 0, 1);

@@ -7,6 +7,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <algorithm>
 
 namespace sline::widgets {
 
@@ -16,6 +17,11 @@ RowForm::RowForm(render::ExportOrder& order, std::vector<ExportRow> rows, QWidge
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(12);
   grid->setVerticalSpacing(8);
+  const bool ticksAlone = std::all_of(m_rows.begin(), m_rows.end(), [](const ExportRow& row) {
+    return std::holds_alternative<RowSwitch>(row.control);
+  });
+  grid->setColumnMinimumWidth(0, captionWidth);
+  grid->setColumnStretch(0, ticksAlone ? 1 : 0);
   grid->setColumnStretch(1, 1);
   int line = 0;
   int ticks = 0;

@@ -5,9 +5,11 @@
 
 #include "widgets/export/export_rows.h"
 
-class QFormLayout;
-
 namespace sline::widgets {
+
+/// How wide, at least, the column is that says what controls are: the same in all forms, so that
+/// controls stand beneath each other.
+inline constexpr int captionWidth = 92;
 
 /// Controls for rows of one part of the table, each named "export-" and the row's id. What is
 /// chosen is written into the order at once.
