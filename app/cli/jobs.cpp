@@ -159,7 +159,7 @@ class Orders {
     if (isTarget(field.flag))
       return addTarget(field, order);
     const std::string flag = "--" + field.flag;
-    if (option->get_type_size() == 0) {
+    if (option->get_items_expected_max() == 0) {
       const Result<bool> said = isSaid(field);
       if (!said.ok())
         return said.error();
