@@ -2051,6 +2051,10 @@ OpenGL: %3</translation>
         <source>Replace</source>
         <translation>Ersetzen</translation>
     </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ExportPreview</name>

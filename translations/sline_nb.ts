@@ -1840,7 +1840,7 @@
     </message>
     <message>
         <source>&amp;Export…</source>
-        <translation>&amp;Eksporter…</translation>
+        <translation>Eksporte&amp;r …</translation>
     </message>
     <message>
         <source>Ctrl+Shift+E</source>
@@ -2030,7 +2030,7 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>&amp;Browse…</source>
-        <translation>&amp;Bla gjennom…</translation>
+        <translation>&amp;Bla gjennom …</translation>
     </message>
     <message>
         <source>Export To</source>
@@ -2051,6 +2051,10 @@ OpenGL: %3</translation>
         <source>Replace</source>
         <translation>Erstatt</translation>
     </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ExportPreview</name>
@@ -2060,7 +2064,7 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Drawing…</source>
-        <translation>Tegner…</translation>
+        <translation>Tegner …</translation>
     </message>
 </context>
 <context>

@@ -1840,7 +1840,7 @@
     </message>
     <message>
         <source>&amp;Export…</source>
-        <translation>&amp;Exporteren…</translation>
+        <translation>E&amp;xporteren…</translation>
     </message>
     <message>
         <source>Ctrl+Shift+E</source>
@@ -2050,6 +2050,10 @@ OpenGL: %3</translation>
     <message>
         <source>Replace</source>
         <translation>Vervangen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
     </message>
 </context>
 <context>

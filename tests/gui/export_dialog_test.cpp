@@ -1,153 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Export by hand: every kind of file there is, what is chosen for it, and what stands in the way.
+// Export by hand: every kind of file there is, and what stands in the way.
 #include <unistd.h>
-#include <QAbstractButton>
+
 #include <QAction>
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDir>
-#include <QDirIterator>
-#include <QDoubleSpinBox>
-#include <QLabel>
-#include <QLineEdit>
-#include <QListWidget>
 #include <QPushButton>
-#include <QRadioButton>
 #include <QStatusBar>
-#include <QToolButton>
-#include <QTranslator>
-#include <QtTest>
 
 #include "model/edit/visibility.h"
 #include "render/export/formats/export_formats.h"
-#include "tests/gui/text_fit.h"
-#include "tests/gui/window_fixture.h"
-#include "tests/support/shapes.h"
-#include "widgets/export/export_dialog.h"
-#include "widgets/export/export_preview.h"
+#include "tests/gui/export_desk.h"
 #include "widgets/language/language_switch.h"
-#include "widgets/language/languages.h"
-#include "widgets/window/message_bar.h"
 
 namespace sline::test {
 
-using widgets::ExportDialog;
-
 namespace {
-
-constexpr int minute = 60'000;
-
-model::Annotation labelOn(model::NodeId structure, const char* english, const char* german) {
-  model::Annotation label;
-  label.anchors = {model::SurfacePoint{.structure = structure, .triangle = 5}};
-  label.text = english;
-  label.texts["de"] = german;
-  return label;
-}
-
-/// A window with two balls, a label on each and two saved views, and hands for the dialog.
-struct Desk : WindowFixture {
-  QTemporaryDir out;
-
-  explicit Desk(int fineness = 3) { open(fineness); }
-
-  void open(int fineness) {
-    session.openMade(QStringLiteral("Balls"), [fineness](const auto&, const auto&) {
-      model::Scene scene;
-      const model::MeshPtr ball = sphere(20, fineness);
-      const auto left =
-          scene.append({.name = "left ball", .mesh = moved(*ball, 1.0f, {30.0f, 0.0f, 0.0f})});
-      const auto right =
-          scene.append({.name = "right ball", .mesh = moved(*ball, 1.0f, {-30.0f, 0.0f, 0.0f})});
-      scene.appendAnnotation(labelOn(left, "The left one", "Die linke"));
-      scene.appendAnnotation(labelOn(right, "The right one", "Die rechte"));
-      model::View front{.name = "Front/ \xE5\xBF\x83"};
-      model::View back{.name = "front- \xE5\xBF\x83"};  // the same where case does not count
-      back.camera.eye = {0.0f, 1000.0f, 0.0f};
-      scene.setViews({front, back});
-      return Result<widgets::Loaded>(
-          widgets::Loaded{.scene = std::move(scene), .title = QStringLiteral("Balls")});
-    });
-    if (!settled())
-      qFatal("the scene does not come");
-  }
-
-  ExportDialog* dialog() { return window.findChild<ExportDialog*>(); }
-  ExportDialog& show() {
-    QTest::keyClick(&viewport(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
-    if (!QTest::qWaitFor([this] { return dialog() && dialog()->isVisible(); }))
-      qFatal("no dialog");
-    return *dialog();
-  }
-  template <class T>
-  T& part(const char* name) {
-    T* found = dialog()->findChild<T*>(QLatin1String(name));
-    if (!found)
-      qFatal("the dialog has no %s", name);
-    return *found;
-  }
-  /// By arrow keys, from the top.
-  void chooseKind(const QString& id) {
-    auto& kinds = part<QListWidget>("exportKinds");
-    kinds.setFocus();
-    QTest::keyClick(&kinds, Qt::Key_Home);
-    for (int i = 0; i < kinds.count() && kinds.currentItem()->data(Qt::UserRole) != id; ++i)
-      QTest::keyClick(&kinds, Qt::Key_Down);
-    QCOMPARE(kinds.currentItem()->data(Qt::UserRole).toString(), id);
-  }
-  void pick(const char* name, const QString& text) {
-    auto& box = part<QComboBox>(name);
-    box.setFocus();
-    QTest::keyClick(&box, Qt::Key_Home);
-    for (int i = 0; i < box.count() && box.currentText() != text; ++i)
-      QTest::keyClick(&box, Qt::Key_Down);
-    QCOMPARE(box.currentText(), text);
-    // As a click on the entry would; arrow keys say so only where the list is open.
-    emit box.activated(box.currentIndex());
-  }
-  void number(const char* name, double value) {
-    auto& box = part<QDoubleSpinBox>(name);
-    box.setFocus();
-    box.selectAll();
-    QTest::keyClicks(&box, QLocale().toString(value, 'f', box.decimals()));
-    QTest::keyClick(&box, Qt::Key_Tab);
-  }
-  void target(const QString& path) {
-    auto& line = part<QLineEdit>("exportTarget");
-    line.setFocus();
-    line.selectAll();
-    QTest::keyClick(&line, Qt::Key_Delete);
-    // Not every character has a key.
-    line.setText(path);
-  }
-  void click(const char* button) {
-    auto& pressed = part<QAbstractButton>(button);
-    // Where its box is: a line is longer than its text.
-    QTest::mouseClick(&pressed, Qt::LeftButton, {}, {8, pressed.height() / 2});
-  }
-  /// A small page, so that every kind is quick.
-  void small() {
-    number("exportWidth", 40);
-    number("exportHeight", 30);
-  }
-  QString message() { return control<widgets::MessageBar>("messageBar").text(); }
-  bool exporting() { return window.findChild<QToolButton*>(QStringLiteral("exportCancel")); }
-  bool finished() {
-    return QTest::qWaitFor([this] { return !exporting(); }, 2 * minute);
-  }
-  bool previewed() {
-    return QTest::qWaitFor([this] { return dialog()->preview().upToDate(); }, minute);
-  }
-  /// All below the folder that files went to.
-  QStringList written() {
-    QStringList names;
-    for (QDirIterator each(out.path(), QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
-         each.hasNext();)
-      names << QDir(out.path()).relativeFilePath(each.next());
-    names.sort();
-    return names;
-  }
-};
 
 QByteArray contents(const QString& file) {
   QFile source(file);
@@ -178,13 +44,6 @@ bool beginsRight(const QString& extension, const QByteArray& bytes) {
                      [&bytes](const QByteArray& each) { return bytes.startsWith(each); });
 }
 
-/// For eyes: SLINE_SCREENSHOTS names a folder that takes the pictures.
-void keep(QWidget& widget, const QString& name) {
-  const QString folder = qEnvironmentVariable("SLINE_SCREENSHOTS");
-  if (!folder.isEmpty())
-    QVERIFY(QDir().mkpath(folder) && widget.grab().save(folder + '/' + name + ".png"));
-}
-
 }  // namespace
 
 class ExportDialogTest : public QObject {
@@ -200,7 +59,7 @@ class ExportDialogTest : public QObject {
   void everyKind_data() { kinds(); }
   void everyKind() {
     QFETCH(QString, kind);
-    Desk desk;
+    ExportDesk desk;
     desk.show();
     desk.chooseKind(kind);
     if (desk.part<QDoubleSpinBox>("exportWidth").isVisible())
@@ -218,7 +77,7 @@ class ExportDialogTest : public QObject {
   }
 
   void optionsReachTheFile() {
-    Desk desk;
+    ExportDesk desk;
     desk.show();
     desk.chooseKind(QStringLiteral("svg"));
     desk.pick("exportPaper", QStringLiteral("A5"));
@@ -234,31 +93,8 @@ class ExportDialogTest : public QObject {
     QVERIFY(svg.contains("left ball"));
   }
 
-  void pixelsAndMillimetresAreLinked() {
-    QString pixels;
-    for (const render::ExportFormat& format : render::exportFormats())
-      if (widgets::madeOfPixels(QLatin1String(format.id)) && pixels.isEmpty())
-        pixels = QLatin1String(format.id);
-    if (pixels.isEmpty())
-      QSKIP("no kind is made of pixels");
-    Desk desk;
-    desk.show();
-    desk.chooseKind(pixels);
-    desk.number("exportDpi", 254);
-    desk.number("exportWidth", 100);
-    desk.number("exportHeight", 50);
-    QVERIFY(desk.part<QLabel>("exportOtherSize").text().contains(QStringLiteral("1,000 × 500")));
-    desk.pick("exportUnit", QStringLiteral("px"));
-    QCOMPARE(desk.part<QDoubleSpinBox>("exportWidth").value(), 1000.0);
-    desk.number("exportWidth", 2000);
-    QVERIFY(desk.part<QLabel>("exportOtherSize").text().contains(QStringLiteral("200 × 50")));
-    desk.number("exportDpi", 508);
-    QCOMPARE(desk.part<QDoubleSpinBox>("exportWidth").value(), 2000.0);
-    QVERIFY(desk.part<QLabel>("exportOtherSize").text().contains(QStringLiteral("100 × 25")));
-  }
-
   void eachSavedViewIsAFile() {
-    Desk desk;
+    ExportDesk desk;
     desk.show();
     desk.chooseKind(QStringLiteral("svg"));
     desk.small();
@@ -274,7 +110,7 @@ class ExportDialogTest : public QObject {
   }
 
   void cancelLeavesNothing() {
-    Desk desk(7);
+    ExportDesk desk(7);
     desk.show();
     desk.chooseKind(QStringLiteral("svg"));
     desk.target(desk.out.filePath(QStringLiteral("large.svg")));
@@ -289,7 +125,7 @@ class ExportDialogTest : public QObject {
   }
 
   void windowGoesOnMeanwhile() {
-    Desk desk(6);
+    ExportDesk desk(6);
     desk.show();
     desk.chooseKind(QStringLiteral("svg"));
     desk.target(desk.out.filePath(QStringLiteral("before.svg")));
@@ -326,7 +162,7 @@ class ExportDialogTest : public QObject {
   void badTargets() {
     QFETCH(QString, name);
     QFETCH(QString, says);
-    Desk desk;
+    ExportDesk desk;
     QVERIFY(QDir(desk.out.path()).mkdir(QStringLiteral("folder.svg")));
     QVERIFY(QDir(desk.out.path()).mkdir(QStringLiteral("locked")));
     QFile::setPermissions(desk.out.filePath(QStringLiteral("locked")),
@@ -348,7 +184,7 @@ class ExportDialogTest : public QObject {
   }
 
   void folderThatGoesAway() {
-    Desk desk;
+    ExportDesk desk;
     QVERIFY(QDir(desk.out.path()).mkdir(QStringLiteral("gone")));
     desk.show();
     desk.chooseKind(QStringLiteral("svg"));
@@ -363,7 +199,7 @@ class ExportDialogTest : public QObject {
   void fullDiskIsTold() {
     if (!QFile::exists(QStringLiteral("/dev/full")))
       QSKIP("this system has no device without space");
-    Desk desk;
+    ExportDesk desk;
     desk.show();
     desk.chooseKind(QStringLiteral("svg"));
     desk.small();
@@ -375,7 +211,7 @@ class ExportDialogTest : public QObject {
   }
 
   void replacingAsksOnce() {
-    Desk desk;
+    ExportDesk desk;
     const QString file = desk.out.filePath(QStringLiteral("there.svg"));
     QFile there(file);
     QVERIFY(there.open(QIODevice::WriteOnly) && there.write("mine") == 4);
@@ -398,145 +234,6 @@ class ExportDialogTest : public QObject {
     QTRY_VERIFY(!desk.dialog());
     QVERIFY(desk.finished());
     QVERIFY(contents(file).contains("<svg"));
-  }
-
-  void previewFollows() {
-    Desk desk;
-    desk.show();
-    desk.chooseKind(QStringLiteral("svg"));
-    desk.pick("exportPaper", QStringLiteral("A4"));
-    QVERIFY(desk.previewed());
-    const QImage first = desk.dialog()->preview().picture();
-    QVERIFY(first.width() > first.height());
-    desk.click("exportTurn");
-    QVERIFY(desk.previewed());
-    const QImage upright = desk.dialog()->preview().picture();
-    QVERIFY(upright.width() < upright.height());
-    desk.pick("export-labels", QStringLiteral("None"));
-    QVERIFY(desk.previewed());
-    const QImage unlabelled = desk.dialog()->preview().picture();
-    QVERIFY2(unlabelled != upright, "labels are in the preview");
-    desk.click("exportFilled");
-    QVERIFY(desk.previewed());
-    const QImage filled = desk.dialog()->preview().picture();
-    QVERIFY(filled != unlabelled);
-    desk.pick("export-background", QStringLiteral("Dark"));
-    QVERIFY(desk.previewed());
-    QVERIFY(desk.dialog()->preview().picture().pixelColor(2, 2).lightness() < 80);
-  }
-
-  void summaryTellsWhatWillBe() {
-    Desk desk;
-    desk.show();
-    desk.chooseKind(QStringLiteral("svg"));
-    desk.pick("exportPaper", QStringLiteral("A4"));
-    const auto text = [&desk] { return desk.part<QLabel>("exportSummary").text(); };
-    QVERIFY(text().contains(QStringLiteral("2 structures")));
-    QVERIFY(text().contains(QStringLiteral("297 × 210 mm")));
-    QVERIFY(text().contains(QStringLiteral("2 labels")));
-    QVERIFY(text().contains(QStringLiteral("Names of structures")));
-    QVERIFY(text().contains(QStringLiteral("MB")));
-    desk.pick("export-language", QStringLiteral("Deutsch"));
-    QVERIFY(text().contains(QStringLiteral("Deutsch")));
-    desk.pick("export-labels", QStringLiteral("None"));
-    QVERIFY(text().contains(QStringLiteral("No labels")));
-  }
-
-  void choicesAreRemembered() {
-    Desk desk;
-    desk.show();
-    desk.chooseKind(QStringLiteral("svg"));
-    desk.pick("exportPaper", QStringLiteral("A5"));
-    desk.pick("export-background", QStringLiteral("Paper"));
-    desk.number("export-labelSize", 14);
-    desk.click("exportFilled");
-    desk.click("exportSavedViews");
-    desk.target(desk.out.filePath(QStringLiteral("mine.svg")));
-    QTest::keyClick(desk.dialog(), Qt::Key_Escape);
-    QTRY_VERIFY(!desk.dialog());
-    QCOMPARE(desk.written(), QStringList());
-    // In the same document all is as it was left; in another the file's name is its own.
-    for (const char* name : {"mine.svg", "Balls.svg"}) {
-      desk.show();
-      QCOMPARE(desk.part<QComboBox>("exportPaper").currentText(), QStringLiteral("A5"));
-      QCOMPARE(desk.part<QComboBox>("export-background").currentText(), QStringLiteral("Paper"));
-      QCOMPARE(desk.part<QDoubleSpinBox>("export-labelSize").value(), 14.0);
-      QVERIFY(desk.part<QRadioButton>("exportSavedViews").isChecked());
-      QCOMPARE(QFileInfo(desk.part<QLineEdit>("exportTarget").text()),
-               QFileInfo(desk.out.filePath(QLatin1String(name))));
-      QTest::keyClick(desk.dialog(), Qt::Key_Escape);
-      QTRY_VERIFY(!desk.dialog());
-      desk.open(2);
-    }
-  }
-
-  void badSettingsAreIgnored() {
-    Desk desk;
-    for (const char* key : {"kind", "subject", "width", "height", "dpi", "options/background",
-                            "options/labelSize", "options/labels"})
-      desk.settings.setValue(QStringLiteral("export/") + QLatin1String(key),
-                             QStringLiteral("nonsense"));
-    desk.settings.setValue(QStringLiteral("export/width"), 1e30);
-    desk.show();
-    QCOMPARE(desk.part<QDoubleSpinBox>("export-labelSize").value(), 10.0);
-    QVERIFY(desk.part<QDoubleSpinBox>("exportWidth").value() <= 5000.0);
-    QCOMPARE(desk.part<QComboBox>("export-background").currentText(), QStringLiteral("White"));
-  }
-
-  void oneDialogAtATime() {
-    Desk desk;
-    ExportDialog& dialog = desk.show();
-    desk.control<QAction>("export").trigger();
-    QCOMPARE(desk.window.findChildren<ExportDialog*>(), QList<ExportDialog*>{&dialog});
-  }
-
-  void nothingToExport() {
-    WindowFixture empty;
-    QVERIFY(!empty.control<QAction>("export").isEnabled());
-    empty.session.openEmpty(QStringLiteral("Untitled"));
-    QVERIFY(!empty.control<QAction>("export").isEnabled());
-    Desk desk;
-    desk.session.apply(QStringLiteral("hide"), model::withOnlyVisible(desk.session.scene(), {}));
-    desk.show();
-    QVERIFY(desk.part<QLabel>("exportDoubt").text().contains(QStringLiteral("empty")));
-  }
-
-  void textsHaveRoom_data() {
-    QTest::addColumn<QString>("speaks");
-    for (const widgets::InterfaceLanguage& language : widgets::interfaceLanguages())
-      QTest::newRow(qPrintable(language.id)) << language.id;
-  }
-  void textsHaveRoom() {
-    QFETCH(QString, speaks);
-    Desk desk;
-    widgets::LanguageSwitch language;
-    language.use(speaks);
-    QCoreApplication::sendPostedEvents();
-    desk.control<QAction>("export").trigger();
-    QVERIFY(desk.dialog());
-    QVERIFY(desk.dialog()->width() <= 1280 && desk.dialog()->height() <= 760);
-    QStringList clipped;
-    for (const render::ExportFormat& format : render::exportFormats()) {
-      desk.chooseKind(QLatin1String(format.id));
-      QVERIFY(desk.previewed());
-      clipped << clippedTexts(*desk.dialog());
-      keep(*desk.dialog(), QStringLiteral("export-%1-%2").arg(QLatin1String(format.id), speaks));
-    }
-    clipped.removeDuplicates();
-    language.use(QStringLiteral("en"));
-    QVERIFY2(clipped.isEmpty(), qPrintable('\n' + clipped.join('\n')));
-  }
-
-  /// The renderer's table has no translations of its own.
-  void kindsAreTranslated_data() { kinds(); }
-  void kindsAreTranslated() {
-    QFETCH(QString, kind);
-    const render::ExportFormat& format = *widgets::formatOf(kind);
-    QTranslator german;
-    QVERIFY(german.load(QStringLiteral(":/translations/sline_de.qm")) ||
-            german.load(QStringLiteral(":/i18n/sline_de.qm")));
-    for (const char* text : {format.title, format.help})
-      QVERIFY2(!german.translate("sline::render::ExportFormat", text).isEmpty(), text);
   }
 };
 
