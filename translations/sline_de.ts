@@ -1574,30 +1574,6 @@
         <translation>Die gespeicherten Ansichten nacheinander auf dem ganzen Bildschirm</translation>
     </message>
     <message>
-        <source>Anterior view</source>
-        <translation>Ansicht von vorn</translation>
-    </message>
-    <message>
-        <source>Posterior view</source>
-        <translation>Ansicht von hinten</translation>
-    </message>
-    <message>
-        <source>Left view</source>
-        <translation>Ansicht von links</translation>
-    </message>
-    <message>
-        <source>Right view</source>
-        <translation>Ansicht von rechts</translation>
-    </message>
-    <message>
-        <source>Superior view</source>
-        <translation>Ansicht von oben</translation>
-    </message>
-    <message>
-        <source>Inferior view</source>
-        <translation>Ansicht von unten</translation>
-    </message>
-    <message>
         <source>Transparent</source>
         <translation>Durchsichtig</translation>
     </message>
@@ -1850,6 +1826,18 @@
         <source>Write pictures, drawings and other files for print, teaching and other programs</source>
         <translation>Bilder, Zeichnungen und andere Dateien für Druck, Unterricht und andere Programme schreiben</translation>
     </message>
+    <message>
+        <source>&amp;Copy Picture</source>
+        <translation>Bild &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+C</source>
+        <translation>Ctrl+Shift+C</translation>
+    </message>
+    <message>
+        <source>The picture on the clipboard, with its labels, for other programs</source>
+        <translation>Das Bild in die Zwischenablage, mit seiner Beschriftung, für andere Programme</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -1957,6 +1945,10 @@ OpenGL: %3</translation>
             <numerusform>%n Datei wurde exportiert</numerusform>
             <numerusform>%n Dateien wurden exportiert</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The picture is on the clipboard</source>
+        <translation>Das Bild ist in der Zwischenablage</translation>
     </message>
 </context>
 <context>

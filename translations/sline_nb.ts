@@ -1574,30 +1574,6 @@
         <translation>De lagrede visningene etter hverandre på hele skjermen</translation>
     </message>
     <message>
-        <source>Anterior view</source>
-        <translation>Sett forfra</translation>
-    </message>
-    <message>
-        <source>Posterior view</source>
-        <translation>Sett bakfra</translation>
-    </message>
-    <message>
-        <source>Left view</source>
-        <translation>Sett fra venstre</translation>
-    </message>
-    <message>
-        <source>Right view</source>
-        <translation>Sett fra høyre</translation>
-    </message>
-    <message>
-        <source>Superior view</source>
-        <translation>Sett ovenfra</translation>
-    </message>
-    <message>
-        <source>Inferior view</source>
-        <translation>Sett nedenfra</translation>
-    </message>
-    <message>
         <source>Transparent</source>
         <translation>Gjennomsiktig</translation>
     </message>
@@ -1850,6 +1826,18 @@
         <source>Write pictures, drawings and other files for print, teaching and other programs</source>
         <translation>Skriv bilder, tegninger og andre filer til trykk, undervisning og andre programmer</translation>
     </message>
+    <message>
+        <source>&amp;Copy Picture</source>
+        <translation>Kopi&amp;er bildet</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+C</source>
+        <translation>Ctrl+Shift+C</translation>
+    </message>
+    <message>
+        <source>The picture on the clipboard, with its labels, for other programs</source>
+        <translation>Bildet på utklippstavlen, med etikettene, til andre programmer</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -1957,6 +1945,10 @@ OpenGL: %3</translation>
             <numerusform>%n fil er eksportert</numerusform>
             <numerusform>%n filer er eksportert</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The picture is on the clipboard</source>
+        <translation>Bildet er på utklippstavlen</translation>
     </message>
 </context>
 <context>

@@ -1574,30 +1574,6 @@
         <translation>De opgeslagen aanzichten na elkaar op het hele scherm</translation>
     </message>
     <message>
-        <source>Anterior view</source>
-        <translation>Vooraanzicht</translation>
-    </message>
-    <message>
-        <source>Posterior view</source>
-        <translation>Achteraanzicht</translation>
-    </message>
-    <message>
-        <source>Left view</source>
-        <translation>Linkeraanzicht</translation>
-    </message>
-    <message>
-        <source>Right view</source>
-        <translation>Rechteraanzicht</translation>
-    </message>
-    <message>
-        <source>Superior view</source>
-        <translation>Bovenaanzicht</translation>
-    </message>
-    <message>
-        <source>Inferior view</source>
-        <translation>Onderaanzicht</translation>
-    </message>
-    <message>
         <source>Transparent</source>
         <translation>Doorzichtig</translation>
     </message>
@@ -1850,6 +1826,18 @@
         <source>Write pictures, drawings and other files for print, teaching and other programs</source>
         <translation>Afbeeldingen, tekeningen en andere bestanden schrijven voor druk, onderwijs en andere programma’s</translation>
     </message>
+    <message>
+        <source>&amp;Copy Picture</source>
+        <translation>Afbeelding &amp;kopiëren</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+C</source>
+        <translation>Ctrl+Shift+C</translation>
+    </message>
+    <message>
+        <source>The picture on the clipboard, with its labels, for other programs</source>
+        <translation>De afbeelding op het klembord, met haar labels, voor andere programma’s</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -1957,6 +1945,10 @@ OpenGL: %3</translation>
             <numerusform>%n bestand is geëxporteerd</numerusform>
             <numerusform>%n bestanden zijn geëxporteerd</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The picture is on the clipboard</source>
+        <translation>De afbeelding staat op het klembord</translation>
     </message>
 </context>
 <context>

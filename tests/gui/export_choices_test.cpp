@@ -2,6 +2,7 @@
 // The export dialog itself: preview and summary follow what is chosen, choices are remembered, and
 // all can be read in every language.
 #include <QAction>
+#include <QClipboard>
 #include <QRadioButton>
 #include <QTranslator>
 
@@ -32,7 +33,8 @@ class ExportChoicesTest : public QObject {
   void pixelsAndMillimetresAreLinked() {
     QString pixels;
     for (const render::ExportFormat& format : render::exportFormats())
-      if (widgets::madeOfPixels(QLatin1String(format.id)) && pixels.isEmpty())
+      if (widgets::pageUseOf(QLatin1String(format.id)) == widgets::PageUse::pixels &&
+          pixels.isEmpty())
         pixels = QLatin1String(format.id);
     if (pixels.isEmpty())
       QSKIP("no kind is made of pixels");
@@ -120,6 +122,41 @@ class ExportChoicesTest : public QObject {
       QTRY_VERIFY(!desk.dialog());
       desk.open(2);
     }
+  }
+
+  void pictureOnTheClipboard() {
+    ExportDesk desk;
+    QGuiApplication::clipboard()->clear();
+    QTest::keyClick(&desk.viewport(), Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(!QGuiApplication::clipboard()->image().isNull(), 60'000);
+    const QImage copied =
+        QGuiApplication::clipboard()->image().convertToFormat(QImage::Format_RGB32);
+    QCOMPARE(copied.size(), 2 * desk.viewport().size());
+    // What is on screen is in it, finer; its labels besides.
+    const QImage shown = desk.picture();
+    const QImage coarse =
+        copied.scaled(shown.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    const QPoint middle = shown.rect().center();
+    int both = 0;
+    int ink = 0;
+    for (int x = 0; x < shown.width(); ++x) {
+      const bool there = qGray(shown.pixel(x, middle.y())) < 160;
+      ink += there ? 1 : 0;
+      both += there && qGray(coarse.pixel(x, middle.y())) < 200 ? 1 : 0;
+    }
+    QVERIFY(ink > 0);
+    QCOMPARE(both, ink);
+    QVERIFY(!desk.control<QAction>("copyPicture").text().isEmpty());
+  }
+
+  void firstPageIsPaper() {
+    ExportDesk desk;
+    desk.settings.remove(QStringLiteral("export/width"));
+    desk.show();
+    QCOMPARE(desk.part<QComboBox>("exportPaper").currentText(), QStringLiteral("A4"));
+    const bool lies = desk.part<QDoubleSpinBox>("exportWidth").value() >
+                      desk.part<QDoubleSpinBox>("exportHeight").value();
+    QCOMPARE(lies, desk.viewport().width() > desk.viewport().height());
   }
 
   void badSettingsAreIgnored() {

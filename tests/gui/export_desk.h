@@ -35,7 +35,12 @@ inline model::Annotation labelOn(model::NodeId structure, const char* english, c
 struct ExportDesk : WindowFixture {
   QTemporaryDir out;
 
-  explicit ExportDesk(int fineness = 3) { open(fineness); }
+  explicit ExportDesk(int fineness = 3) {
+    // Lying, whatever the window's shape is.
+    settings.setValue(QStringLiteral("export/width"), 160);
+    settings.setValue(QStringLiteral("export/height"), 90);
+    open(fineness);
+  }
 
   void open(int fineness) {
     session.openMade(QStringLiteral("Balls"), [fineness](const auto&, const auto&) {

@@ -254,7 +254,7 @@ void ExportDialog::chooseKind() {
     m_draft.kind = item->data(Qt::UserRole).toString();
   m_help->setText(helpOf(*formatOf(m_draft.kind)));
   m_page->refresh();
-  const bool page = hasPage(m_draft.kind);
+  const bool page = pageUseOf(m_draft.kind) != PageUse::none;
   m_pageHeading->setVisible(page);
   m_page->setVisible(page);
   for (QWidget* widget : m_subjectWidgets)

@@ -18,21 +18,23 @@ namespace {
 struct KindTraits {
   const char* kind;
   bool oneView = true;
-  bool pixels = true;
-  bool page = true;
+  PageUse page = PageUse::pixels;
   bool names = false;
+  const char* otherEnding = "";  ///< that a person may type
 };
 constexpr std::array traits{
     KindTraits{.kind = "png"},
-    KindTraits{.kind = "tiff"},
+    KindTraits{.kind = "tiff", .otherEnding = ".tif"},
+    KindTraits{.kind = "jpeg", .otherEnding = ".jpeg"},
     KindTraits{.kind = "exr"},
-    KindTraits{.kind = "jpeg"},
-    KindTraits{.kind = "svg", .pixels = false, .names = true},
-    KindTraits{.kind = "pdf", .pixels = false, .names = true},
-    KindTraits{.kind = "glb", .oneView = false, .pixels = false, .page = false, .names = true},
-    KindTraits{.kind = "anki", .oneView = false, .names = true},
-    KindTraits{.kind = "video", .oneView = false},
-    KindTraits{.kind = "frames", .oneView = false},
+    KindTraits{.kind = "svg", .page = PageUse::drawing, .names = true},
+    KindTraits{.kind = "pdf", .page = PageUse::drawing, .names = true},
+    KindTraits{.kind = "glb", .oneView = false, .page = PageUse::none, .names = true},
+    KindTraits{.kind = "mp4", .oneView = false, .page = PageUse::shape},
+    KindTraits{.kind = "webp", .oneView = false, .page = PageUse::shape},
+    KindTraits{.kind = "gif", .oneView = false, .page = PageUse::shape},
+    KindTraits{.kind = "frames", .oneView = false, .page = PageUse::shape},
+    KindTraits{.kind = "anki", .oneView = false, .names = true, .otherEnding = ".zip"},
 };
 
 const KindTraits& traitsOf(const QString& kind) {
@@ -67,16 +69,12 @@ bool showsOneView(const QString& kind) {
   return traitsOf(kind).oneView;
 }
 
-bool madeOfPixels(const QString& kind) {
-  return traitsOf(kind).pixels;
+PageUse pageUseOf(const QString& kind) {
+  return traitsOf(kind).page;
 }
 
 bool holdsNames(const QString& kind) {
   return traitsOf(kind).names;
-}
-
-bool hasPage(const QString& kind) {
-  return traitsOf(kind).page;
 }
 
 ExportDraft rememberedDraft(const QSettings& settings) {
@@ -123,15 +121,17 @@ QString withEndingOf(const QString& target, const QString& kind) {
   const render::ExportFormat* format = formatOf(kind);
   if (target.isEmpty() || !format)
     return target;
+  // A folder has none.
   const QString ending = QLatin1Char('.') + QLatin1String(format->extension);
-  if (target.endsWith(ending, Qt::CaseInsensitive))
+  const QString alternative = QLatin1String(traitsOf(kind).otherEnding);
+  if (target.endsWith(ending, Qt::CaseInsensitive) ||
+      (!alternative.isEmpty() && target.endsWith(alternative, Qt::CaseInsensitive)))
     return target;
   for (const render::ExportFormat& other : render::exportFormats()) {
     const QString old = QLatin1Char('.') + QLatin1String(other.extension);
     if (old.size() > 1 && target.endsWith(old, Qt::CaseInsensitive))
-      return target.chopped(old.size()) + ending;
+      return target.chopped(old.size()) + (ending.size() > 1 ? ending : QString());
   }
-  // A folder of frames has no ending.
   return ending.size() > 1 ? target + ending : target;
 }
 

@@ -29,12 +29,12 @@ const render::ExportFormat* formatOf(const QString& kind);
 
 /// A kind that shows the scene from one place; others hold it whole, or all its views.
 bool showsOneView(const QString& kind);
-/// A kind that is made of pixels, so that dots to the inch mean something.
-bool madeOfPixels(const QString& kind);
+/// What the page is to a kind: nothing; the shape of its pictures; a sheet of lines and shapes; so
+/// many pixels.
+enum class PageUse { none, shape, drawing, pixels };
+PageUse pageUseOf(const QString& kind);
 /// A kind that holds names of structures besides what is seen.
 bool holdsNames(const QString& kind);
-/// A kind that has a page and colours behind the scene.
-bool hasPage(const QString& kind);
 
 /// What was chosen last; what was never chosen, or is not allowed any more, is as in a new draft.
 ExportDraft rememberedDraft(const QSettings& settings);

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/export/export_files.h"
 
-#include <QCoreApplication>
-#include <QDir>
-#include <QFileInfo>
 #include <QSet>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -16,20 +13,16 @@ namespace sline::widgets {
 
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("sline::widgets", text);
-}
-
 ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const model::View* view) {
   ExportFile file{.order = draft.order, .filled = draft.filled, .target = {}};
   render::ExportOrder& order = file.order;
   order.scene = view ? model::shown(source.scene, *view).scene : source.scene;
   order.camera = view ? view->camera : source.camera;
-  order.viewName = view ? view->name : viewNameOf(source.camera).toStdString();
+  order.viewName = view ? view->name : viewNameOf(source.camera);
   order.look.keyLight = source.keyLight;
   order.labels.onDark = order.look.background == render::Background::dark;
   const float aspect = order.page.sizeMm.x / order.page.sizeMm.y;
-  if (hasPage(draft.kind))
+  if (pageUseOf(draft.kind) != PageUse::none)
     order.camera = reframed(order.camera, source.aspect, aspect);
   return file;
 }
@@ -60,16 +53,14 @@ QString safeFileName(const QString& text) {
   return name.isEmpty() ? QStringLiteral("picture") : name;
 }
 
-QString viewNameOf(const model::Camera& camera) {
-  const QString names[] = {tr("Anterior view"), tr("Posterior view"), tr("Left view"),
-                           tr("Right view"),    tr("Superior view"),  tr("Inferior view")};
+std::string viewNameOf(const model::Camera& camera) {
   constexpr float nearly = 0.9999f;  // within 0.8°
   const model::CameraFrame frame = model::cameraFrame(camera);
-  for (std::size_t i = 0; i < std::size(names); ++i) {
+  for (std::size_t i = 0; i < model::anatomicalViewNames.size(); ++i) {
     const model::CameraFrame axis =
         model::cameraFrame(model::anatomicalCamera(model::AnatomicalView(i), {}, 1.0f));
     if (glm::dot(frame.back, axis.back) > nearly && glm::dot(frame.up, axis.up) > nearly)
-      return names[i];
+      return std::string(model::anatomicalViewNames[i]);
   }
   return {};
 }

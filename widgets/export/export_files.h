@@ -29,8 +29,9 @@ struct ExportFile {
 /// is left.
 QString safeFileName(const QString& text);
 
-/// "Anterior view" where the camera looks along an axis of the body; else nothing.
-QString viewNameOf(const model::Camera& camera);
+/// "anterior" and so on, as `anatomicalViewNames`, where the camera looks along an axis of the
+/// body; else nothing. Marks say it in the language of the labels.
+std::string viewNameOf(const model::Camera& camera);
 
 /// The camera such that all that a picture of width / height `before` shows is in one of `aspect`.
 model::Camera reframed(model::Camera camera, float before, float aspect);

@@ -3,7 +3,7 @@
 
 #include <QPainter>
 
-#include "render/export/label_painter.h"
+#include "widgets/export/finished_page.h"
 
 namespace sline::widgets {
 
@@ -14,20 +14,6 @@ constexpr int restAfter = 200;
 constexpr int samples = 2;
 constexpr int margin = 14;
 constexpr int leastPixels = 16;
-
-QImage withLabels(const QImage& picture, const render::ExportOrder& order) {
-  QImage labelled = picture.convertToFormat(QImage::Format_RGBA8888_Premultiplied);
-  if (order.labels.mode == render::LabelMode::off || order.scene.annotations().empty())
-    return labelled;
-  const float scale = float(picture.width()) / order.page.sizeMm.x;
-  const render::Screen screen(order.camera, {order.page.sizeMm.x, float(picture.height()) / scale});
-  render::SightTrees trees;
-  const render::LabelPlate plate = render::labelPlate(order.scene, screen, order.labels, trees);
-  QPainter painter(&labelled);
-  painter.scale(qreal(scale), qreal(scale));
-  render::paintLabels(painter, plate);
-  return labelled;
-}
 
 }  // namespace
 
@@ -100,7 +86,7 @@ void ExportPreview::took(PreviewsOf asker, int number, const QImage& image) {
   if (asker != PreviewsOf::exported || number != m_wanted)
     return;
   m_queue.add([this, number, image, order = m_drawn](const std::stop_token&) {
-    return BackgroundQueue::Sequel([this, number, labelled = withLabels(image, order)] {
+    return BackgroundQueue::Sequel([this, number, labelled = finishedPage(image, order)] {
       if (number != m_wanted)
         return;
       m_picture = labelled;
@@ -142,7 +128,7 @@ void ExportPreview::paintEvent(QPaintEvent*) {
   }
   painter.setOpacity(1.0);
   painter.setPen(palette().color(QPalette::Dark));
-  painter.drawRect(page.adjusted(0, 0, -1, -1));
+  painter.drawRect(QRectF(page).adjusted(-0.5, -0.5, 0.5, 0.5));
   if (upToDate())
     return;
   painter.setPen(QColor(70, 70, 70));

@@ -163,7 +163,7 @@ std::vector<ExportRow> markRows() {
 }  // namespace
 
 bool ExportRow::isFor(const QString& kind) const {
-  return kinds.isEmpty() ? hasPage(kind) : kinds.contains(kind);
+  return kinds.isEmpty() ? pageUseOf(kind) != PageUse::none : kinds.contains(kind);
 }
 
 QVariant ExportRow::toSettings(const ExportOrder& order) const {

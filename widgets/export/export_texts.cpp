@@ -62,8 +62,9 @@ QString subjectText(const ExportDraft& draft, const std::vector<ExportFile>& fil
   const int structures = shownStructures(files.front().order.scene);
   if (files.size() > 1)
     return tr("%n files, one for each saved view.", nullptr, int(files.size()));
-  return hasPage(draft.kind) ? tr("%n structures, seen as in the window.", nullptr, structures)
-                             : tr("%n structures as surfaces.", nullptr, structures);
+  return pageUseOf(draft.kind) != PageUse::none
+             ? tr("%n structures, seen as in the window.", nullptr, structures)
+             : tr("%n structures as surfaces.", nullptr, structures);
 }
 
 QString languageText(const render::LabelStyle& style) {
@@ -96,7 +97,9 @@ QString labelText(const std::vector<ExportFile>& files) {
 
 QString sizeText(const ExportDraft& draft) {
   const render::ExportPage& page = draft.order.page;
-  if (!madeOfPixels(draft.kind))
+  if (pageUseOf(draft.kind) == PageUse::shape)
+    return {};
+  if (pageUseOf(draft.kind) == PageUse::drawing)
     return tr("%1, as lines and shapes of any sharpness.").arg(millimetresText(page));
   return tr("%1, %2 at %3 dpi.")
       .arg(millimetresText(page), pixelsText(page), numberText(std::lround(page.dpi)));
@@ -153,7 +156,7 @@ QString pixelsText(const render::ExportPage& page) {
 
 QStringList exportSummary(const ExportDraft& draft, const std::vector<ExportFile>& files) {
   QStringList sentences{subjectText(draft, files)};
-  if (hasPage(draft.kind))
+  if (pageUseOf(draft.kind) != PageUse::none)
     sentences << labelText(files) << sizeText(draft);
   sentences << weightText(draft, files) << privacyText(draft);
   sentences.removeAll(QString());

@@ -125,7 +125,7 @@ void PagePanel::connectControls() {
 }
 
 float PagePanel::millimetresPerUnit() const {
-  return m_draft.unit == PageUnit::pixels && madeOfPixels(m_draft.kind)
+  return m_draft.unit == PageUnit::pixels && pageUseOf(m_draft.kind) == PageUse::pixels
              ? millimetresPerInch / m_draft.order.page.dpi
              : 1.0f;
 }
@@ -141,7 +141,7 @@ void PagePanel::setSize(const glm::vec2& sizeMm) {
 }
 
 void PagePanel::refresh() {
-  const bool pixels = madeOfPixels(m_draft.kind);
+  const bool pixels = pageUseOf(m_draft.kind) == PageUse::pixels;
   const render::ExportPage& page = m_draft.order.page;
   const float unit = millimetresPerUnit();
   const bool inPixels = unit != 1.0f;

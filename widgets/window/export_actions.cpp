@@ -12,9 +12,12 @@
 #include <QStatusBar>
 #include <QToolButton>
 #include <QUrl>
+#include <algorithm>
 
 #include "widgets/export/export_job.h"
 #include "widgets/export/export_texts.h"
+#include "widgets/export/page_presets.h"
+#include "widgets/export/picture_copier.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/window/message_bar.h"
 #include "widgets/window/window_actions.h"
@@ -24,6 +27,7 @@ namespace sline::widgets {
 namespace {
 
 constexpr const char* folderKey = "export/folder";
+constexpr const char* widthKey = "export/width";
 
 QString textOf(const std::filesystem::path& path) {
   return QString::fromStdString(path.string());
@@ -42,21 +46,28 @@ ExportActions::ExportActions(const Parts& parts, QMainWindow& window)
       m_actions(parts.actions),
       m_message(parts.message),
       m_viewport(parts.viewport),
-      m_window(window) {
+      m_window(window),
+      m_copier(new PictureCopier(parts.viewport, this)) {
+  connect(m_copier, &PictureCopier::copied, this, [this] {
+    constexpr int readable = 4000;  // milliseconds
+    m_window.statusBar()->showMessage(tr("The picture is on the clipboard"), readable);
+  });
   connect(&m_session, &Session::documentChanged, this, &ExportActions::showState);
-  connectAction();
+  connectActions();
 }
 
 ExportActions::~ExportActions() = default;
 
-void ExportActions::connectAction() {
+void ExportActions::connectActions() {
   connect(&m_actions[QStringLiteral("export")], &QAction::triggered, this,
           &ExportActions::showDialog);
+  connect(&m_actions[QStringLiteral("copyPicture")], &QAction::triggered, this,
+          &ExportActions::copyPicture);
   showState();
 }
 
 void ExportActions::controlsRemade() {
-  connectAction();
+  connectActions();
   if (m_job)
     showProgress();
 }
@@ -67,6 +78,7 @@ void ExportActions::showState() {
   const bool any = std::any_of(nodes.begin(), nodes.end(),
                                [](const model::Node& node) { return !node.isGroup(); });
   action.setEnabled(any && !m_job);
+  m_actions[QStringLiteral("copyPicture")].setEnabled(any);
 }
 
 ExportSource ExportActions::source() const {
@@ -77,12 +89,25 @@ ExportSource ExportActions::source() const {
           .title = m_session.title()};
 }
 
+void ExportActions::copyPicture() {
+  m_copier->copy(source(), rememberedDraft(m_settings).order);
+}
+
 void ExportActions::prepareDraft() {
   const int opening = m_session.document().opening;
   if (m_prepared == opening)
     return;
   m_prepared = opening;
   m_draft = rememberedDraft(m_settings);
+  if (!m_settings.contains(QLatin1String(widthKey))) {
+    // A paper that everybody has, lying where the picture in the window does.
+    const std::vector<PagePreset> papers = pagePresets();
+    const auto a4 = std::find_if(papers.begin(), papers.end(), [](const PagePreset& each) {
+      return each.id == QLatin1String("a4");
+    });
+    m_draft.order.page.sizeMm =
+        turnedAs(a4->sizeMm, {float(m_viewport.width()), float(m_viewport.height())});
+  }
   QString folder = m_settings.value(QLatin1String(folderKey)).toString();
   const std::filesystem::path& file = m_session.file().path;
   if (folder.isEmpty() || !QFileInfo(folder).isDir())
@@ -157,9 +182,10 @@ void ExportActions::showProgress() {
     m_cancel->setEnabled(false);
     m_job->cancel();
   });
+  int place = 0;
   for (QWidget* widget : {static_cast<QWidget*>(m_what), static_cast<QWidget*>(m_progress),
                           static_cast<QWidget*>(m_cancel)})
-    m_window.statusBar()->insertPermanentWidget(0, widget);
+    m_window.statusBar()->insertPermanentWidget(place++, widget);
 }
 
 void ExportActions::end() {

@@ -20,11 +20,13 @@ namespace sline::widgets {
 
 class ExportJob;
 class MessageBar;
+class PictureCopier;
 class Viewport;
 class WindowActions;
 
-/// What the action of exporting does: the dialog, the writing in the background with its progress
-/// in the status bar, and what is said when it is over. Outlives the window's controls.
+/// What the actions of exporting do: a picture on the clipboard; the dialog, the writing in the
+/// background with its progress in the status bar, and what is said when it is over. Outlives the
+/// window's controls.
 class ExportActions : public QObject {
   Q_OBJECT
  public:
@@ -44,12 +46,13 @@ class ExportActions : public QObject {
   bool busy() const { return m_job != nullptr; }
 
  private:
-  void connectAction();
+  void connectActions();
   void showState();
   void showDialog();
   /// As chosen last; for another document with a name of its own.
   void prepareDraft();
   ExportSource source() const;
+  void copyPicture();
   void begin(const QString& kind, const std::vector<ExportFile>& files);
   void showProgress();
   void end();
@@ -64,6 +67,7 @@ class ExportActions : public QObject {
   ExportDraft m_draft;
   std::optional<int> m_prepared;  ///< the opening whose draft it is
   QPointer<ExportDialog> m_dialog;
+  PictureCopier* m_copier;
   std::unique_ptr<ExportJob> m_job;
   // In the status bar, while something is written.
   QPointer<QLabel> m_what;

@@ -58,7 +58,7 @@ std::vector<MenuRow> menuRows() {
                "quit"})),
       row("recentMenu", tr("Open &Recent"), {}),
       row("demoMenu", tr("&Demo"), {}),
-      row("editMenu", tr("&Edit"), ids({"undo", "redo", "", "find", "", "preferences"})),
+      row("editMenu", tr("&Edit"), ids({"undo", "redo", "", "copyPicture", "", "find", "", "preferences"})),
       row("structureMenu", tr("&Structure"),
           ids({"focus",   "context", "ghost",      "colour",     ">inheritMenu",
                "",        "toggle",  "isolate",    "hideOthers", "showAll",

@@ -61,6 +61,8 @@ std::vector<ActionRow> fileRows() {
           {QStringLiteral("undo"), tr("&Undo"), key(QKeySequence::Undo),
            tr("Take the last step back"), "undo"},
           {QStringLiteral("redo"), tr("&Redo"), key(QKeySequence::Redo), tr("Do it again"), "redo"},
+          {QStringLiteral("copyPicture"), tr("&Copy Picture"), key(tr("Ctrl+Shift+C")),
+           tr("The picture on the clipboard, with its labels, for other programs")},
           {QStringLiteral("preferences"), tr("&Preferences…"), key(QKeySequence::Preferences),
            tr("Theme, background and other habits"), "preferences"},
           {QStringLiteral("find"), tr("&Find Structure"), key(QKeySequence::Find),
