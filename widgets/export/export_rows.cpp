@@ -4,9 +4,9 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
-#include <type_traits>
 
 #include "widgets/export/export_draft.h"
+#include "widgets/export/row_binding.h"
 
 namespace sline::widgets {
 
@@ -18,39 +18,6 @@ using render::LabelMode;
 
 QString tr(const char* text) {
   return QCoreApplication::translate("sline::widgets", text);
-}
-
-template <class T>
-QVariant variantOf(const T& value) {
-  if constexpr (std::is_enum_v<T>)
-    return int(value);
-  else if constexpr (std::is_same_v<T, float>)
-    return double(value);
-  else if constexpr (std::is_same_v<T, std::string>)
-    return QString::fromStdString(value);
-  else
-    return value;
-}
-
-template <class T>
-T valueOf(const QVariant& value) {
-  if constexpr (std::is_enum_v<T>)
-    return T(value.toInt());
-  else if constexpr (std::is_same_v<T, std::string>)
-    return value.toString().toStdString();
-  else
-    return value.value<T>();
-}
-
-/// Binds the row to the field of the order that `field` names: `[](auto& o) -> auto& { … }`.
-template <class Field>
-ExportRow bound(ExportRow row, Field field) {
-  row.read = [field](const ExportOrder& order) { return variantOf(field(order)); };
-  row.write = [field](ExportOrder& order, const QVariant& value) {
-    auto& target = field(order);
-    target = valueOf<std::decay_t<decltype(target)>>(value);
-  };
-  return row;
 }
 
 RowChoice choice(std::initializer_list<RowChoice::Entry> entries) {

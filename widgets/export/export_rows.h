@@ -32,10 +32,12 @@ struct RowNumber {
   double step = 1.0;
   QString unit;
 };
-/// A line of text.
+/// A line of text, or several.
 struct RowText {
   int longest = 200;
+  int lines = 1;
 };
+using RowControl = std::variant<RowSwitch, RowChoice, RowNumber, RowText>;
 
 enum class ExportPart { picture, labels, marks, kind };
 
@@ -45,7 +47,7 @@ struct ExportRow {
   QString text;
   QString tip;
   QStringList kinds;  ///< which have it; none named: all with a page
-  std::variant<RowSwitch, RowChoice, RowNumber, RowText> control;
+  RowControl control;
   std::function<QVariant(const render::ExportOrder&)> read;
   std::function<void(render::ExportOrder&, const QVariant&)> write;
   bool kept = true;  ///< from one session to the next

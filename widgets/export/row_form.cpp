@@ -7,6 +7,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <algorithm>
 
 namespace sline::widgets {
@@ -92,6 +93,15 @@ QWidget* RowForm::control(const ExportRow& row, const RowNumber& kind) {
 }
 
 QWidget* RowForm::control(const ExportRow& row, const RowText& kind) {
+  if (kind.lines > 1) {
+    auto* box = new QPlainTextEdit(row.read(m_order).toString());
+    box->setTabChangesFocus(true);
+    box->setFixedHeight((kind.lines + 1) * box->fontMetrics().lineSpacing());
+    connect(box, &QPlainTextEdit::textChanged, this, [this, box, row, longest = kind.longest] {
+      take(row, box->toPlainText().left(longest));
+    });
+    return box;
+  }
   auto* line = new QLineEdit(row.read(m_order).toString());
   line->setMaxLength(kind.longest);
   connect(line, &QLineEdit::textChanged, this,
