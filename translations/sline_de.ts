@@ -1950,6 +1950,18 @@ OpenGL: %3</translation>
         <source>The picture is on the clipboard</source>
         <translation>Das Bild ist in der Zwischenablage</translation>
     </message>
+    <message>
+        <source>An export is under way. Stop it and close the window?</source>
+        <translation>Ein Export ist im Gang. Anhalten und das Fenster schließen?</translation>
+    </message>
+    <message>
+        <source>Stop and Close</source>
+        <translation>Anhalten und schließen</translation>
+    </message>
+    <message>
+        <source>Go On</source>
+        <translation>Weitermachen</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ExportDialog</name>

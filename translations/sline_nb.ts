@@ -1950,6 +1950,18 @@ OpenGL: %3</translation>
         <source>The picture is on the clipboard</source>
         <translation>Bildet er på utklippstavlen</translation>
     </message>
+    <message>
+        <source>An export is under way. Stop it and close the window?</source>
+        <translation>En eksport pågår. Stoppe den og lukke vinduet?</translation>
+    </message>
+    <message>
+        <source>Stop and Close</source>
+        <translation>Stopp og lukk</translation>
+    </message>
+    <message>
+        <source>Go On</source>
+        <translation>Fortsett</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ExportDialog</name>

@@ -1950,6 +1950,18 @@ OpenGL: %3</translation>
         <source>The picture is on the clipboard</source>
         <translation>De afbeelding staat op het klembord</translation>
     </message>
+    <message>
+        <source>An export is under way. Stop it and close the window?</source>
+        <translation>Er wordt geëxporteerd. Stoppen en het venster sluiten?</translation>
+    </message>
+    <message>
+        <source>Stop and Close</source>
+        <translation>Stoppen en sluiten</translation>
+    </message>
+    <message>
+        <source>Go On</source>
+        <translation>Doorgaan</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ExportDialog</name>

@@ -144,6 +144,27 @@ class ExportDialogTest : public QObject {
     QVERIFY(contents(desk.out.filePath(QStringLiteral("before.svg"))).contains("left ball"));
   }
 
+  void closingAsksWhatBecomesOfIt() {
+    ExportDesk desk(7);
+    desk.show();
+    desk.chooseKind(QStringLiteral("svg"));
+    desk.target(desk.out.filePath(QStringLiteral("large.svg")));
+    desk.click("exportButton");
+    QVERIFY(desk.exporting());
+    QVERIFY(!desk.window.close());
+    QTest::keyClick(&desk.control<QDialog>("exportingDialog"), Qt::Key_Escape);
+    QTRY_VERIFY(!desk.window.findChild<QDialog*>(QStringLiteral("exportingDialog")));
+    QVERIFY(desk.window.isVisible() && desk.exporting());
+    QVERIFY(!desk.window.close());
+    QTest::mouseClick(&desk.control<QPushButton>("stopExport"), Qt::LeftButton);
+    // The scene was made and is saved nowhere: that is asked about next.
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.window.isVisible() ||
+                                 desk.window.findChild<QDialog*>(QStringLiteral("unsavedDialog")),
+                             60'000);
+    QVERIFY(!desk.exporting());
+    QCOMPARE(desk.written(), QStringList());
+  }
+
   void badTargets_data() {
     QTest::addColumn<QString>("name");
     QTest::addColumn<QString>("says");

@@ -7,7 +7,9 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QMainWindow>
+#include <QMessageBox>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QSettings>
 #include <QStatusBar>
 #include <QToolButton>
@@ -197,6 +199,33 @@ void ExportActions::end() {
     m_cancel->deleteLater();
   m_cancel = nullptr;
   showState();
+  if (m_closing)
+    QMetaObject::invokeMethod(this, &ExportActions::closeNow, Qt::QueuedConnection);
+}
+
+bool ExportActions::mayClose() {
+  if (!m_job)
+    return true;
+  auto* box = new QMessageBox(&m_window);
+  box->setObjectName(QStringLiteral("exportingDialog"));
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setText(tr("An export is under way. Stop it and close the window?"));
+  QPushButton* stop = box->addButton(tr("Stop and Close"), QMessageBox::AcceptRole);
+  stop->setObjectName(QStringLiteral("stopExport"));
+  box->setDefaultButton(box->addButton(tr("Go On"), QMessageBox::RejectRole));
+  connect(box, &QDialog::finished, this, [this, box, stop] {
+    if (box->clickedButton() != stop)
+      return;
+    m_closing = true;
+    m_job ? m_job->cancel() : closeNow();
+  });
+  box->open();
+  return false;
+}
+
+void ExportActions::closeNow() {
+  if (std::exchange(m_closing, false))
+    m_window.close();
 }
 
 void ExportActions::tellDone(const std::vector<ExportFile>& files) {

@@ -44,6 +44,9 @@ class ExportActions : public QObject {
   /// The window's actions and bars are others now.
   void controlsRemade();
   bool busy() const { return m_job != nullptr; }
+  /// False where something is being written: a person is asked, and the window closed afterwards
+  /// if the answer is to stop it.
+  bool mayClose();
 
  private:
   void connectActions();
@@ -56,6 +59,7 @@ class ExportActions : public QObject {
   void begin(const QString& kind, const std::vector<ExportFile>& files);
   void showProgress();
   void end();
+  void closeNow();
   void tellDone(const std::vector<ExportFile>& files);
 
   Session& m_session;
@@ -69,6 +73,7 @@ class ExportActions : public QObject {
   QPointer<ExportDialog> m_dialog;
   PictureCopier* m_copier;
   std::unique_ptr<ExportJob> m_job;
+  bool m_closing = false;  ///< when the job has ended
   // In the status bar, while something is written.
   QPointer<QLabel> m_what;
   QPointer<QProgressBar> m_progress;

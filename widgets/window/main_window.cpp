@@ -434,7 +434,7 @@ void MainWindow::restore() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!m_files->mayClose()) {
+  if (!m_exports->mayClose() || !m_files->mayClose()) {
     event->ignore();
     return;
   }
