@@ -17,6 +17,17 @@
     </message>
 </context>
 <context>
+    <name>sline::render::ExportFormat</name>
+    <message>
+        <source>Scalable Vector Graphics</source>
+        <translation>Vektorgrafik (SVG)</translation>
+    </message>
+    <message>
+        <source>Vectors for Inkscape, Illustrator and print: lines and hatching as smooth paths, hidden ones removed, a named group for each structure</source>
+        <translation>Vektoren für Inkscape, Illustrator und Druck: Linien und Schraffur als glatte Pfade, Verdecktes entfernt, eine benannte Gruppe je Struktur</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets</name>
     <message>
         <source>Silhouette</source>
@@ -1562,6 +1573,271 @@
         <source>The saved views one after the other on the whole screen</source>
         <translation>Die gespeicherten Ansichten nacheinander auf dem ganzen Bildschirm</translation>
     </message>
+    <message>
+        <source>Transparent</source>
+        <translation>Durchsichtig</translation>
+    </message>
+    <message>
+        <source>Back&amp;ground</source>
+        <translation>Hinter&amp;grund</translation>
+    </message>
+    <message>
+        <source>What lies behind the drawing</source>
+        <translation>Was hinter der Zeichnung liegt</translation>
+    </message>
+    <message>
+        <source>The scene&apos;s own</source>
+        <translation>Die der Szene</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Nummern</translation>
+    </message>
+    <message>
+        <source>Blank lines, for a test</source>
+        <translation>Leere Zeilen, zum Abfragen</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>Of texts and numbers; where a label has no text in it, the scene&apos;s own</source>
+        <translation>Der Texte und Zahlen; wo eine Beschriftung in ihr keinen Text hat, die der Szene</translation>
+    </message>
+    <message>
+        <source>&amp;Labels</source>
+        <translation>&amp;Beschriftung</translation>
+    </message>
+    <message>
+        <source>How the scene&apos;s labels stand in the picture</source>
+        <translation>Wie die Beschriftungen der Szene im Bild stehen</translation>
+    </message>
+    <message>
+        <source>Le&amp;tters</source>
+        <translation>Bu&amp;chstaben</translation>
+    </message>
+    <message>
+        <source>How large the letters of labels are on paper</source>
+        <translation>Wie groß die Buchstaben der Beschriftung auf Papier sind</translation>
+    </message>
+    <message>
+        <source>pt</source>
+        <translation>pt</translation>
+    </message>
+    <message>
+        <source>&amp;Right and left</source>
+        <translation>&amp;Rechts und links</translation>
+    </message>
+    <message>
+        <source>R and L, and the body&apos;s other directions</source>
+        <translation>R und L und die anderen Richtungen des Körpers</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the view</source>
+        <translation>&amp;Name der Ansicht</translation>
+    </message>
+    <message>
+        <source>“Anterior view”, or the saved view&apos;s name</source>
+        <translation>„Ansicht von vorn“ oder der Name der gespeicherten Ansicht</translation>
+    </message>
+    <message>
+        <source>S&amp;cale bar</source>
+        <translation>&amp;Maßstab</translation>
+    </message>
+    <message>
+        <source>S&amp;ections</source>
+        <translation>Schn&amp;itte</translation>
+    </message>
+    <message>
+        <source>What sections have taken away</source>
+        <translation>Was Schnitte weggenommen haben</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files, one for each saved view.</source>
+        <translation>
+            <numerusform>%n Datei, für die gespeicherte Ansicht.</numerusform>
+            <numerusform>%n Dateien, eine für jede gespeicherte Ansicht.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures, seen as in the window.</source>
+        <translation>
+            <numerusform>%n Struktur, gesehen wie im Fenster.</numerusform>
+            <numerusform>%n Strukturen, gesehen wie im Fenster.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures as surfaces.</source>
+        <translation>
+            <numerusform>%n Struktur als Oberfläche.</numerusform>
+            <numerusform>%n Strukturen als Oberflächen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No labels.</source>
+        <translation>Keine Beschriftung.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels as numbers.</source>
+        <translation>
+            <numerusform>%n Beschriftung als Nummer.</numerusform>
+            <numerusform>%n Beschriftungen als Nummern.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels as blank lines.</source>
+        <translation>
+            <numerusform>%n Beschriftung als leere Zeile.</numerusform>
+            <numerusform>%n Beschriftungen als leere Zeilen.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels in the scene&apos;s own language.</source>
+        <translation>
+            <numerusform>%n Beschriftung in der Sprache der Szene.</numerusform>
+            <numerusform>%n Beschriftungen in der Sprache der Szene.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels, language: %1.</source>
+        <translation>
+            <numerusform>%n Beschriftung, Sprache: %1.</numerusform>
+            <numerusform>%n Beschriftungen, Sprache: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, as lines and shapes of any sharpness.</source>
+        <translation>%1, als Linien und Flächen, in jeder Größe scharf.</translation>
+    </message>
+    <message>
+        <source>%1, %2 at %3 dpi.</source>
+        <translation>%1, %2 bei %3 dpi.</translation>
+    </message>
+    <message>
+        <source>Less than 1 MB.</source>
+        <translation>Weniger als 1 MB.</translation>
+    </message>
+    <message>
+        <source>A few MB.</source>
+        <translation>Einige MB.</translation>
+    </message>
+    <message>
+        <source>Tens of MB.</source>
+        <translation>Einige zehn MB.</translation>
+    </message>
+    <message>
+        <source>Hundreds of MB.</source>
+        <translation>Einige hundert MB.</translation>
+    </message>
+    <message>
+        <source>Names of structures, groups and views are in the file as the scene has them. No paths, user names, dates or patient data are.</source>
+        <translation>Namen von Strukturen, Gruppen und Ansichten stehen in der Datei, wie die Szene sie hat. Keine Pfade, Benutzernamen, Daten oder Patientenangaben.</translation>
+    </message>
+    <message>
+        <source>Nothing is in the file but what is seen: no paths, user names, dates or patient data.</source>
+        <translation>In der Datei steht nur, was man sieht: keine Pfade, Benutzernamen, Daten oder Patientenangaben.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 Pixel</translation>
+    </message>
+    <message>
+        <source>No structure is shown: the picture would be empty.</source>
+        <translation>Keine Struktur wird gezeigt: Das Bild wäre leer.</translation>
+    </message>
+    <message>
+        <source>The view “%1” shows no structure: its picture would be empty.</source>
+        <translation>Die Ansicht „%1“ zeigt keine Struktur: Ihr Bild wäre leer.</translation>
+    </message>
+    <message>
+        <source>A5</source>
+        <translation>A5</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>A3</source>
+        <translation>A3</translation>
+    </message>
+    <message>
+        <source>US Letter</source>
+        <translation>US Letter</translation>
+    </message>
+    <message>
+        <source>Slide 16:9</source>
+        <translation>Folie 16:9</translation>
+    </message>
+    <message>
+        <source>Journal column</source>
+        <translation>Spalte einer Zeitschrift</translation>
+    </message>
+    <message>
+        <source>A1 poster</source>
+        <translation>Poster A1</translation>
+    </message>
+    <message>
+        <source>Say what the file is to be called.</source>
+        <translation>Sag, wie die Datei heißen soll.</translation>
+    </message>
+    <message>
+        <source>The name is too long for a file: take a shorter one.</source>
+        <translation>Der Name ist für eine Datei zu lang: Nimm einen kürzeren.</translation>
+    </message>
+    <message>
+        <source>There is no folder “%1”: choose one that is there.</source>
+        <translation>Es gibt keinen Ordner „%1“: Wähle einen, den es gibt.</translation>
+    </message>
+    <message>
+        <source>“%1” is a file and no folder: choose a folder.</source>
+        <translation>„%1“ ist eine Datei und kein Ordner: Wähle einen Ordner.</translation>
+    </message>
+    <message>
+        <source>“%1” is a folder: give the file another name.</source>
+        <translation>„%1“ ist ein Ordner: Gib der Datei einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>You may not write to “%1”: choose another folder or name.</source>
+        <translation>„%1“ darfst du nicht schreiben: Wähle einen anderen Ordner oder Namen.</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>E&amp;xportieren…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+E</source>
+        <translation>Ctrl+Shift+E</translation>
+    </message>
+    <message>
+        <source>Write pictures, drawings and other files for print, teaching and other programs</source>
+        <translation>Bilder, Zeichnungen und andere Dateien für Druck, Unterricht und andere Programme schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Picture</source>
+        <translation>Bild &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+C</source>
+        <translation>Ctrl+Shift+C</translation>
+    </message>
+    <message>
+        <source>The picture on the clipboard, with its labels, for other programs</source>
+        <translation>Das Bild in die Zwischenablage, mit seiner Beschriftung, für andere Programme</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -1620,6 +1896,179 @@ OpenGL: %3</translation>
     <message>
         <source>The keys A, P, L, R, S and I look from the same sides.</source>
         <translation>Die Tasten A, P, L, R, S und I blicken von denselben Seiten.</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ExportActions</name>
+    <message>
+        <source>The export was stopped</source>
+        <translation>Der Export wurde angehalten</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>Exportiere %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exporting %n files</source>
+        <translation>
+            <numerusform>Exportiere %n Datei</numerusform>
+            <numerusform>Exportiere %n Dateien</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>With the program that this system has for it</source>
+        <translation>Mit dem Programm, das dieses System dafür hat</translation>
+    </message>
+    <message>
+        <source>Show Folder</source>
+        <translation>Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Where it was written to</source>
+        <translation>Wohin geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>%1 wurde exportiert</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported %n files</source>
+        <translation>
+            <numerusform>%n Datei wurde exportiert</numerusform>
+            <numerusform>%n Dateien wurden exportiert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The picture is on the clipboard</source>
+        <translation>Das Bild ist in der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>An export is under way. Stop it and close the window?</source>
+        <translation>Ein Export ist im Gang. Anhalten und das Fenster schließen?</translation>
+    </message>
+    <message>
+        <source>Stop and Close</source>
+        <translation>Anhalten und schließen</translation>
+    </message>
+    <message>
+        <source>Go On</source>
+        <translation>Weitermachen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ExportDialog</name>
+    <message>
+        <source>&amp;What the window shows</source>
+        <translation>&amp;Was das Fenster zeigt</translation>
+    </message>
+    <message>
+        <source>&amp;Fill the page with what is shown</source>
+        <translation>Die Seite mit dem Gezeigten &amp;füllen</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Export %1</source>
+        <translation>%1 exportieren</translation>
+    </message>
+    <message>
+        <source>Kind of file</source>
+        <translation>Art der Datei</translation>
+    </message>
+    <message numerus="yes">
+        <source>Each sa&amp;ved view, %n files</source>
+        <translation>
+            <numerusform>&amp;Jede gespeicherte Ansicht, %n Datei</numerusform>
+            <numerusform>&amp;Jede gespeicherte Ansicht, %n Dateien</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A file for each view, with the view&apos;s name behind its own</source>
+        <translation>Eine Datei für jede Ansicht, deren Name hinter dem der Datei steht</translation>
+    </message>
+    <message>
+        <source>Moves the camera to or fro without turning it</source>
+        <translation>Bewegt die Kamera vor oder zurück, ohne sie zu drehen</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>For this kind</source>
+        <translation>Für diese Art</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Beschriftung</translation>
+    </message>
+    <message>
+        <source>At the picture&apos;s edge</source>
+        <translation>Am Rand des Bildes</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>What the file will contain</source>
+        <translation>Was die Datei enthalten wird</translation>
+    </message>
+    <message>
+        <source>F&amp;ile</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>Du&amp;rchsuchen…</translation>
+    </message>
+    <message>
+        <source>Export To</source>
+        <translation>Exportieren nach</translation>
+    </message>
+    <message>
+        <source>“%1” is there already. Replace it?</source>
+        <translation>„%1“ gibt es schon. Ersetzen?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of the files are there already. Replace them?</source>
+        <translation>
+            <numerusform>%n der Dateien gibt es schon. Ersetzen?</numerusform>
+            <numerusform>%n der Dateien gibt es schon. Ersetzen?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ExportPreview</name>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Drawing…</source>
+        <translation>Wird gezeichnet…</translation>
     </message>
 </context>
 <context>
@@ -2354,6 +2803,57 @@ OpenGL: %3</translation>
     <message>
         <source>Automatic: takes away the steps of label maps, and refines what is too coarse to draw; steps: so much everywhere</source>
         <translation>Automatisch: nimmt Labelkarten die Stufen und verfeinert, was zum Zeichnen zu grob ist; Schritte: überall so viel</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PagePanel</name>
+    <message>
+        <source>T&amp;urn</source>
+        <translation>Dre&amp;hen</translation>
+    </message>
+    <message>
+        <source>Reso&amp;lution</source>
+        <translation>Auf&amp;lösung</translation>
+    </message>
+    <message>
+        <source>Custom size</source>
+        <translation>Eigene Größe</translation>
+    </message>
+    <message>
+        <source>Upright or lying: width and height change places</source>
+        <translation>Hoch- oder Querformat: Breite und Höhe tauschen die Plätze</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Unit of width and height</source>
+        <translation>Einheit von Breite und Höhe</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source> dpi</source>
+        <translation> dpi</translation>
+    </message>
+    <message>
+        <source>&amp;Paper</source>
+        <translation>&amp;Papier</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>&amp;Größe</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,92 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en">
 <context>
+    <name>sline::widgets</name>
+    <message numerus="yes">
+        <source>%n files, one for each saved view.</source>
+        <translation>
+            <numerusform>%n file, for the saved view.</numerusform>
+            <numerusform>%n files, one for each saved view.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures, seen as in the window.</source>
+        <translation>
+            <numerusform>%n structure, seen as in the window.</numerusform>
+            <numerusform>%n structures, seen as in the window.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures as surfaces.</source>
+        <translation>
+            <numerusform>%n structure as a surface.</numerusform>
+            <numerusform>%n structures as surfaces.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels as numbers.</source>
+        <translation>
+            <numerusform>%n label as a number.</numerusform>
+            <numerusform>%n labels as numbers.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels as blank lines.</source>
+        <translation>
+            <numerusform>%n label as a blank line.</numerusform>
+            <numerusform>%n labels as blank lines.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels in the scene&apos;s own language.</source>
+        <translation>
+            <numerusform>%n label in the scene&apos;s own language.</numerusform>
+            <numerusform>%n labels in the scene&apos;s own language.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels, language: %1.</source>
+        <translation>
+            <numerusform>%n label, language: %1.</numerusform>
+            <numerusform>%n labels, language: %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ExportActions</name>
+    <message numerus="yes">
+        <source>Exporting %n files</source>
+        <translation>
+            <numerusform>Exporting %n file</numerusform>
+            <numerusform>Exporting %n files</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported %n files</source>
+        <translation>
+            <numerusform>Exported %n file</numerusform>
+            <numerusform>Exported %n files</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ExportDialog</name>
+    <message numerus="yes">
+        <source>Each sa&amp;ved view, %n files</source>
+        <translation>
+            <numerusform>Each sa&amp;ved view, %n file</numerusform>
+            <numerusform>Each sa&amp;ved view, %n files</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of the files are there already. Replace them?</source>
+        <translation>
+            <numerusform>%n of the files is there already. Replace it?</numerusform>
+            <numerusform>%n of the files are there already. Replace them?</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::FocusPanel</name>
     <message numerus="yes">
         <source>%n structures in focus</source>

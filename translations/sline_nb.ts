@@ -17,6 +17,17 @@
     </message>
 </context>
 <context>
+    <name>sline::render::ExportFormat</name>
+    <message>
+        <source>Scalable Vector Graphics</source>
+        <translation>Vektorgrafikk (SVG)</translation>
+    </message>
+    <message>
+        <source>Vectors for Inkscape, Illustrator and print: lines and hatching as smooth paths, hidden ones removed, a named group for each structure</source>
+        <translation>Vektorer for Inkscape, Illustrator og trykk: linjer og skravur som glatte baner, skjulte fjernet, en navngitt gruppe for hver struktur</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets</name>
     <message>
         <source>Silhouette</source>
@@ -1562,6 +1573,271 @@
         <source>The saved views one after the other on the whole screen</source>
         <translation>De lagrede visningene etter hverandre på hele skjermen</translation>
     </message>
+    <message>
+        <source>Transparent</source>
+        <translation>Gjennomsiktig</translation>
+    </message>
+    <message>
+        <source>Back&amp;ground</source>
+        <translation>Bak&amp;grunn</translation>
+    </message>
+    <message>
+        <source>What lies behind the drawing</source>
+        <translation>Hva som ligger bak tegningen</translation>
+    </message>
+    <message>
+        <source>The scene&apos;s own</source>
+        <translation>Scenens egne</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Tekster</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Numre</translation>
+    </message>
+    <message>
+        <source>Blank lines, for a test</source>
+        <translation>Tomme linjer, til en prøve</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ingen</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>&amp;Språk</translation>
+    </message>
+    <message>
+        <source>Of texts and numbers; where a label has no text in it, the scene&apos;s own</source>
+        <translation>For tekster og tall; der en etikett ikke har tekst på det, scenens eget</translation>
+    </message>
+    <message>
+        <source>&amp;Labels</source>
+        <translation>&amp;Etiketter</translation>
+    </message>
+    <message>
+        <source>How the scene&apos;s labels stand in the picture</source>
+        <translation>Hvordan scenens etiketter står i bildet</translation>
+    </message>
+    <message>
+        <source>Le&amp;tters</source>
+        <translation>&amp;Bokstaver</translation>
+    </message>
+    <message>
+        <source>How large the letters of labels are on paper</source>
+        <translation>Hvor store bokstavene i etikettene er på papir</translation>
+    </message>
+    <message>
+        <source>pt</source>
+        <translation>pt</translation>
+    </message>
+    <message>
+        <source>&amp;Right and left</source>
+        <translation>&amp;Høyre og venstre</translation>
+    </message>
+    <message>
+        <source>R and L, and the body&apos;s other directions</source>
+        <translation>R og L og kroppens andre retninger</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the view</source>
+        <translation>&amp;Navn på visningen</translation>
+    </message>
+    <message>
+        <source>“Anterior view”, or the saved view&apos;s name</source>
+        <translation>«Sett forfra» eller navnet på den lagrede visningen</translation>
+    </message>
+    <message>
+        <source>S&amp;cale bar</source>
+        <translation>&amp;Målestokk</translation>
+    </message>
+    <message>
+        <source>S&amp;ections</source>
+        <translation>&amp;Snitt</translation>
+    </message>
+    <message>
+        <source>What sections have taken away</source>
+        <translation>Hva snitt har tatt bort</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files, one for each saved view.</source>
+        <translation>
+            <numerusform>%n fil, for den lagrede visningen.</numerusform>
+            <numerusform>%n filer, én for hver lagret visning.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures, seen as in the window.</source>
+        <translation>
+            <numerusform>%n struktur, sett som i vinduet.</numerusform>
+            <numerusform>%n strukturer, sett som i vinduet.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures as surfaces.</source>
+        <translation>
+            <numerusform>%n struktur som overflate.</numerusform>
+            <numerusform>%n strukturer som overflater.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No labels.</source>
+        <translation>Ingen etiketter.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels as numbers.</source>
+        <translation>
+            <numerusform>%n etikett som nummer.</numerusform>
+            <numerusform>%n etiketter som numre.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels as blank lines.</source>
+        <translation>
+            <numerusform>%n etikett som tom linje.</numerusform>
+            <numerusform>%n etiketter som tomme linjer.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels in the scene&apos;s own language.</source>
+        <translation>
+            <numerusform>%n etikett på scenens eget språk.</numerusform>
+            <numerusform>%n etiketter på scenens eget språk.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels, language: %1.</source>
+        <translation>
+            <numerusform>%n etikett, språk: %1.</numerusform>
+            <numerusform>%n etiketter, språk: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, as lines and shapes of any sharpness.</source>
+        <translation>%1, som linjer og flater, skarpe i alle størrelser.</translation>
+    </message>
+    <message>
+        <source>%1, %2 at %3 dpi.</source>
+        <translation>%1, %2 ved %3 dpi.</translation>
+    </message>
+    <message>
+        <source>Less than 1 MB.</source>
+        <translation>Mindre enn 1 MB.</translation>
+    </message>
+    <message>
+        <source>A few MB.</source>
+        <translation>Noen få MB.</translation>
+    </message>
+    <message>
+        <source>Tens of MB.</source>
+        <translation>Titalls MB.</translation>
+    </message>
+    <message>
+        <source>Hundreds of MB.</source>
+        <translation>Hundretalls MB.</translation>
+    </message>
+    <message>
+        <source>Names of structures, groups and views are in the file as the scene has them. No paths, user names, dates or patient data are.</source>
+        <translation>Navn på strukturer, grupper og visninger står i filen slik scenen har dem. Ingen stier, brukernavn, datoer eller pasientdata.</translation>
+    </message>
+    <message>
+        <source>Nothing is in the file but what is seen: no paths, user names, dates or patient data.</source>
+        <translation>I filen står bare det man ser: ingen stier, brukernavn, datoer eller pasientdata.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 piksler</translation>
+    </message>
+    <message>
+        <source>No structure is shown: the picture would be empty.</source>
+        <translation>Ingen struktur vises: bildet ville være tomt.</translation>
+    </message>
+    <message>
+        <source>The view “%1” shows no structure: its picture would be empty.</source>
+        <translation>Visningen «%1» viser ingen struktur: bildet ville være tomt.</translation>
+    </message>
+    <message>
+        <source>A5</source>
+        <translation>A5</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>A3</source>
+        <translation>A3</translation>
+    </message>
+    <message>
+        <source>US Letter</source>
+        <translation>US Letter</translation>
+    </message>
+    <message>
+        <source>Slide 16:9</source>
+        <translation>Lysbilde 16:9</translation>
+    </message>
+    <message>
+        <source>Journal column</source>
+        <translation>Tidsskriftspalte</translation>
+    </message>
+    <message>
+        <source>A1 poster</source>
+        <translation>Plakat A1</translation>
+    </message>
+    <message>
+        <source>Say what the file is to be called.</source>
+        <translation>Si hva filen skal hete.</translation>
+    </message>
+    <message>
+        <source>The name is too long for a file: take a shorter one.</source>
+        <translation>Navnet er for langt for en fil: velg et kortere.</translation>
+    </message>
+    <message>
+        <source>There is no folder “%1”: choose one that is there.</source>
+        <translation>Det finnes ingen mappe «%1»: velg en som finnes.</translation>
+    </message>
+    <message>
+        <source>“%1” is a file and no folder: choose a folder.</source>
+        <translation>«%1» er en fil og ingen mappe: velg en mappe.</translation>
+    </message>
+    <message>
+        <source>“%1” is a folder: give the file another name.</source>
+        <translation>«%1» er en mappe: gi filen et annet navn.</translation>
+    </message>
+    <message>
+        <source>You may not write to “%1”: choose another folder or name.</source>
+        <translation>Du har ikke lov til å skrive til «%1»: velg en annen mappe eller et annet navn.</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>Eksporte&amp;r …</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+E</source>
+        <translation>Ctrl+Shift+E</translation>
+    </message>
+    <message>
+        <source>Write pictures, drawings and other files for print, teaching and other programs</source>
+        <translation>Skriv bilder, tegninger og andre filer til trykk, undervisning og andre programmer</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Picture</source>
+        <translation>Kopi&amp;er bildet</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+C</source>
+        <translation>Ctrl+Shift+C</translation>
+    </message>
+    <message>
+        <source>The picture on the clipboard, with its labels, for other programs</source>
+        <translation>Bildet på utklippstavlen, med etikettene, til andre programmer</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -1620,6 +1896,179 @@ OpenGL: %3</translation>
     <message>
         <source>The keys A, P, L, R, S and I look from the same sides.</source>
         <translation>Tastene A, P, L, R, S og I ser fra de samme sidene.</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ExportActions</name>
+    <message>
+        <source>The export was stopped</source>
+        <translation>Eksporten ble stoppet</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>Eksporterer %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exporting %n files</source>
+        <translation>
+            <numerusform>Eksporterer %n fil</numerusform>
+            <numerusform>Eksporterer %n filer</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Åpne</translation>
+    </message>
+    <message>
+        <source>With the program that this system has for it</source>
+        <translation>Med programmet dette systemet har for det</translation>
+    </message>
+    <message>
+        <source>Show Folder</source>
+        <translation>Vis mappen</translation>
+    </message>
+    <message>
+        <source>Where it was written to</source>
+        <translation>Der det ble skrevet</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>%1 er eksportert</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported %n files</source>
+        <translation>
+            <numerusform>%n fil er eksportert</numerusform>
+            <numerusform>%n filer er eksportert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The picture is on the clipboard</source>
+        <translation>Bildet er på utklippstavlen</translation>
+    </message>
+    <message>
+        <source>An export is under way. Stop it and close the window?</source>
+        <translation>En eksport pågår. Stoppe den og lukke vinduet?</translation>
+    </message>
+    <message>
+        <source>Stop and Close</source>
+        <translation>Stopp og lukk</translation>
+    </message>
+    <message>
+        <source>Go On</source>
+        <translation>Fortsett</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ExportDialog</name>
+    <message>
+        <source>&amp;What the window shows</source>
+        <translation>Det &amp;vinduet viser</translation>
+    </message>
+    <message>
+        <source>&amp;Fill the page with what is shown</source>
+        <translation>&amp;Fyll siden med det som vises</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Eksporter</translation>
+    </message>
+    <message>
+        <source>Export %1</source>
+        <translation>Eksporter %1</translation>
+    </message>
+    <message>
+        <source>Kind of file</source>
+        <translation>Filtype</translation>
+    </message>
+    <message numerus="yes">
+        <source>Each sa&amp;ved view, %n files</source>
+        <translation>
+            <numerusform>Hver &amp;lagret visning, %n fil</numerusform>
+            <numerusform>Hver &amp;lagret visning, %n filer</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A file for each view, with the view&apos;s name behind its own</source>
+        <translation>Én fil for hver visning, med visningens navn bak sitt eget</translation>
+    </message>
+    <message>
+        <source>Moves the camera to or fro without turning it</source>
+        <translation>Flytter kameraet fram eller tilbake uten å dreie det</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Hva</translation>
+    </message>
+    <message>
+        <source>For this kind</source>
+        <translation>For denne typen</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bilde</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Etiketter</translation>
+    </message>
+    <message>
+        <source>At the picture&apos;s edge</source>
+        <translation>Ved kanten av bildet</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Side</translation>
+    </message>
+    <message>
+        <source>What the file will contain</source>
+        <translation>Hva filen vil inneholde</translation>
+    </message>
+    <message>
+        <source>F&amp;ile</source>
+        <translation>F&amp;il</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Bla gjennom …</translation>
+    </message>
+    <message>
+        <source>Export To</source>
+        <translation>Eksporter til</translation>
+    </message>
+    <message>
+        <source>“%1” is there already. Replace it?</source>
+        <translation>«%1» finnes allerede. Erstatte den?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of the files are there already. Replace them?</source>
+        <translation>
+            <numerusform>%n av filene finnes allerede. Erstatte den?</numerusform>
+            <numerusform>%n av filene finnes allerede. Erstatte dem?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Erstatt</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ExportPreview</name>
+    <message>
+        <source>Preview</source>
+        <translation>Forhåndsvisning</translation>
+    </message>
+    <message>
+        <source>Drawing…</source>
+        <translation>Tegner …</translation>
     </message>
 </context>
 <context>
@@ -2354,6 +2803,57 @@ OpenGL: %3</translation>
     <message>
         <source>Automatic: takes away the steps of label maps, and refines what is too coarse to draw; steps: so much everywhere</source>
         <translation>Automatisk: tar bort trinnene fra etikettkart, og forfiner det som er for grovt til å tegnes; trinn: like mye overalt</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PagePanel</name>
+    <message>
+        <source>T&amp;urn</source>
+        <translation>&amp;Snu</translation>
+    </message>
+    <message>
+        <source>Reso&amp;lution</source>
+        <translation>Opp&amp;løsning</translation>
+    </message>
+    <message>
+        <source>Custom size</source>
+        <translation>Egen størrelse</translation>
+    </message>
+    <message>
+        <source>Upright or lying: width and height change places</source>
+        <translation>Stående eller liggende: bredde og høyde bytter plass</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Bredde</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Høyde</translation>
+    </message>
+    <message>
+        <source>Unit of width and height</source>
+        <translation>Enhet for bredde og høyde</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source> dpi</source>
+        <translation> dpi</translation>
+    </message>
+    <message>
+        <source>&amp;Paper</source>
+        <translation>&amp;Papir</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>&amp;Størrelse</translation>
     </message>
 </context>
 <context>

@@ -17,6 +17,17 @@
     </message>
 </context>
 <context>
+    <name>sline::render::ExportFormat</name>
+    <message>
+        <source>Scalable Vector Graphics</source>
+        <translation>Vectortekening (SVG)</translation>
+    </message>
+    <message>
+        <source>Vectors for Inkscape, Illustrator and print: lines and hatching as smooth paths, hidden ones removed, a named group for each structure</source>
+        <translation>Vectoren voor Inkscape, Illustrator en druk: lijnen en arcering als vloeiende paden, zonder verborgen lijnen, een benoemde groep per structuur</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets</name>
     <message>
         <source>Silhouette</source>
@@ -1562,6 +1573,271 @@
         <source>The saved views one after the other on the whole screen</source>
         <translation>De opgeslagen aanzichten na elkaar op het hele scherm</translation>
     </message>
+    <message>
+        <source>Transparent</source>
+        <translation>Doorzichtig</translation>
+    </message>
+    <message>
+        <source>Back&amp;ground</source>
+        <translation>Achter&amp;grond</translation>
+    </message>
+    <message>
+        <source>What lies behind the drawing</source>
+        <translation>Wat achter de tekening ligt</translation>
+    </message>
+    <message>
+        <source>The scene&apos;s own</source>
+        <translation>Die van de scène</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Teksten</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Nummers</translation>
+    </message>
+    <message>
+        <source>Blank lines, for a test</source>
+        <translation>Lege regels, voor een toets</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Geen</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>&amp;Taal</translation>
+    </message>
+    <message>
+        <source>Of texts and numbers; where a label has no text in it, the scene&apos;s own</source>
+        <translation>Van teksten en getallen; waar een label er geen tekst in heeft, die van de scène</translation>
+    </message>
+    <message>
+        <source>&amp;Labels</source>
+        <translation>&amp;Labels</translation>
+    </message>
+    <message>
+        <source>How the scene&apos;s labels stand in the picture</source>
+        <translation>Hoe de labels van de scène in de afbeelding staan</translation>
+    </message>
+    <message>
+        <source>Le&amp;tters</source>
+        <translation>Le&amp;tters</translation>
+    </message>
+    <message>
+        <source>How large the letters of labels are on paper</source>
+        <translation>Hoe groot de letters van labels op papier zijn</translation>
+    </message>
+    <message>
+        <source>pt</source>
+        <translation>pt</translation>
+    </message>
+    <message>
+        <source>&amp;Right and left</source>
+        <translation>&amp;Rechts en links</translation>
+    </message>
+    <message>
+        <source>R and L, and the body&apos;s other directions</source>
+        <translation>R en L en de andere richtingen van het lichaam</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the view</source>
+        <translation>&amp;Naam van het aanzicht</translation>
+    </message>
+    <message>
+        <source>“Anterior view”, or the saved view&apos;s name</source>
+        <translation>“Vooraanzicht”, of de naam van het bewaarde aanzicht</translation>
+    </message>
+    <message>
+        <source>S&amp;cale bar</source>
+        <translation>S&amp;chaalbalk</translation>
+    </message>
+    <message>
+        <source>S&amp;ections</source>
+        <translation>Doorsn&amp;eden</translation>
+    </message>
+    <message>
+        <source>What sections have taken away</source>
+        <translation>Wat doorsneden hebben weggenomen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files, one for each saved view.</source>
+        <translation>
+            <numerusform>%n bestand, voor het bewaarde aanzicht.</numerusform>
+            <numerusform>%n bestanden, één voor elk bewaard aanzicht.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures, seen as in the window.</source>
+        <translation>
+            <numerusform>%n structuur, gezien als in het venster.</numerusform>
+            <numerusform>%n structuren, gezien als in het venster.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n structures as surfaces.</source>
+        <translation>
+            <numerusform>%n structuur als oppervlak.</numerusform>
+            <numerusform>%n structuren als oppervlakken.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No labels.</source>
+        <translation>Geen labels.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels as numbers.</source>
+        <translation>
+            <numerusform>%n label als nummer.</numerusform>
+            <numerusform>%n labels als nummers.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels as blank lines.</source>
+        <translation>
+            <numerusform>%n label als lege regel.</numerusform>
+            <numerusform>%n labels als lege regels.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels in the scene&apos;s own language.</source>
+        <translation>
+            <numerusform>%n label in de taal van de scène.</numerusform>
+            <numerusform>%n labels in de taal van de scène.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels, language: %1.</source>
+        <translation>
+            <numerusform>%n label, taal: %1.</numerusform>
+            <numerusform>%n labels, taal: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, as lines and shapes of any sharpness.</source>
+        <translation>%1, als lijnen en vlakken, scherp op elke grootte.</translation>
+    </message>
+    <message>
+        <source>%1, %2 at %3 dpi.</source>
+        <translation>%1, %2 bij %3 dpi.</translation>
+    </message>
+    <message>
+        <source>Less than 1 MB.</source>
+        <translation>Minder dan 1 MB.</translation>
+    </message>
+    <message>
+        <source>A few MB.</source>
+        <translation>Enkele MB.</translation>
+    </message>
+    <message>
+        <source>Tens of MB.</source>
+        <translation>Tientallen MB.</translation>
+    </message>
+    <message>
+        <source>Hundreds of MB.</source>
+        <translation>Honderden MB.</translation>
+    </message>
+    <message>
+        <source>Names of structures, groups and views are in the file as the scene has them. No paths, user names, dates or patient data are.</source>
+        <translation>Namen van structuren, groepen en aanzichten staan in het bestand zoals de scène ze heeft. Geen paden, gebruikersnamen, datums of patiëntgegevens.</translation>
+    </message>
+    <message>
+        <source>Nothing is in the file but what is seen: no paths, user names, dates or patient data.</source>
+        <translation>In het bestand staat alleen wat te zien is: geen paden, gebruikersnamen, datums of patiëntgegevens.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 mm</source>
+        <translation>%1 × %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 pixels</translation>
+    </message>
+    <message>
+        <source>No structure is shown: the picture would be empty.</source>
+        <translation>Er wordt geen structuur getoond: de afbeelding zou leeg zijn.</translation>
+    </message>
+    <message>
+        <source>The view “%1” shows no structure: its picture would be empty.</source>
+        <translation>Het aanzicht “%1” toont geen structuur: de afbeelding zou leeg zijn.</translation>
+    </message>
+    <message>
+        <source>A5</source>
+        <translation>A5</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>A3</source>
+        <translation>A3</translation>
+    </message>
+    <message>
+        <source>US Letter</source>
+        <translation>US Letter</translation>
+    </message>
+    <message>
+        <source>Slide 16:9</source>
+        <translation>Dia 16:9</translation>
+    </message>
+    <message>
+        <source>Journal column</source>
+        <translation>Tijdschriftkolom</translation>
+    </message>
+    <message>
+        <source>A1 poster</source>
+        <translation>Poster A1</translation>
+    </message>
+    <message>
+        <source>Say what the file is to be called.</source>
+        <translation>Zeg hoe het bestand moet heten.</translation>
+    </message>
+    <message>
+        <source>The name is too long for a file: take a shorter one.</source>
+        <translation>De naam is te lang voor een bestand: neem een kortere.</translation>
+    </message>
+    <message>
+        <source>There is no folder “%1”: choose one that is there.</source>
+        <translation>Er is geen map “%1”: kies een die er is.</translation>
+    </message>
+    <message>
+        <source>“%1” is a file and no folder: choose a folder.</source>
+        <translation>“%1” is een bestand en geen map: kies een map.</translation>
+    </message>
+    <message>
+        <source>“%1” is a folder: give the file another name.</source>
+        <translation>“%1” is een map: geef het bestand een andere naam.</translation>
+    </message>
+    <message>
+        <source>You may not write to “%1”: choose another folder or name.</source>
+        <translation>Je mag niet naar “%1” schrijven: kies een andere map of naam.</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>E&amp;xporteren…</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+E</source>
+        <translation>Ctrl+Shift+E</translation>
+    </message>
+    <message>
+        <source>Write pictures, drawings and other files for print, teaching and other programs</source>
+        <translation>Afbeeldingen, tekeningen en andere bestanden schrijven voor druk, onderwijs en andere programma’s</translation>
+    </message>
+    <message>
+        <source>&amp;Copy Picture</source>
+        <translation>Afbeelding &amp;kopiëren</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+C</source>
+        <translation>Ctrl+Shift+C</translation>
+    </message>
+    <message>
+        <source>The picture on the clipboard, with its labels, for other programs</source>
+        <translation>De afbeelding op het klembord, met haar labels, voor andere programma’s</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -1620,6 +1896,179 @@ OpenGL: %3</translation>
     <message>
         <source>The keys A, P, L, R, S and I look from the same sides.</source>
         <translation>De toetsen A, P, L, R, S en I kijken van dezelfde kanten.</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ExportActions</name>
+    <message>
+        <source>The export was stopped</source>
+        <translation>Het exporteren is gestopt</translation>
+    </message>
+    <message>
+        <source>Exporting %1</source>
+        <translation>%1 wordt geëxporteerd</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exporting %n files</source>
+        <translation>
+            <numerusform>%n bestand wordt geëxporteerd</numerusform>
+            <numerusform>%n bestanden worden geëxporteerd</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Openen</translation>
+    </message>
+    <message>
+        <source>With the program that this system has for it</source>
+        <translation>Met het programma dat dit systeem ervoor heeft</translation>
+    </message>
+    <message>
+        <source>Show Folder</source>
+        <translation>Map tonen</translation>
+    </message>
+    <message>
+        <source>Where it was written to</source>
+        <translation>Waar het is weggeschreven</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>%1 is geëxporteerd</translation>
+    </message>
+    <message numerus="yes">
+        <source>Exported %n files</source>
+        <translation>
+            <numerusform>%n bestand is geëxporteerd</numerusform>
+            <numerusform>%n bestanden zijn geëxporteerd</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The picture is on the clipboard</source>
+        <translation>De afbeelding staat op het klembord</translation>
+    </message>
+    <message>
+        <source>An export is under way. Stop it and close the window?</source>
+        <translation>Er wordt geëxporteerd. Stoppen en het venster sluiten?</translation>
+    </message>
+    <message>
+        <source>Stop and Close</source>
+        <translation>Stoppen en sluiten</translation>
+    </message>
+    <message>
+        <source>Go On</source>
+        <translation>Doorgaan</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ExportDialog</name>
+    <message>
+        <source>&amp;What the window shows</source>
+        <translation>&amp;Wat het venster toont</translation>
+    </message>
+    <message>
+        <source>&amp;Fill the page with what is shown</source>
+        <translation>De pagina &amp;vullen met wat te zien is</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporteren</translation>
+    </message>
+    <message>
+        <source>Export %1</source>
+        <translation>%1 exporteren</translation>
+    </message>
+    <message>
+        <source>Kind of file</source>
+        <translation>Soort bestand</translation>
+    </message>
+    <message numerus="yes">
+        <source>Each sa&amp;ved view, %n files</source>
+        <translation>
+            <numerusform>Elk &amp;bewaard aanzicht, %n bestand</numerusform>
+            <numerusform>Elk &amp;bewaard aanzicht, %n bestanden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A file for each view, with the view&apos;s name behind its own</source>
+        <translation>Een bestand per aanzicht, met de naam van het aanzicht erachter</translation>
+    </message>
+    <message>
+        <source>Moves the camera to or fro without turning it</source>
+        <translation>Beweegt de camera heen of weer zonder te draaien</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Wat</translation>
+    </message>
+    <message>
+        <source>For this kind</source>
+        <translation>Voor deze soort</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Afbeelding</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Labels</translation>
+    </message>
+    <message>
+        <source>At the picture&apos;s edge</source>
+        <translation>Aan de rand van de afbeelding</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Pagina</translation>
+    </message>
+    <message>
+        <source>What the file will contain</source>
+        <translation>Wat het bestand zal bevatten</translation>
+    </message>
+    <message>
+        <source>F&amp;ile</source>
+        <translation>Be&amp;stand</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Bladeren…</translation>
+    </message>
+    <message>
+        <source>Export To</source>
+        <translation>Exporteren naar</translation>
+    </message>
+    <message>
+        <source>“%1” is there already. Replace it?</source>
+        <translation>“%1” bestaat al. Vervangen?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of the files are there already. Replace them?</source>
+        <translation>
+            <numerusform>%n van de bestanden bestaat al. Vervangen?</numerusform>
+            <numerusform>%n van de bestanden bestaan al. Vervangen?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Vervangen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuleren</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ExportPreview</name>
+    <message>
+        <source>Preview</source>
+        <translation>Voorbeeld</translation>
+    </message>
+    <message>
+        <source>Drawing…</source>
+        <translation>Tekenen…</translation>
     </message>
 </context>
 <context>
@@ -2354,6 +2803,57 @@ OpenGL: %3</translation>
     <message>
         <source>Automatic: takes away the steps of label maps, and refines what is too coarse to draw; steps: so much everywhere</source>
         <translation>Automatisch: haalt de treden uit labelmaps en verfijnt wat te grof is om te tekenen; stappen: overal zoveel</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PagePanel</name>
+    <message>
+        <source>T&amp;urn</source>
+        <translation>&amp;Draaien</translation>
+    </message>
+    <message>
+        <source>Reso&amp;lution</source>
+        <translation>Reso&amp;lutie</translation>
+    </message>
+    <message>
+        <source>Custom size</source>
+        <translation>Eigen formaat</translation>
+    </message>
+    <message>
+        <source>Upright or lying: width and height change places</source>
+        <translation>Staand of liggend: breedte en hoogte wisselen van plaats</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breedte</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hoogte</translation>
+    </message>
+    <message>
+        <source>Unit of width and height</source>
+        <translation>Eenheid van breedte en hoogte</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source> dpi</source>
+        <translation> dpi</translation>
+    </message>
+    <message>
+        <source>&amp;Paper</source>
+        <translation>&amp;Papier</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>Groo&amp;tte</translation>
     </message>
 </context>
 <context>

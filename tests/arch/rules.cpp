@@ -97,6 +97,7 @@ const std::vector<Room>& rooms() {
       {"widgets/viewport", {"model", "render", "widgets/session", "widgets/sections"}},
       {"widgets/views",
        {"model", "render", "widgets/session", "widgets/theme", "widgets/viewport"}},
+      {"widgets/export", {"model", "render", "widgets/session", "widgets/viewport"}},
       {"widgets/import_dialog", {"model", "widgets/session"}},
       {"widgets/window", {"model", "render", "widgets"}},
       {"widgets", {"model", "render", "widgets"}},

@@ -161,7 +161,7 @@ class EveryControlTest : public QObject {
   /// The dialogs that actions open, by the action's id.
   static QStringList dialogActions() {
     return {QStringLiteral("preferences"), QStringLiteral("controls"), QStringLiteral("about"),
-            QStringLiteral("help")};
+            QStringLiteral("export"), QStringLiteral("help")};
   }
   static QWidget* opened(Open& f, const QString& action) {
     const QList<QWidget*> before = QApplication::topLevelWidgets();

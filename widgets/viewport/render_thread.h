@@ -35,8 +35,8 @@ struct PictureRequest {
 };
 
 /// Who asks for small pictures; the first come first.
-enum class PreviewsOf { stages, views };
-inline constexpr std::size_t previewAskers = 2;
+enum class PreviewsOf { stages, views, exported };
+inline constexpr std::size_t previewAskers = 3;
 
 /// Small pictures beside the large one; drawn only while nobody has asked for another large one for
 /// a while. A newer request replaces those of the same asker that are not drawn yet.

@@ -22,8 +22,10 @@ struct Opener {
   const char* window;
   const char* action;
 };
-constexpr Opener openers[] = {
-    {"preferencesDialog", "preferences"}, {"helpWindow", "help"}, {"controlsDialog", "controls"}};
+constexpr Opener openers[] = {{"preferencesDialog", "preferences"},
+                              {"helpWindow", "help"},
+                              {"controlsDialog", "controls"},
+                              {"exportDialog", "export"}};
 
 /// Boxes whose text is nobody's but theirs: a number's box shows the document's.
 bool keepsItsText(const QLineEdit& box) {

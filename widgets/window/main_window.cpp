@@ -2,7 +2,6 @@
 #include "widgets/window/main_window.h"
 
 #include <QAction>
-#include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
@@ -38,6 +37,7 @@
 #include "widgets/window/about_dialog.h"
 #include "widgets/window/controls_dialog.h"
 #include "widgets/window/controls_memory.h"
+#include "widgets/window/export_actions.h"
 #include "widgets/window/file_actions.h"
 #include "widgets/window/import_actions.h"
 #include "widgets/window/message_bar.h"
@@ -55,7 +55,6 @@ namespace {
 constexpr const char* geometryKey = "window/geometry";
 constexpr const char* stateKey = "window/state";
 constexpr const char* demoPicturesKey = "start/demoPictures";
-constexpr const char* backgroundKey = "picture/background";
 
 QDockWidget* dock(const QString& title, const char* name, QWidget* content) {
   auto* panel = new QDockWidget(title);
@@ -63,12 +62,6 @@ QDockWidget* dock(const QString& title, const char* name, QWidget* content) {
   panel->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
   panel->setWidget(content);
   return panel;
-}
-
-render::Background backgroundOf(const QString& choice) {
-  return choice == QLatin1String("dark")    ? render::Background::dark
-         : choice == QLatin1String("paper") ? render::Background::paper
-                                            : render::Background::white;
 }
 
 /// The small pictures beside the Γ slider come from the picture's renderer.
@@ -172,6 +165,7 @@ void MainWindow::makeControls() {
   makeStatus();
   makeMenus();
   makeFiles();
+  makeExports();
   makeStart();
   makeTools();
   connectSession();
@@ -268,11 +262,11 @@ void MainWindow::makeMenus() {
   m_sections = new SectionActions(m_session, *m_viewport, m_actions, m_parts);
   connect(m_sections, &SectionActions::refused, m_message, &MessageBar::showError);
   m_sections->fillAddMenu(m_sectionsPanel->addButton());
-  new PictureHabits(*m_viewport, m_preferences, m_actions, m_parts);
+  new PictureHabits(*m_viewport, m_preferences, m_actions, menus[QStringLiteral("backgroundMenu")],
+                    m_parts);
   new PictureMenu(m_session, *m_viewport, *m_sections, *m_menus, m_parts);
   for (QDockWidget* panel : findChildren<QDockWidget*>())
     menus[QStringLiteral("panelMenu")].addAction(panel->toggleViewAction());
-  makeBackgrounds(menus[QStringLiteral("backgroundMenu")]);
 }
 
 void MainWindow::makeFiles() {
@@ -286,6 +280,18 @@ void MainWindow::makeFiles() {
                              .message = *m_message,
                              .viewport = *m_viewport},
                             *this);
+}
+
+void MainWindow::makeExports() {
+  // It holds what is being written, too.
+  if (m_exports)
+    return m_exports->controlsRemade();
+  m_exports = new ExportActions({.session = m_session,
+                                 .settings = m_settings,
+                                 .actions = m_actions,
+                                 .message = *m_message,
+                                 .viewport = *m_viewport},
+                                *this);
 }
 
 void MainWindow::makeStart() {
@@ -334,30 +340,6 @@ void MainWindow::placeMessage(bool onStartPage) {
   else
     static_cast<QGridLayout*>(centralWidget()->layout())->addWidget(m_message, 0, 0, Qt::AlignTop);
   m_message->raise();
-}
-
-void MainWindow::makeBackgrounds(QMenu& menu) {
-  const QString id = QLatin1String(backgroundKey);
-  const std::vector<PreferenceRow> rows = preferenceRows();
-  const auto row = std::find_if(rows.begin(), rows.end(),
-                                [&id](const PreferenceRow& each) { return each.id == id; });
-  auto* group = new QActionGroup(&menu);
-  for (const ChoiceOf::Row& choice : std::get<ChoiceOf>(row->kind).rows) {
-    QAction* action = menu.addAction(choice.text);
-    action->setObjectName(QStringLiteral("background-") + choice.id);
-    action->setCheckable(true);
-    group->addAction(action);
-    connect(action, &QAction::triggered, this,
-            [this, id, chosen = choice.id] { m_preferences.set(id, chosen); });
-  }
-  const auto follow = [this, id, group] {
-    const QString chosen = m_preferences.choice(id);
-    for (QAction* action : group->actions())
-      action->setChecked(action->objectName() == QStringLiteral("background-") + chosen);
-    m_viewport->setBackground(backgroundOf(chosen));
-  };
-  connect(&m_preferences, &Preferences::changed, group, follow);
-  follow();
 }
 
 void MainWindow::makeTools() {
@@ -452,7 +434,7 @@ void MainWindow::restore() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!m_files->mayClose()) {
+  if (!m_exports->mayClose() || !m_files->mayClose()) {
     event->ignore();
     return;
   }

@@ -13,13 +13,13 @@
 #include "widgets/window/window_actions.h"
 
 class QLabel;
-class QMenu;
 class QProgressBar;
 class QSettings;
 class QToolButton;
 
 namespace sline::widgets {
 
+class ExportActions;
 class FileActions;
 class FocusContext;
 class GammaPanel;
@@ -64,7 +64,6 @@ class MainWindow : public QMainWindow {
   void makePanels();
   void makeStatus();
   void makeMenus();
-  void makeBackgrounds(QMenu& menu);
   void makeTools();
   void connectSession();
   void connectActions();
@@ -72,6 +71,7 @@ class MainWindow : public QMainWindow {
   void restore();
   void showHelp();
   void makeFiles();
+  void makeExports();
   void makeStart();
   void makeImports();
   /// The start page while nothing is open and nothing is on its way.
@@ -90,6 +90,7 @@ class MainWindow : public QMainWindow {
   MessageBar* m_message = nullptr;
   Viewport* m_viewport = nullptr;
   FileActions* m_files = nullptr;
+  ExportActions* m_exports = nullptr;
   StartPage* m_start = nullptr;
   StructureTree* m_tree = nullptr;
   GammaPanel* m_gamma = nullptr;

@@ -33,7 +33,9 @@ MessageBar::MessageBar(QWidget* parent)
       m_text(new QLabel),
       m_details(new QPushButton),
       m_close(new QToolButton),
-      m_remedy(new QPushButton) {
+      m_remedy(new QPushButton),
+      m_other(new QPushButton) {
+  m_other->setObjectName(QStringLiteral("messageOther"));
   m_remedy->setObjectName(QStringLiteral("messageRemedy"));
   setObjectName(QStringLiteral("messageBar"));
   m_text->setObjectName(QStringLiteral("messageText"));
@@ -49,6 +51,7 @@ MessageBar::MessageBar(QWidget* parent)
   layout->addWidget(m_text, 1);
   layout->addWidget(m_details, 0, Qt::AlignTop);
   layout->addWidget(m_remedy, 0, Qt::AlignTop);
+  layout->addWidget(m_other, 0, Qt::AlignTop);
   layout->addWidget(m_close, 0, Qt::AlignTop);
   connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
   connect(m_details, &QPushButton::clicked, this, &MessageBar::showDetails);
@@ -85,12 +88,26 @@ void MessageBar::showNotice(const QString& heading, const QString& body, QAction
   offer(action);
 }
 
+void MessageBar::showDone(const QString& heading, const QString& body,
+                          const QList<QAction*>& actions) {
+  m_remarks.clear();
+  display(Kind::done, heading, body);
+  if (!actions.isEmpty())
+    offerOn(*m_remedy, *actions.front());
+  if (actions.size() > 1)
+    offerOn(*m_other, *actions.back());
+}
+
 void MessageBar::offer(QAction& action) {
-  m_remedy->setText(QString(action.text()).remove(QLatin1Char('&')));
-  m_remedy->setToolTip(action.toolTip());
-  disconnect(m_remedy, &QPushButton::clicked, nullptr, nullptr);
-  connect(m_remedy, &QPushButton::clicked, &action, &QAction::trigger);
-  m_remedy->show();
+  offerOn(*m_remedy, action);
+}
+
+void MessageBar::offerOn(QPushButton& button, QAction& action) {
+  button.setText(QString(action.text()).remove(QLatin1Char('&')));
+  button.setToolTip(action.toolTip());
+  disconnect(&button, &QPushButton::clicked, nullptr, nullptr);
+  connect(&button, &QPushButton::clicked, &action, &QAction::trigger);
+  button.show();
 }
 
 void MessageBar::hideNotice() {
@@ -105,6 +122,7 @@ void MessageBar::display(Kind kind, const QString& heading, const QString& body)
   m_text->setText(title + body.trimmed().toHtmlEscaped());
   m_kind = kind;
   m_remedy->hide();
+  m_other->hide();
   m_details->setVisible(m_remarks.size() > 1);
   nameControls();
   dress();
@@ -136,16 +154,17 @@ void MessageBar::changeEvent(QEvent* event) {
 }
 
 void MessageBar::dress() {
-  // Red for what failed, amber for what to know.
+  // Red for what failed, amber for what to know, green for what is done.
   struct Colours {
     const char* light;
     const char* lightText;
     const char* dark;
     const char* darkText;
   };
-  static constexpr std::array<Colours, 2> colours{
-      {{"#f6d9d5", "#5a1410", "#54241f", "#f6d9d5"}, {"#f7ecc9", "#4d3b05", "#4a3d12", "#f7ecc9"}}};
-  const Colours& own = colours[m_kind == Kind::error ? 0 : 1];
+  static constexpr std::array<Colours, 3> colours{{{"#f6d9d5", "#5a1410", "#54241f", "#f6d9d5"},
+                                                   {"#f7ecc9", "#4d3b05", "#4a3d12", "#f7ecc9"},
+                                                   {"#d9ecd6", "#173f14", "#23401f", "#d9ecd6"}}};
+  const Colours& own = colours[m_kind == Kind::error ? 0 : m_kind == Kind::done ? 2 : 1];
   const QPalette& dressed = QApplication::palette();
   const bool dark =
       dressed.color(QPalette::Window).lightness() < dressed.color(QPalette::WindowText).lightness();

@@ -25,6 +25,8 @@ class MessageBar : public QFrame {
   void offer(QAction& action);
   /// Stays until it is closed or `hideNotice` says that it is over; the button does the action.
   void showNotice(const QString& heading, const QString& body, QAction& action);
+  /// Something went well; each action is a button, at most two of them.
+  void showDone(const QString& heading, const QString& body, const QList<QAction*>& actions);
   /// Other messages stay.
   void hideNotice();
   QString text() const;
@@ -40,9 +42,10 @@ class MessageBar : public QFrame {
   void changeEvent(QEvent* event) override;
 
  private:
-  enum class Kind { error, remark, notice };
+  enum class Kind { error, remark, notice, done };
   void display(Kind kind, const QString& heading, const QString& body);
   void dress();
+  void offerOn(QPushButton& button, QAction& action);
   void showDetails();
   void nameControls();
 
@@ -51,6 +54,7 @@ class MessageBar : public QFrame {
   QPushButton* m_details;
   QToolButton* m_close;
   QPushButton* m_remedy;
+  QPushButton* m_other;  ///< what else can be done
   QStringList m_remarks;
 };
 

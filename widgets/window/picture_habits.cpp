@@ -2,6 +2,9 @@
 #include "widgets/window/picture_habits.h"
 
 #include <QAction>
+#include <QActionGroup>
+#include <QMenu>
+#include <algorithm>
 #include <array>
 
 #include "widgets/viewport/viewport.h"
@@ -19,10 +22,18 @@ constexpr std::array<SwitchAction, 4> switches{{{"showCube", "picture/cube"},
                                                 {"showNames", "picture/names"},
                                                 {"showFrameTime", "picture/frameTime"}}};
 
+constexpr const char* backgroundKey = "picture/background";
+
+render::Background backgroundOf(const QString& choice) {
+  return choice == QLatin1String("dark")    ? render::Background::dark
+         : choice == QLatin1String("paper") ? render::Background::paper
+                                            : render::Background::white;
+}
+
 }  // namespace
 
 PictureHabits::PictureHabits(Viewport& viewport, Preferences& preferences,
-                             const WindowActions& actions, QObject* parent)
+                             const WindowActions& actions, QMenu& backgrounds, QObject* parent)
     : QObject(parent), m_viewport(viewport), m_preferences(preferences), m_actions(actions) {
   for (const SwitchAction& row : switches) {
     QAction& action = m_actions[QLatin1String(row.action)];
@@ -31,7 +42,32 @@ PictureHabits::PictureHabits(Viewport& viewport, Preferences& preferences,
       m_preferences.set(QLatin1String(preference), on);
     });
   }
+  fill(backgrounds);
   connect(&preferences, &Preferences::changed, this, &PictureHabits::follow);
+  follow();
+}
+
+void PictureHabits::fill(QMenu& backgrounds) {
+  const QString id = QLatin1String(backgroundKey);
+  const std::vector<PreferenceRow> rows = preferenceRows();
+  const auto row = std::find_if(rows.begin(), rows.end(),
+                                [&id](const PreferenceRow& each) { return each.id == id; });
+  auto* group = new QActionGroup(this);
+  for (const ChoiceOf::Row& choice : std::get<ChoiceOf>(row->kind).rows) {
+    QAction* action = backgrounds.addAction(choice.text);
+    action->setObjectName(QStringLiteral("background-") + choice.id);
+    action->setCheckable(true);
+    group->addAction(action);
+    connect(action, &QAction::triggered, this,
+            [this, id, chosen = choice.id] { m_preferences.set(id, chosen); });
+  }
+  const auto follow = [this, id, group] {
+    const QString chosen = m_preferences.choice(id);
+    for (QAction* action : group->actions())
+      action->setChecked(action->objectName() == QStringLiteral("background-") + chosen);
+    m_viewport.setBackground(backgroundOf(chosen));
+  };
+  connect(&m_preferences, &Preferences::changed, group, follow);
   follow();
 }
 

@@ -6,19 +6,23 @@
 #include "widgets/preferences/preferences.h"
 #include "widgets/window/window_actions.h"
 
+class QMenu;
+
 namespace sline::widgets {
 
 class Viewport;
 
-/// The picture as the preferences want it: marks over it, mouse buttons, flights between views. The
-/// marks' actions are switches of the same preferences.
+/// The picture as the preferences want it: background, marks over it, mouse buttons, flights
+/// between views. The marks' actions and the entries of the backgrounds' menu set the same
+/// preferences.
 class PictureHabits : public QObject {
   Q_OBJECT
  public:
   PictureHabits(Viewport& viewport, Preferences& preferences, const WindowActions& actions,
-                QObject* parent);
+                QMenu& backgrounds, QObject* parent);
 
  private:
+  void fill(QMenu& backgrounds);
   void follow();
 
   Viewport& m_viewport;

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+// Nothing of where a scene came from is in any file that is made of it: not its path, not who made
+// it where and when, nothing that DICOM says of a patient, no comment of a mesh.
+#include <QDate>
+#include <QDir>
+#include <QDirIterator>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <filesystem>
+
+#include "model/files/scene_file.h"
+#include "model/import/import.h"
+#include "render/export/formats/export_formats.h"
+#include "tests/cli/sline_process.h"
+#include "tests/model/import/dicom/written_dicom.h"
+#include "tests/model/import/written_meshes.h"
+#include "tests/support/marker_scan.h"
+#include "tests/support/shapes.h"
+
+namespace sline::test {
+
+namespace {
+
+constexpr const char* folderMarker = "qzxpath-Jané-Doe";
+
+QByteArray contents(const QString& file) {
+  QFile source(file);
+  return source.open(QIODevice::ReadOnly) ? source.readAll() : QByteArray();
+}
+
+/// What is planted; nothing of it is a structure's, group's or view's name.
+QStringList markers() {
+  QStringList all{
+      QLatin1String(folderMarker),   QStringLiteral("QZXPLY"),    QStringLiteral("QZXOBJ"),
+      QStringLiteral("QZXMATERIAL"), QStringLiteral("QZXSTL"),    QStringLiteral("QZXOFF"),
+      QStringLiteral("QZXFILE"),     QStringLiteral("QZXUNREAD"), QStringLiteral("QZXMEMBER"),
+      QStringLiteral("QZXREASON"),   QStringLiteral("QZXPART"),   QStringLiteral("qzxuser"),
+      QStringLiteral("qzxhost"),     QStringLiteral("qzxhome"),   QStringLiteral("QZXHIDDEN"),
+      QStringLiteral("QZXTHUMB")};
+  for (const QByteArray& identity : identities())
+    // Digits alone could be anybody's.
+    if (identity.startsWith("QZX"))
+      all << QString::fromLatin1(identity);
+  const QDate today = QDate::currentDate();
+  for (const char* form : {"yyyyMMdd", "yyyy-MM-dd", "yyyy:MM:dd", "yyyy/MM/dd"})
+    all << today.toString(QLatin1String(form));
+  return all;
+}
+
+void plant(QByteArray& text, const char* before, const QByteArray& marker) {
+  const qsizetype at = text.indexOf(before);
+  if (at < 0)
+    qFatal("no place for %s", marker.constData());
+  text.insert(at, marker);
+}
+
+/// Meshes with comments in them and a structure set, in the folder; paths of all.
+std::vector<std::filesystem::path> writeSources(const QString& folder) {
+  const auto path = [&folder](const char* name) { return folder + '/' + name; };
+  const auto ball = [](float x) { return moved(*sphere(12.0f, 3), 1.0f, {x, 0.0f, 0.0f}); };
+  writeMesh(path("QZXFILE-1.ply"), *ball(-40.0f));
+  QByteArray ply = contents(path("QZXFILE-1.ply"));
+  plant(ply, "element vertex", "comment QZXPLY by Jane\n");
+  writeFile(path("QZXFILE-1.ply"), ply);
+  writeObj(path("QZXFILE-2.obj"), *ball(0.0f));
+  writeFile(path("QZXFILE-2.obj"),
+            "# QZXOBJ\nmtllib QZXMATERIAL.mtl\no QZXPART\n" + contents(path("QZXFILE-2.obj")));
+  writeMesh(path("QZXFILE-3.stl"), *ball(40.0f));
+  QByteArray stl = contents(path("QZXFILE-3.stl"));
+  // Either the first line of text or the first 80 bytes.
+  stl.startsWith("solid") ? stl.insert(6, "QZXSTL ") : stl.replace(0, 6, "QZXSTL");
+  writeFile(path("QZXFILE-3.stl"), stl);
+  writeFile(path("QZXFILE-4.dcm"),
+            dicomFile(structureSet(
+                {{.name = "region", .contours = test::ball({0.0, 30.0, 0.0}, 10.0, -9.0, 3.0)}})));
+  return {path("QZXFILE-1.ply").toStdString(), path("QZXFILE-2.obj").toStdString(),
+          path("QZXFILE-3.stl").toStdString(), path("QZXFILE-4.dcm").toStdString()};
+}
+
+/// With names that say nothing, and with all that a scene file can carry unseen.
+model::Scene dressed(model::Scene scene) {
+  const std::string unread = R"({"note":"QZXUNREAD"})";
+  std::vector<model::Node> nodes = scene.nodes();
+  int number = 0;
+  for (model::Node& node : nodes) {
+    node.name = (node.isGroup() ? "group " : "organ ") + std::to_string(++number);
+    node.unread = unread;
+    node.provenance.frameReason = "QZXREASON";
+    node.provenance.unitReason = "QZXREASON";
+    node.provenance.file = "QZXFILE.ply";
+    node.provenance.part = "QZXPART";
+  }
+  // What is hidden is nobody's to see.
+  nodes.back().style.visible = false;
+  nodes.back().name = "QZXHIDDEN";
+  scene.setNodes(nodes);
+  scene.setUnread(unread);
+  model::Annotation label;
+  label.anchors = {model::SurfacePoint{.structure = scene.structuresBelow(model::rootId).front(),
+                                       .triangle = 3}};
+  label.text = "a label";
+  label.unread = unread;
+  scene.appendAnnotation(label);
+  model::Section section{.name = "cut"};
+  section.plane.normal = {0.0f, 1.0f, 0.0f};
+  section.plane.offset = 5.0f;
+  section.unread = unread;
+  scene.appendSection(section);
+  model::View view{.name = "front"};
+  view.camera.eye = {0.0f, -500.0f, 0.0f};
+  view.unread = unread;
+  scene.setViews({view});
+  return scene;
+}
+
+}  // namespace
+
+class ExportPrivacyTest : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir m_top{QDir::tempPath() + "/privacy-XXXXXX"};
+  QString m_folder = m_top.filePath(QString::fromUtf8(folderMarker));
+  QString m_scene = m_folder + "/QZXFILE.sline";
+
+  QString out() const { return m_folder + "/out"; }
+  /// Exports the scene to an empty folder; the files that came of it, by their places there.
+  QStringList exported(const QString& kind, const QString& extension) {
+    QDir(out()).removeRecursively();
+    QDir().mkpath(out());
+    const QString target = out() + "/figure" + (extension.isEmpty() ? "" : "." + extension);
+    const Finished finished =
+        runSline({"export", m_scene, "--" + kind, target, "--view", "front", "--size-mm", "60x40"});
+    if (finished.code != 0)
+      qWarning("%s", finished.err.constData());
+    QStringList names;
+    for (QDirIterator each(out(), QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
+         each.hasNext();)
+      names << QDir(out()).relativeFilePath(each.next());
+    names.sort();
+    return finished.code == 0 ? names : QStringList();
+  }
+
+ private slots:
+  void initTestCase() {
+    qputenv("USER", "qzxuser");
+    qputenv("LOGNAME", "qzxuser");
+    qputenv("HOSTNAME", "qzxhost");
+    const QString home = m_top.filePath("qzxhome");
+    QDir().mkpath(home);
+    qputenv("HOME", QFile::encodeName(home));
+    QDir().mkpath(m_folder);
+    const auto sources = writeSources(m_folder);
+    const auto imported = model::importInputs(sources, {});
+    QVERIFY2(imported.ok(), imported.ok() ? "" : imported.error().text().c_str());
+    QCOMPARE(imported->scene.structuresBelow(model::rootId).size(), std::size_t(4));
+    model::SceneDocument document{.scene = dressed(imported->scene)};
+    document.thumbnail = "\x89PNG\r\n\x1a\nQZXTHUMB";
+    document.others = {{"notes.txt", "QZXMEMBER"}};
+    const Status written = model::writeSceneFile(m_scene.toStdString(), document);
+    QVERIFY2(written.ok(), written.ok() ? "" : written.error().text().c_str());
+    // The scene file itself is no export: it holds what it was made of, which shows that there is
+    // something to give away.
+    const QStringList held = markersIn(contents(m_scene), markers());
+    for (const char* marker : {"QZXUNREAD", "QZXMEMBER", "QZXREASON", "QZXFILE", "QZXPART"})
+      QVERIFY2(held.contains(marker), marker);
+  }
+
+  void nothingIsGivenAway_data() {
+    QTest::addColumn<QString>("kind");
+    QTest::addColumn<QString>("extension");
+    for (const render::ExportFormat& format : render::exportFormats())
+      QTest::newRow(format.id) << format.id << format.extension;
+  }
+  void nothingIsGivenAway() {
+    QFETCH(QString, kind);
+    QFETCH(QString, extension);
+    const QStringList names = exported(kind, extension);
+    QVERIFY2(!names.isEmpty(), "it wrote nothing");
+    std::map<QString, QByteArray> first;
+    for (const QString& name : names) {
+      const QByteArray bytes = contents(out() + '/' + name);
+      QVERIFY2(!bytes.isEmpty(), qPrintable(name));
+      const QStringList found = markersIn(name.toUtf8() + '\n' + bytes, markers());
+      QVERIFY2(found.isEmpty(), qPrintable(name + ": " + found.join(", ")));
+      if (name.endsWith(".pdf")) {
+        const QStringList read = markersIn(textOfPdf(out() + '/' + name), markers());
+        QVERIFY2(read.isEmpty(), qPrintable(name + ": " + read.join(", ")));
+      }
+      first[name] = bytes;
+    }
+    // The same each time: no date in bytes that nobody reads, no number drawn by lot.
+    QCOMPARE(exported(kind, extension), names);
+    for (const QString& name : names)
+      QVERIFY2(contents(out() + '/' + name) == first[name], qPrintable(name));
+  }
+};
+
+}  // namespace sline::test
+
+QTEST_GUILESS_MAIN(sline::test::ExportPrivacyTest)
+#include "export_privacy_test.moc"

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// `sline jobs`: figures of a list, all of them or a part.
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/cli/sline_process.h"
+
+namespace sline::test {
+
+namespace {
+
+QByteArray contents(const QString& file) {
+  QFile source(file);
+  return source.open(QIODevice::ReadOnly) ? source.readAll() : QByteArray();
+}
+
+}  // namespace
+
+class JobsCommandTest : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir m_folder;
+  QString m_sample = writeSample(m_folder.path());
+
+  QString list(const QByteArray& text, const QString& name = "list.csv") {
+    writeFile(m_folder.filePath(name), text);
+    return m_folder.filePath(name);
+  }
+  /// Files that were written, below "out".
+  QStringList written() {
+    QStringList names = QDir(m_folder.filePath("out")).entryList(QDir::Files | QDir::Hidden);
+    names.sort();
+    return names;
+  }
+
+ private slots:
+  void cleanup() { QDir(m_folder.filePath("out")).removeRecursively(); }
+
+  void flagsReachTheFigures() {
+    const QString file = list(
+        "input,svg,view,size-mm,gamma,bw,only\n"
+        "sample,out/a.svg,anterior,24x18,1,,\n"
+        "sample,out/b.svg,posterior,27x18,kidney=5; renal vein=0,no,kidney; renal vein\n"
+        "sample/Organs/kidney.obj,out/c.svg,left,24x18,3,yes,\n");
+    const Finished finished = runSline({"jobs", file});
+    QVERIFY2(finished.code == 0, finished.err.constData());
+    QVERIFY2(finished.err.contains("3 jobs done, 0 failed, 0 skipped, of 3"),
+             finished.err.constData());
+    QCOMPARE(written(), (QStringList{"a.svg", "b.svg", "c.svg"}));
+    // As the same flags make them.
+    const QString alone = m_folder.filePath("alone.svg");
+    QCOMPARE(
+        runSline({"export", m_sample, "--svg", alone, "--view", "posterior", "--size-mm", "27x18",
+                  "--gamma", "kidney=5", "renal vein=0", "--only", "kidney", "renal vein"})
+            .code,
+        0);
+    QCOMPARE(contents(m_folder.filePath("out/b.svg")), contents(alone));
+    QVERIFY(contents(m_folder.filePath("out/c.svg")).contains("#000000"));
+  }
+
+  void jsonIsTheSame() {
+    const QString file = list(R"([{"input": "sample", "svg": "out/a.svg", "size-mm": "24x18",
+      "gamma": ["kidney=5", "renal vein=0"], "bw": false, "pen": 2}])",
+                              "list.json");
+    QCOMPARE(runSline({"jobs", file}).code, 0);
+    QCOMPARE(written(), QStringList{"a.svg"});
+  }
+
+  void partsTogetherAreAll() {
+    QByteArray text = "input,svg,size-mm\n";
+    QStringList all;
+    for (int i = 0; i < 11; ++i) {
+      all << QStringLiteral("out/%1.svg").arg(i, 2, 10, QLatin1Char('0'));
+      text += "sample," + all.back().toUtf8() + "\n";
+    }
+    const QString file = list(text);
+    for (const int count : {2, 13}) {
+      QStringList found;
+      for (int index = 1; index <= count; ++index) {
+        const QString shard = QStringLiteral("%1/%2").arg(index).arg(count);
+        const Finished part = runSline({"jobs", file, "--dry-run", "--shard", shard});
+        QCOMPARE(part.code, 0);
+        for (const QByteArray& line : part.out.split('\n'))
+          if (!line.isEmpty())
+            found << QDir(m_folder.path()).relativeFilePath(QString::fromUtf8(line.split('\t')[1]));
+      }
+      found.sort();
+      QCOMPARE(found, all);
+    }
+    QVERIFY2(written().isEmpty(), "a dry run writes nothing");
+  }
+
+  void failureStopsNobody() {
+    const QString file = list(
+        "input,svg,view\n"
+        "nowhere.obj,out/a.svg,\n"
+        "sample,out/b.svg,askance\n"
+        "sample,out/c.svg,left\n");
+    const Finished finished = runSline({"jobs", file});
+    QCOMPARE(finished.code, 1);
+    QCOMPARE(written(), QStringList{"c.svg"});
+    for (const char* says : {"nowhere.obj", "line 2 failed", "askance", "line 3 failed",
+                             "1 jobs done, 2 failed, 0 skipped, of 3"})
+      QVERIFY2(finished.err.contains(says), finished.err.constData());
+  }
+
+  void resumeLeavesOutWhatIsThere() {
+    const QString file = list("input,svg,size-mm\nsample,out/a.svg,24x18\nsample,out/b.svg,24x18\n");
+    QDir(m_folder.path()).mkdir("out");
+    writeFile(m_folder.filePath("out/a.svg"), "mine");
+    const Finished finished = runSline({"jobs", file, "--resume"});
+    QCOMPARE(finished.code, 0);
+    QVERIFY(finished.err.contains("1 jobs done, 0 failed, 1 skipped"));
+    QCOMPARE(contents(m_folder.filePath("out/a.svg")), QByteArray("mine"));
+    QVERIFY(contents(m_folder.filePath("out/b.svg")).contains("<svg"));
+  }
+
+  void otherFolder() {
+    QTemporaryDir elsewhere;
+    const QString file = list("input,svg,size-mm\nsample,deep/er/a.svg,24x18\n");
+    QCOMPARE(runSline({"jobs", file, "--to", elsewhere.path()}).code, 0);
+    QVERIFY(QFile::exists(elsewhere.filePath("deep/er/a.svg")));
+  }
+
+  void badLists_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QByteArray>("says");
+    QTest::newRow("unknown flag") << QByteArray("input,svg,colour blind\nsample,out/a.svg,x\n")
+                                  << QByteArray("line 2, column colour blind");
+    QTest::newRow("no input") << QByteArray("svg\nout/a.svg\n") << QByteArray("line 2");
+    QTest::newRow("no target") << QByteArray("input,view\nsample,left\n") << QByteArray("line 2");
+    QTest::newRow("climbs out") << QByteArray("input,svg\nsample,out/a.svg\nsample,../a.svg\n")
+                                << QByteArray("line 3, column svg");
+    QTest::newRow("absolute") << QByteArray("input,svg\nsample,/a.svg\n")
+                              << QByteArray("line 2, column svg");
+    QTest::newRow("target twice") << QByteArray("input,svg\nsample,out/a.svg\nsample,out/./a.svg\n")
+                                  << QByteArray("is written by line 2, column svg, too");
+    QTest::newRow("neither yes nor no") << QByteArray("input,svg,bw\nsample,out/a.svg,perhaps\n")
+                                        << QByteArray("line 2, column bw");
+    QTest::newRow("help is no flag") << QByteArray("input,svg,help\nsample,out/a.svg,yes\n")
+                                     << QByteArray("line 2, column help");
+  }
+  void badLists() {
+    QFETCH(QByteArray, text);
+    QFETCH(QByteArray, says);
+    const Finished finished = runSline({"jobs", list(text)});
+    QCOMPARE(finished.code, 2);
+    QVERIFY2(finished.err.contains(says), finished.err.constData());
+    QVERIFY2(written().isEmpty(), "nothing is begun of a list that is faulty");
+  }
+
+  void wrongUse() {
+    QCOMPARE(runSline({"jobs", m_folder.filePath("nowhere.csv")}).code, 2);
+    QCOMPARE(runSline({"jobs", list("input,svg\nsample,out/a.svg\n"), "--shard", "5/4"}).code, 2);
+    const QByteArray help = runSline({"jobs", "--help"}).out;
+    QVERIFY(help.contains("SLURM_ARRAY_TASK_ID"));
+    QVERIFY(help.contains("parallel -j"));
+  }
+};
+
+}  // namespace sline::test
+
+QTEST_GUILESS_MAIN(sline::test::JobsCommandTest)
+#include "jobs_command_test.moc"

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+// The export dialog itself: preview and summary follow what is chosen, choices are remembered, and
+// all can be read in every language.
+#include <QAction>
+#include <QClipboard>
+#include <QRadioButton>
+#include <QTranslator>
+
+#include "model/edit/visibility.h"
+#include "render/export/formats/export_formats.h"
+#include "tests/gui/export_desk.h"
+#include "tests/gui/text_fit.h"
+#include "widgets/language/language_switch.h"
+#include "widgets/language/languages.h"
+
+namespace sline::test {
+
+namespace {
+
+/// For eyes: SLINE_SCREENSHOTS names a folder that takes the pictures.
+void keep(QWidget& widget, const QString& name) {
+  const QString folder = qEnvironmentVariable("SLINE_SCREENSHOTS");
+  if (!folder.isEmpty())
+    QVERIFY(QDir().mkpath(folder) && widget.grab().save(folder + '/' + name + ".png"));
+}
+
+}  // namespace
+
+class ExportChoicesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void pixelsAndMillimetresAreLinked() {
+    QString pixels;
+    for (const render::ExportFormat& format : render::exportFormats())
+      if (widgets::pageUseOf(QLatin1String(format.id)) == widgets::PageUse::pixels &&
+          pixels.isEmpty())
+        pixels = QLatin1String(format.id);
+    if (pixels.isEmpty())
+      QSKIP("no kind is made of pixels");
+    ExportDesk desk;
+    desk.show();
+    desk.chooseKind(pixels);
+    desk.number("exportDpi", 254);
+    desk.number("exportWidth", 100);
+    desk.number("exportHeight", 50);
+    QVERIFY(desk.part<QLabel>("exportOtherSize").text().contains(QStringLiteral("1,000 × 500")));
+    desk.pick("exportUnit", QStringLiteral("px"));
+    QCOMPARE(desk.part<QDoubleSpinBox>("exportWidth").value(), 1000.0);
+    desk.number("exportWidth", 2000);
+    QVERIFY(desk.part<QLabel>("exportOtherSize").text().contains(QStringLiteral("200 × 50")));
+    desk.number("exportDpi", 508);
+    QCOMPARE(desk.part<QDoubleSpinBox>("exportWidth").value(), 2000.0);
+    QVERIFY(desk.part<QLabel>("exportOtherSize").text().contains(QStringLiteral("100 × 25")));
+  }
+
+  void previewFollows() {
+    ExportDesk desk;
+    desk.show();
+    desk.chooseKind(QStringLiteral("svg"));
+    desk.pick("exportPaper", QStringLiteral("A4"));
+    QVERIFY(desk.previewed());
+    const QImage first = desk.dialog()->preview().picture();
+    QVERIFY(first.width() > first.height());
+    desk.click("exportTurn");
+    QVERIFY(desk.previewed());
+    const QImage upright = desk.dialog()->preview().picture();
+    QVERIFY(upright.width() < upright.height());
+    desk.pick("export-labels", QStringLiteral("None"));
+    QVERIFY(desk.previewed());
+    const QImage unlabelled = desk.dialog()->preview().picture();
+    QVERIFY2(unlabelled != upright, "labels are in the preview");
+    desk.click("exportFilled");
+    QVERIFY(desk.previewed());
+    const QImage filled = desk.dialog()->preview().picture();
+    QVERIFY(filled != unlabelled);
+    desk.pick("export-background", QStringLiteral("Dark"));
+    QVERIFY(desk.previewed());
+    QVERIFY(desk.dialog()->preview().picture().pixelColor(2, 2).lightness() < 80);
+  }
+
+  void summaryTellsWhatWillBe() {
+    ExportDesk desk;
+    desk.show();
+    desk.chooseKind(QStringLiteral("svg"));
+    desk.pick("exportPaper", QStringLiteral("A4"));
+    const auto text = [&desk] { return desk.part<QLabel>("exportSummary").text(); };
+    QVERIFY(text().contains(QStringLiteral("2 structures")));
+    QVERIFY(text().contains(QStringLiteral("297 × 210 mm")));
+    QVERIFY(text().contains(QStringLiteral("2 labels")));
+    QVERIFY(text().contains(QStringLiteral("Names of structures")));
+    QVERIFY(text().contains(QStringLiteral("MB")));
+    desk.pick("export-language", QStringLiteral("Deutsch"));
+    QVERIFY(text().contains(QStringLiteral("Deutsch")));
+    desk.pick("export-labels", QStringLiteral("None"));
+    QVERIFY(text().contains(QStringLiteral("No labels")));
+  }
+
+  void choicesAreRemembered() {
+    ExportDesk desk;
+    desk.show();
+    desk.chooseKind(QStringLiteral("svg"));
+    desk.pick("exportPaper", QStringLiteral("A5"));
+    desk.pick("export-background", QStringLiteral("Paper"));
+    desk.number("export-labelSize", 14);
+    desk.click("exportFilled");
+    desk.click("exportSavedViews");
+    desk.target(desk.out.filePath(QStringLiteral("mine.svg")));
+    QTest::keyClick(desk.dialog(), Qt::Key_Escape);
+    QTRY_VERIFY(!desk.dialog());
+    QCOMPARE(desk.written(), QStringList());
+    // In the same document all is as it was left; in another the file's name is its own.
+    for (const char* name : {"mine.svg", "Balls.svg"}) {
+      desk.show();
+      QCOMPARE(desk.part<QComboBox>("exportPaper").currentText(), QStringLiteral("A5"));
+      QCOMPARE(desk.part<QComboBox>("export-background").currentText(), QStringLiteral("Paper"));
+      QCOMPARE(desk.part<QDoubleSpinBox>("export-labelSize").value(), 14.0);
+      QVERIFY(desk.part<QRadioButton>("exportSavedViews").isChecked());
+      QCOMPARE(QFileInfo(desk.part<QLineEdit>("exportTarget").text()),
+               QFileInfo(desk.out.filePath(QLatin1String(name))));
+      QTest::keyClick(desk.dialog(), Qt::Key_Escape);
+      QTRY_VERIFY(!desk.dialog());
+      desk.open(2);
+    }
+  }
+
+  void pictureOnTheClipboard() {
+    ExportDesk desk;
+    QGuiApplication::clipboard()->clear();
+    QTest::keyClick(&desk.viewport(), Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_VERIFY_WITH_TIMEOUT(!QGuiApplication::clipboard()->image().isNull(), 60'000);
+    const QImage copied =
+        QGuiApplication::clipboard()->image().convertToFormat(QImage::Format_RGB32);
+    QCOMPARE(copied.size(), 2 * desk.viewport().size());
+    // What is on screen is in it, finer; its labels besides.
+    const QImage shown = desk.picture();
+    const QImage coarse =
+        copied.scaled(shown.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    const QPoint middle = shown.rect().center();
+    int both = 0;
+    int ink = 0;
+    for (int x = 0; x < shown.width(); ++x) {
+      const bool there = qGray(shown.pixel(x, middle.y())) < 160;
+      ink += there ? 1 : 0;
+      both += there && qGray(coarse.pixel(x, middle.y())) < 200 ? 1 : 0;
+    }
+    QVERIFY(ink > 0);
+    QCOMPARE(both, ink);
+    QVERIFY(!desk.control<QAction>("copyPicture").text().isEmpty());
+  }
+
+  void firstPageIsPaper() {
+    ExportDesk desk;
+    desk.settings.remove(QStringLiteral("export/width"));
+    desk.show();
+    QCOMPARE(desk.part<QComboBox>("exportPaper").currentText(), QStringLiteral("A4"));
+    const bool lies = desk.part<QDoubleSpinBox>("exportWidth").value() >
+                      desk.part<QDoubleSpinBox>("exportHeight").value();
+    QCOMPARE(lies, desk.viewport().width() > desk.viewport().height());
+  }
+
+  void badSettingsAreIgnored() {
+    ExportDesk desk;
+    for (const char* key : {"kind", "subject", "width", "height", "dpi", "options/background",
+                            "options/labelSize", "options/labels"})
+      desk.settings.setValue(QStringLiteral("export/") + QLatin1String(key),
+                             QStringLiteral("nonsense"));
+    desk.settings.setValue(QStringLiteral("export/width"), 1e30);
+    desk.show();
+    QCOMPARE(desk.part<QDoubleSpinBox>("export-labelSize").value(), 10.0);
+    QVERIFY(desk.part<QDoubleSpinBox>("exportWidth").value() <= 5000.0);
+    QCOMPARE(desk.part<QComboBox>("export-background").currentText(), QStringLiteral("White"));
+  }
+
+  void oneDialogAtATime() {
+    ExportDesk desk;
+    ExportDialog& dialog = desk.show();
+    desk.control<QAction>("export").trigger();
+    QCOMPARE(desk.window.findChildren<ExportDialog*>(), QList<ExportDialog*>{&dialog});
+  }
+
+  void nothingToExport() {
+    WindowFixture empty;
+    QVERIFY(!empty.control<QAction>("export").isEnabled());
+    empty.session.openEmpty(QStringLiteral("Untitled"));
+    QVERIFY(!empty.control<QAction>("export").isEnabled());
+    ExportDesk desk;
+    desk.session.apply(QStringLiteral("hide"), model::withOnlyVisible(desk.session.scene(), {}));
+    desk.show();
+    QVERIFY(desk.part<QLabel>("exportDoubt").text().contains(QStringLiteral("empty")));
+  }
+
+  void textsHaveRoom_data() {
+    QTest::addColumn<QString>("speaks");
+    for (const widgets::InterfaceLanguage& language : widgets::interfaceLanguages())
+      QTest::newRow(qPrintable(language.id)) << language.id;
+  }
+  void textsHaveRoom() {
+    QFETCH(QString, speaks);
+    ExportDesk desk;
+    widgets::LanguageSwitch language;
+    language.use(speaks);
+    QCoreApplication::sendPostedEvents();
+    desk.control<QAction>("export").trigger();
+    QVERIFY(desk.dialog());
+    QVERIFY(desk.dialog()->width() <= 1280 && desk.dialog()->height() <= 760);
+    QStringList clipped;
+    for (const render::ExportFormat& format : render::exportFormats()) {
+      desk.chooseKind(QLatin1String(format.id));
+      QVERIFY(desk.previewed());
+      clipped << clippedTexts(*desk.dialog());
+      keep(*desk.dialog(), QStringLiteral("export-%1-%2").arg(QLatin1String(format.id), speaks));
+    }
+    clipped.removeDuplicates();
+    language.use(QStringLiteral("en"));
+    QVERIFY2(clipped.isEmpty(), qPrintable('\n' + clipped.join('\n')));
+  }
+
+  /// The renderer's table has no translations of its own.
+  void kindsAreTranslated_data() {
+    QTest::addColumn<QString>("kind");
+    for (const render::ExportFormat& format : render::exportFormats())
+      QTest::newRow(format.id) << format.id;
+  }
+  void kindsAreTranslated() {
+    QFETCH(QString, kind);
+    const render::ExportFormat& format = *widgets::formatOf(kind);
+    QTranslator german;
+    QVERIFY(german.load(QStringLiteral(":/translations/sline_de.qm")));
+    for (const char* text : {format.title, format.help})
+      QVERIFY2(!german.translate("sline::render::ExportFormat", text).isEmpty(), text);
+  }
+};
+
+}  // namespace sline::test
+
+QTEST_MAIN(sline::test::ExportChoicesTest)
+#include "export_choices_test.moc"

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// A window with two balls in it, and hands for its export dialog.
+#pragma once
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QDir>
+#include <QDirIterator>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QToolButton>
+#include <QtTest>
+
+#include "tests/gui/window_fixture.h"
+#include "tests/support/shapes.h"
+#include "widgets/export/export_dialog.h"
+#include "widgets/export/export_preview.h"
+#include "widgets/window/message_bar.h"
+
+namespace sline::test {
+
+using widgets::ExportDialog;
+
+inline model::Annotation labelOn(model::NodeId structure, const char* english, const char* german) {
+  model::Annotation label;
+  label.anchors = {model::SurfacePoint{.structure = structure, .triangle = 5}};
+  label.text = english;
+  label.texts["de"] = german;
+  return label;
+}
+
+/// A window with two balls, a label on each and two saved views, and hands for the dialog.
+struct ExportDesk : WindowFixture {
+  QTemporaryDir out;
+
+  explicit ExportDesk(int fineness = 3) {
+    // Lying, whatever the window's shape is.
+    settings.setValue(QStringLiteral("export/width"), 160);
+    settings.setValue(QStringLiteral("export/height"), 90);
+    open(fineness);
+  }
+
+  void open(int fineness) {
+    session.openMade(QStringLiteral("Balls"), [fineness](const auto&, const auto&) {
+      model::Scene scene;
+      const model::MeshPtr ball = sphere(20, fineness);
+      const auto left =
+          scene.append({.name = "left ball", .mesh = moved(*ball, 1.0f, {30.0f, 0.0f, 0.0f})});
+      const auto right =
+          scene.append({.name = "right ball", .mesh = moved(*ball, 1.0f, {-30.0f, 0.0f, 0.0f})});
+      scene.appendAnnotation(labelOn(left, "The left one", "Die linke"));
+      scene.appendAnnotation(labelOn(right, "The right one", "Die rechte"));
+      model::View front{.name = "Front/ \xE5\xBF\x83"};
+      model::View back{.name = "front- \xE5\xBF\x83"};  // the same where case does not count
+      back.camera.eye = {0.0f, 1000.0f, 0.0f};
+      scene.setViews({front, back});
+      return Result<widgets::Loaded>(
+          widgets::Loaded{.scene = std::move(scene), .title = QStringLiteral("Balls")});
+    });
+    if (!settled())
+      qFatal("the scene does not come");
+  }
+
+  ExportDialog* dialog() { return window.findChild<ExportDialog*>(); }
+  ExportDialog& show() {
+    QTest::keyClick(&viewport(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+    if (!QTest::qWaitFor([this] { return dialog() && dialog()->isVisible(); }))
+      qFatal("no dialog");
+    return *dialog();
+  }
+  template <class T>
+  T& part(const char* name) {
+    T* found = dialog()->findChild<T*>(QLatin1String(name));
+    if (!found)
+      qFatal("the dialog has no %s", name);
+    return *found;
+  }
+  /// By arrow keys, from the top.
+  void chooseKind(const QString& id) {
+    auto& kinds = part<QListWidget>("exportKinds");
+    kinds.setFocus();
+    QTest::keyClick(&kinds, Qt::Key_Home);
+    for (int i = 0; i < kinds.count() && kinds.currentItem()->data(Qt::UserRole) != id; ++i)
+      QTest::keyClick(&kinds, Qt::Key_Down);
+    QCOMPARE(kinds.currentItem()->data(Qt::UserRole).toString(), id);
+  }
+  void pick(const char* name, const QString& text) {
+    auto& box = part<QComboBox>(name);
+    box.setFocus();
+    QTest::keyClick(&box, Qt::Key_Home);
+    for (int i = 0; i < box.count() && box.currentText() != text; ++i)
+      QTest::keyClick(&box, Qt::Key_Down);
+    QCOMPARE(box.currentText(), text);
+    // As a click on the entry would; arrow keys say so only where the list is open.
+    emit box.activated(box.currentIndex());
+  }
+  void number(const char* name, double value) {
+    auto& box = part<QDoubleSpinBox>(name);
+    box.setFocus();
+    box.selectAll();
+    QTest::keyClicks(&box, QLocale().toString(value, 'f', box.decimals()));
+    QTest::keyClick(&box, Qt::Key_Tab);
+  }
+  void target(const QString& path) {
+    auto& line = part<QLineEdit>("exportTarget");
+    line.setFocus();
+    line.selectAll();
+    QTest::keyClick(&line, Qt::Key_Delete);
+    // Not every character has a key.
+    line.setText(path);
+  }
+  void click(const char* button) {
+    auto& pressed = part<QAbstractButton>(button);
+    // Where its box is: a line is longer than its text.
+    QTest::mouseClick(&pressed, Qt::LeftButton, {}, {8, pressed.height() / 2});
+  }
+  /// A small page, so that every kind is quick.
+  void small() {
+    number("exportWidth", 40);
+    number("exportHeight", 30);
+  }
+  QString message() { return control<widgets::MessageBar>("messageBar").text(); }
+  bool exporting() { return window.findChild<QToolButton*>(QStringLiteral("exportCancel")); }
+  bool finished() {
+    return QTest::qWaitFor([this] { return !exporting(); }, 120'000);
+  }
+  bool previewed() {
+    return QTest::qWaitFor([this] { return dialog()->preview().upToDate(); }, 60'000);
+  }
+  /// All below the folder that files went to.
+  QStringList written() {
+    QStringList names;
+    for (QDirIterator each(out.path(), QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
+         each.hasNext();)
+      names << QDir(out.path()).relativeFilePath(each.next());
+    names.sort();
+    return names;
+  }
+};
+
+}  // namespace sline::test

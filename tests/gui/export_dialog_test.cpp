@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+// Export by hand: every kind of file there is, and what stands in the way.
+#include <unistd.h>
+
+#include <QAction>
+#include <QPushButton>
+#include <QStatusBar>
+
+#include "model/edit/visibility.h"
+#include "render/export/formats/export_formats.h"
+#include "tests/gui/export_desk.h"
+#include "widgets/language/language_switch.h"
+
+namespace sline::test {
+
+namespace {
+
+QByteArray contents(const QString& file) {
+  QFile source(file);
+  return source.open(QIODevice::ReadOnly) ? source.readAll() : QByteArray();
+}
+
+/// How files begin, by the kind's extension.
+bool beginsRight(const QString& extension, const QByteArray& bytes) {
+  static const std::map<QString, QList<QByteArray>> begins = {
+      {"svg", {"<?xml", "<svg"}},
+      {"png", {"\x89PNG\r\n\x1a\n"}},
+      {"tif", {QByteArray("II*\0", 4), QByteArray("MM\0*", 4)}},
+      {"tiff", {QByteArray("II*\0", 4), QByteArray("MM\0*", 4)}},
+      {"exr", {"\x76\x2f\x31\x01"}},
+      {"jpg", {"\xff\xd8\xff"}},
+      {"pdf", {"%PDF-"}},
+      {"glb", {"glTF"}},
+      {"webp", {"RIFF"}},
+      {"gif", {"GIF8"}},
+      {"apkg", {"PK"}},
+      {"zip", {"PK"}}};
+  if (extension == "mp4")
+    return bytes.mid(4, 4) == "ftyp";
+  const auto found = begins.find(extension);
+  if (found == begins.end())
+    return !bytes.isEmpty();
+  return std::any_of(found->second.begin(), found->second.end(),
+                     [&bytes](const QByteArray& each) { return bytes.startsWith(each); });
+}
+
+}  // namespace
+
+class ExportDialogTest : public QObject {
+  Q_OBJECT
+
+  static void kinds() {
+    QTest::addColumn<QString>("kind");
+    for (const render::ExportFormat& format : render::exportFormats())
+      QTest::newRow(format.id) << format.id;
+  }
+
+ private slots:
+  void everyKind_data() { kinds(); }
+  void everyKind() {
+    QFETCH(QString, kind);
+    ExportDesk desk;
+    desk.show();
+    desk.chooseKind(kind);
+    if (desk.part<QDoubleSpinBox>("exportWidth").isVisible())
+      desk.small();
+    desk.target(desk.out.filePath(QStringLiteral("ball-心")));
+    QTest::keyClick(&desk.part<QLineEdit>("exportTarget"), Qt::Key_Return);
+    QVERIFY(desk.finished());
+    QVERIFY2(desk.message().contains(QStringLiteral("Exported")), qPrintable(desk.message()));
+    const QStringList names = desk.written();
+    QVERIFY(!names.isEmpty());
+    QVERIFY2(names.front().startsWith(QStringLiteral("ball-心")), qPrintable(names.front()));
+    for (const QString& name : names)
+      QVERIFY2(beginsRight(QFileInfo(name).suffix(), contents(desk.out.filePath(name))),
+               qPrintable(name));
+  }
+
+  void optionsReachTheFile() {
+    ExportDesk desk;
+    desk.show();
+    desk.chooseKind(QStringLiteral("svg"));
+    desk.pick("exportPaper", QStringLiteral("A5"));
+    QVERIFY(desk.part<QDoubleSpinBox>("exportWidth").value() == 210.0);
+    desk.click("exportTurn");
+    desk.pick("export-background", QStringLiteral("Paper"));
+    desk.target(desk.out.filePath(QStringLiteral("page.svg")));
+    desk.click("exportButton");
+    QVERIFY(desk.finished());
+    const QByteArray svg = contents(desk.out.filePath(QStringLiteral("page.svg")));
+    QVERIFY(svg.contains("width=\"148mm\" height=\"210mm\""));
+    QVERIFY(svg.contains("#faf6ec"));
+    QVERIFY(svg.contains("left ball"));
+  }
+
+  void eachSavedViewIsAFile() {
+    ExportDesk desk;
+    desk.show();
+    desk.chooseKind(QStringLiteral("svg"));
+    desk.small();
+    desk.click("exportSavedViews");
+    QVERIFY(desk.part<QLabel>("exportSummary").text().contains(QStringLiteral("2 files")));
+    desk.target(desk.out.filePath(QStringLiteral("balls.svg")));
+    desk.click("exportButton");
+    QVERIFY(desk.finished());
+    QCOMPARE(desk.written(), (QStringList{QStringLiteral("balls - Front- 心.svg"),
+                                          QStringLiteral("balls - front- 心 2.svg")}));
+    QVERIFY(contents(desk.out.filePath(desk.written()[0])) !=
+            contents(desk.out.filePath(desk.written()[1])));
+  }
+
+  void cancelLeavesNothing() {
+    ExportDesk desk(7);
+    desk.show();
+    desk.chooseKind(QStringLiteral("svg"));
+    desk.target(desk.out.filePath(QStringLiteral("large.svg")));
+    desk.click("exportButton");
+    QVERIFY(desk.exporting());
+    QVERIFY2(!desk.control<QAction>("export").isEnabled(), "one at a time");
+    QTest::mouseClick(&desk.control<QToolButton>("exportCancel"), Qt::LeftButton);
+    QVERIFY(desk.finished());
+    QCOMPARE(desk.written(), QStringList());
+    QCOMPARE(desk.window.statusBar()->currentMessage(), QStringLiteral("The export was stopped"));
+    QVERIFY(desk.control<QAction>("export").isEnabled());
+  }
+
+  void windowGoesOnMeanwhile() {
+    ExportDesk desk(6);
+    desk.show();
+    desk.chooseKind(QStringLiteral("svg"));
+    desk.target(desk.out.filePath(QStringLiteral("before.svg")));
+    desk.click("exportButton");
+    QVERIFY(desk.exporting());
+    // What is done now is not in the file: it is of the scene as it was asked for.
+    const model::Scene none;
+    desk.session.apply(QStringLiteral("hide"), model::withOnlyVisible(desk.session.scene(), {}));
+    desk.window.preferences().set(QStringLiteral("appearance/toolTexts"), true);
+    widgets::LanguageSwitch language;
+    language.use(QStringLiteral("de"));
+    QCoreApplication::sendPostedEvents();
+    QVERIFY2(desk.exporting() || !desk.written().isEmpty(), "a change of language ends nothing");
+    language.use(QStringLiteral("en"));
+    QVERIFY(desk.finished());
+    QVERIFY(contents(desk.out.filePath(QStringLiteral("before.svg"))).contains("left ball"));
+  }
+
+  void closingAsksWhatBecomesOfIt() {
+    ExportDesk desk(7);
+    desk.show();
+    desk.chooseKind(QStringLiteral("svg"));
+    desk.target(desk.out.filePath(QStringLiteral("large.svg")));
+    desk.click("exportButton");
+    QVERIFY(desk.exporting());
+    QVERIFY(!desk.window.close());
+    QTest::keyClick(&desk.control<QDialog>("exportingDialog"), Qt::Key_Escape);
+    QTRY_VERIFY(!desk.window.findChild<QDialog*>(QStringLiteral("exportingDialog")));
+    QVERIFY(desk.window.isVisible() && desk.exporting());
+    QVERIFY(!desk.window.close());
+    QTest::mouseClick(&desk.control<QPushButton>("stopExport"), Qt::LeftButton);
+    // The scene was made and is saved nowhere: that is asked about next.
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.window.isVisible() ||
+                                 desk.window.findChild<QDialog*>(QStringLiteral("unsavedDialog")),
+                             60'000);
+    QVERIFY(!desk.exporting());
+    QCOMPARE(desk.written(), QStringList());
+  }
+
+  void badTargets_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QString>("says");
+    QTest::newRow("no folder") << "nowhere/x.svg"
+                               << "no folder";
+    QTest::newRow("a folder") << "folder.svg"
+                              << "is a folder";
+    QTest::newRow("below a file") << "file/x.svg"
+                                  << "is a file";
+    QTest::newRow("no name") << ""
+                             << "called";
+    QTest::newRow("too long") << QString(300, QLatin1Char('x')) << "too long";
+    QTest::newRow("read-only") << "locked/x.svg"
+                               << "may not write";
+  }
+  void badTargets() {
+    QFETCH(QString, name);
+    QFETCH(QString, says);
+    ExportDesk desk;
+    QVERIFY(QDir(desk.out.path()).mkdir(QStringLiteral("folder.svg")));
+    QVERIFY(QDir(desk.out.path()).mkdir(QStringLiteral("locked")));
+    QFile::setPermissions(desk.out.filePath(QStringLiteral("locked")),
+                          QFile::ReadOwner | QFile::ExeOwner);
+    QFile file(desk.out.filePath(QStringLiteral("file")));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    if (name.startsWith(QStringLiteral("locked")) && geteuid() == 0)
+      QSKIP("nothing is read-only for the system's owner");
+    desk.show();
+    desk.chooseKind(QStringLiteral("svg"));
+    desk.target(name.isEmpty() ? QString() : desk.out.filePath(name));
+    const auto& doubt = desk.part<QLabel>("exportDoubt");
+    QVERIFY(doubt.isVisible());
+    QVERIFY2(doubt.text().contains(says), qPrintable(doubt.text()));
+    QVERIFY(!desk.part<QPushButton>("exportButton").isEnabled());
+    QTest::keyClick(&desk.part<QLineEdit>("exportTarget"), Qt::Key_Return);
+    QVERIFY(desk.dialog() && !desk.exporting());
+    QCOMPARE(desk.written(), QStringList{QStringLiteral("file")});
+  }
+
+  void folderThatGoesAway() {
+    ExportDesk desk;
+    QVERIFY(QDir(desk.out.path()).mkdir(QStringLiteral("gone")));
+    desk.show();
+    desk.chooseKind(QStringLiteral("svg"));
+    desk.target(desk.out.filePath(QStringLiteral("gone/x.svg")));
+    QVERIFY(desk.part<QPushButton>("exportButton").isEnabled());
+    QVERIFY(QDir(desk.out.path()).rmdir(QStringLiteral("gone")));
+    desk.click("exportButton");
+    QVERIFY(desk.part<QLabel>("exportDoubt").text().contains(QStringLiteral("no folder")));
+    QVERIFY(!desk.exporting());
+  }
+
+  void fullDiskIsTold() {
+    if (!QFile::exists(QStringLiteral("/dev/full")))
+      QSKIP("this system has no device without space");
+    ExportDesk desk;
+    desk.show();
+    desk.chooseKind(QStringLiteral("svg"));
+    desk.small();
+    desk.target(QStringLiteral("/dev/full"));
+    desk.click("exportButton");
+    QVERIFY(desk.finished());
+    QVERIFY2(desk.message().contains(QStringLiteral("/dev/full")), qPrintable(desk.message()));
+    QVERIFY2(desk.message().contains(QStringLiteral("space")), qPrintable(desk.message()));
+  }
+
+  void replacingAsksOnce() {
+    ExportDesk desk;
+    const QString file = desk.out.filePath(QStringLiteral("there.svg"));
+    QFile there(file);
+    QVERIFY(there.open(QIODevice::WriteOnly) && there.write("mine") == 4);
+    there.close();
+    desk.show();
+    desk.chooseKind(QStringLiteral("svg"));
+    desk.small();
+    // Without its ending, which it gets: that file is asked about, too.
+    desk.target(desk.out.filePath(QStringLiteral("there")));
+    desk.click("exportButton");
+    QTRY_VERIFY(desk.dialog()->findChild<QDialog*>(QStringLiteral("exportReplaceDialog")));
+    QTest::keyClick(desk.dialog()->findChild<QDialog*>(QStringLiteral("exportReplaceDialog")),
+                    Qt::Key_Escape);
+    QTRY_VERIFY(!desk.dialog()->findChild<QDialog*>(QStringLiteral("exportReplaceDialog")));
+    QVERIFY(!desk.exporting());
+    QCOMPARE(contents(file), QByteArray("mine"));
+    desk.click("exportButton");
+    QTRY_VERIFY(desk.dialog()->findChild<QPushButton*>(QStringLiteral("exportReplace")));
+    desk.click("exportReplace");
+    QTRY_VERIFY(!desk.dialog());
+    QVERIFY(desk.finished());
+    QVERIFY(contents(file).contains("<svg"));
+  }
+};
+
+}  // namespace sline::test
+
+QTEST_MAIN(sline::test::ExportDialogTest)
+#include "export_dialog_test.moc"

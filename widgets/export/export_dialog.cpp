@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/export/export_dialog.h"
+
+#include <QAbstractItemView>
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/export/export_preview.h"
+#include "widgets/export/export_texts.h"
+#include "widgets/export/page_panel.h"
+#include "widgets/export/row_form.h"
+#include "widgets/export/target_problems.h"
+
+namespace sline::widgets {
+
+namespace {
+
+QLabel* plainLabel(const char* name) {
+  auto* label = new QLabel;
+  label->setObjectName(QLatin1String(name));
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  return label;
+}
+
+/// As the window's messages: amber for what to know.
+QString dress(const QPalette& palette) {
+  const bool dark =
+      palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
+  return QLatin1String(dark ? "background: #4a3d12; color: #f7ecc9;"
+                            : "background: #f7ecc9; color: #4d3b05;") +
+         QStringLiteral(" padding: 6px 10px; border-radius: 4px;");
+}
+
+std::vector<std::filesystem::path> targetsOf(const std::vector<ExportFile>& files) {
+  std::vector<std::filesystem::path> targets;
+  for (const ExportFile& file : files)
+    targets.push_back(file.target);
+  return targets;
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(ExportDraft& draft, ExportSource source, Viewport& viewport,
+                           QWidget* parent)
+    : QDialog(parent),
+      m_draft(draft),
+      m_source(std::move(source)),
+      m_kinds(new QListWidget),
+      m_help(plainLabel("exportHelp")),
+      m_seen(new QRadioButton(tr("&What the window shows"))),
+      m_savedViews(new QRadioButton),
+      m_filled(new QCheckBox(tr("&Fill the page with what is shown"))),
+      m_page(new PagePanel(draft)),
+      m_preview(new ExportPreview(viewport)),
+      m_summary(plainLabel("exportSummary")),
+      m_doubt(plainLabel("exportDoubt")),
+      m_target(new QLineEdit(QDir::toNativeSeparators(draft.target))),
+      m_export(new QPushButton(tr("Export"))) {
+  setObjectName(QStringLiteral("exportDialog"));
+  setWindowTitle(tr("Export %1").arg(m_source.title));
+  auto* columns = new QHBoxLayout;
+  columns->setSpacing(18);
+  columns->addWidget(makeKinds());
+  columns->addWidget(makeOptions());
+  columns->addWidget(makeOutlook(), 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(16, 16, 16, 14);
+  layout->setSpacing(12);
+  layout->addLayout(columns, 1);
+  layout->addWidget(makeTarget());
+  layout->addWidget(m_doubt);
+  layout->addWidget(makeButtons());
+  connectControls();
+  chooseKind();
+  m_kinds->setFocus();
+  resize(1120, 720);
+}
+
+ExportDialog::~ExportDialog() = default;
+
+QLabel* ExportDialog::heading(const QString& text) {
+  auto* label = new QLabel(text);
+  QFont bold = label->font();
+  bold.setBold(true);
+  label->setFont(bold);
+  return label;
+}
+
+QWidget* ExportDialog::makeKinds() {
+  auto* column = new QWidget;
+  auto* layout = new QVBoxLayout(column);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(heading(tr("Kind of file")));
+  m_kinds->setObjectName(QStringLiteral("exportKinds"));
+  m_kinds->setAccessibleName(tr("Kind of file"));
+  m_kinds->setWordWrap(true);
+  m_kinds->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  for (const render::ExportFormat& format : render::exportFormats()) {
+    auto* item = new QListWidgetItem(titleOf(format), m_kinds);
+    item->setData(Qt::UserRole, QLatin1String(format.id));
+    item->setSizeHint({0, 2 * m_kinds->fontMetrics().lineSpacing()});
+    item->setData(Qt::AccessibleDescriptionRole, helpOf(format));
+    if (m_draft.kind == QLatin1String(format.id))
+      m_kinds->setCurrentItem(item);
+  }
+  layout->addWidget(m_kinds, 1);
+  column->setFixedWidth(210);
+  return column;
+}
+
+void ExportDialog::addSubject(QVBoxLayout& layout) {
+  const auto views = int(m_source.scene.views().size());
+  m_seen->setObjectName(QStringLiteral("exportSeen"));
+  m_savedViews->setObjectName(QStringLiteral("exportSavedViews"));
+  m_savedViews->setText(tr("Each sa&ved view, %n files", nullptr, views));
+  m_savedViews->setEnabled(views > 0);
+  m_savedViews->setToolTip(tr("A file for each view, with the view's name behind its own"));
+  m_filled->setObjectName(QStringLiteral("exportFilled"));
+  m_filled->setToolTip(tr("Moves the camera to or fro without turning it"));
+  const bool each = views > 0 && m_draft.subject == ExportSubject::savedViews;
+  (each ? m_savedViews : m_seen)->setChecked(true);
+  m_filled->setChecked(m_draft.filled);
+  m_subjectWidgets = {heading(tr("What")), m_seen, m_savedViews, m_filled};
+  for (QWidget* widget : m_subjectWidgets)
+    layout.addWidget(widget);
+}
+
+void ExportDialog::addForms(QVBoxLayout& layout) {
+  const std::pair<ExportPart, QString> parts[] = {{ExportPart::kind, tr("For this kind")},
+                                                  {ExportPart::picture, tr("Picture")},
+                                                  {ExportPart::labels, tr("Labels")},
+                                                  {ExportPart::marks, tr("At the picture's edge")}};
+  const std::vector<ExportRow> rows = exportRows(labelLanguages(m_source.scene));
+  for (const auto& [part, title] : parts) {
+    std::vector<ExportRow> own;
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(own),
+                 [wanted = part](const ExportRow& row) { return row.part == wanted; });
+    if (own.empty())
+      continue;
+    Part made{.heading = heading(title), .form = new RowForm(m_draft.order, std::move(own))};
+    layout.addSpacing(8);
+    layout.addWidget(made.heading);
+    layout.addWidget(made.form);
+    connect(made.form, &RowForm::changed, this, &ExportDialog::refresh);
+    m_parts.push_back(made);
+  }
+}
+
+QWidget* ExportDialog::makeOptions() {
+  auto* column = new QWidget;
+  auto* layout = new QVBoxLayout(column);
+  layout->setContentsMargins(0, 0, 8, 0);
+  m_help->setMinimumHeight(m_help->fontMetrics().lineSpacing() * 3);
+  m_help->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  layout->addWidget(m_help);
+  layout->addSpacing(4);
+  addSubject(*layout);
+  layout->addSpacing(8);
+  m_pageHeading = heading(tr("Page"));
+  layout->addWidget(m_pageHeading);
+  layout->addWidget(m_page);
+  addForms(*layout);
+  layout->addStretch(1);
+  auto* area = new QScrollArea;
+  area->setObjectName(QStringLiteral("exportOptions"));
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setWidgetResizable(true);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setWidget(column);
+  area->setFixedWidth(384);
+  return area;
+}
+
+QWidget* ExportDialog::makeOutlook() {
+  auto* column = new QWidget;
+  auto* layout = new QVBoxLayout(column);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(m_preview, 1);
+  layout->addSpacing(6);
+  layout->addWidget(heading(tr("What the file will contain")));
+  m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  m_summary->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  m_summary->setMinimumHeight(m_summary->fontMetrics().lineSpacing() * 6);
+  layout->addWidget(m_summary);
+  return column;
+}
+
+QWidget* ExportDialog::makeTarget() {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(10);
+  auto* label = new QLabel(tr("F&ile"));
+  label->setBuddy(m_target);
+  m_target->setObjectName(QStringLiteral("exportTarget"));
+  auto* browse = new QPushButton(tr("&Browse…"));
+  browse->setObjectName(QStringLiteral("exportBrowse"));
+  browse->setAutoDefault(false);
+  connect(browse, &QPushButton::clicked, this, &ExportDialog::browse);
+  layout->addWidget(label);
+  layout->addWidget(m_target, 1);
+  layout->addWidget(browse);
+  return row;
+}
+
+QWidget* ExportDialog::makeButtons() {
+  auto* buttons = new QDialogButtonBox;
+  buttons->addButton(m_export, QDialogButtonBox::AcceptRole);
+  m_export->setObjectName(QStringLiteral("exportButton"));
+  m_export->setDefault(true);
+  QPushButton* close = buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
+  close->setObjectName(QStringLiteral("exportCancelButton"));
+  close->setAutoDefault(false);
+  connect(m_export, &QPushButton::clicked, this, &ExportDialog::tryToExport);
+  connect(close, &QPushButton::clicked, this, &QDialog::reject);
+  return buttons;
+}
+
+void ExportDialog::connectControls() {
+  connect(m_kinds, &QListWidget::currentItemChanged, this, &ExportDialog::chooseKind);
+  connect(m_seen, &QRadioButton::toggled, this, [this](bool seen) {
+    m_draft.subject = seen ? ExportSubject::seen : ExportSubject::savedViews;
+    refresh();
+  });
+  connect(m_filled, &QCheckBox::toggled, this, [this](bool filled) {
+    m_draft.filled = filled;
+    refresh();
+  });
+  connect(m_page, &PagePanel::changed, this, &ExportDialog::refresh);
+  connect(m_target, &QLineEdit::textChanged, this, [this](const QString& text) {
+    m_draft.target = QDir::fromNativeSeparators(text.trimmed());
+    refresh();
+  });
+}
+
+void ExportDialog::chooseKind() {
+  if (const QListWidgetItem* item = m_kinds->currentItem())
+    m_draft.kind = item->data(Qt::UserRole).toString();
+  m_help->setText(helpOf(*formatOf(m_draft.kind)));
+  m_page->refresh();
+  const bool page = pageUseOf(m_draft.kind) != PageUse::none;
+  m_pageHeading->setVisible(page);
+  m_page->setVisible(page);
+  for (QWidget* widget : m_subjectWidgets)
+    widget->setVisible(showsOneView(m_draft.kind));
+  for (const Part& part : m_parts)
+    part.heading->setVisible(part.form->showFor(m_draft.kind));
+  m_target->setText(QDir::toNativeSeparators(withEndingOf(m_draft.target, m_draft.kind)));
+  refresh();
+}
+
+QString ExportDialog::target() const {
+  const QFileInfo typed(m_draft.target);
+  // A device or a pipe is meant as it is.
+  const bool special = typed.exists() && !typed.isFile() && !typed.isDir();
+  const QString named = typed.fileName().isEmpty() || typed.isDir() || special
+                            ? m_draft.target
+                            : withEndingOf(m_draft.target, m_draft.kind);
+  return typed.isAbsolute() || named.isEmpty() ? named : QDir::home().filePath(named);
+}
+
+void ExportDialog::refresh() {
+  ExportDraft whole = m_draft;
+  whole.target = target();
+  m_files = exportFiles(whole, m_source);
+  m_preview->show(m_files.front());
+  m_summary->setText(exportSummary(m_draft, m_files).join(QLatin1Char('\n')));
+  const QString problem = targetProblem(targetsOf(m_files));
+  const QString doubt = problem.isEmpty() ? exportDoubt(m_files) : problem;
+  m_doubt->setStyleSheet(dress(palette()));
+  m_doubt->setText(doubt);
+  m_doubt->setVisible(!doubt.isEmpty());
+  m_export->setEnabled(problem.isEmpty());
+}
+
+void ExportDialog::browse() {
+  const QFileInfo now(target());
+  auto* dialog = new QFileDialog(this, tr("Export To"), now.absolutePath());
+  dialog->setObjectName(QStringLiteral("exportFileDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setFileMode(QFileDialog::AnyFile);
+  // What is replaced is asked about once, of all files and with their endings.
+  dialog->setOption(QFileDialog::DontConfirmOverwrite);
+  const render::ExportFormat& format = *formatOf(m_draft.kind);
+  if (*format.extension != '\0')
+    dialog->setNameFilter(
+        QStringLiteral("%1 (*.%2)")
+            .arg(titleOf(format).remove(QLatin1Char('(')).remove(QLatin1Char(')')),
+                 QLatin1String(format.extension)));
+  dialog->selectFile(now.fileName());
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+    m_target->setText(QDir::toNativeSeparators(withEndingOf(path, m_draft.kind)));
+  });
+  dialog->open();
+}
+
+void ExportDialog::tryToExport() {
+  refresh();  // the folder may have gone meanwhile
+  if (!m_export->isEnabled())
+    return;
+  const QStringList there = existingFiles(targetsOf(m_files));
+  if (there.isEmpty())
+    return give();
+  auto* box = new QMessageBox(this);
+  box->setObjectName(QStringLiteral("exportReplaceDialog"));
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setTextFormat(Qt::PlainText);
+  box->setText(there.size() == 1 ? tr("“%1” is there already. Replace it?").arg(there.front())
+                                 : tr("%n of the files are there already. Replace them?", nullptr,
+                                      int(there.size())));
+  if (there.size() > 1)
+    box->setDetailedText(there.join(QLatin1Char('\n')));
+  QPushButton* replace = box->addButton(tr("Replace"), QMessageBox::AcceptRole);
+  replace->setObjectName(QStringLiteral("exportReplace"));
+  box->setDefaultButton(box->addButton(QMessageBox::Cancel));
+  connect(box, &QDialog::finished, this, [this, box, replace] {
+    if (box->clickedButton() == replace)
+      give();
+  });
+  box->open();
+}
+
+void ExportDialog::give() {
+  const std::vector<ExportFile> files = m_files;
+  const QString kind = m_draft.kind;
+  m_draft.target = target();
+  accept();
+  emit exportWanted(kind, files);
+}
+
+}  // namespace sline::widgets

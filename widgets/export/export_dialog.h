@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QDialog>
+
+#include "widgets/export/export_files.h"
+#include "widgets/export/export_rows.h"
+
+class QCheckBox;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPushButton;
+class QRadioButton;
+class QVBoxLayout;
+
+namespace sline::widgets {
+
+class ExportPreview;
+class PagePanel;
+class RowForm;
+class Viewport;
+
+/// What is exported, as what and where to, with a picture of the page and a summary of what the
+/// files will contain. Writes nothing itself.
+class ExportDialog : public QDialog {
+  Q_OBJECT
+ public:
+  /// What is chosen is in the draft at once; it and the viewport must outlive the dialog.
+  ExportDialog(ExportDraft& draft, ExportSource source, Viewport& viewport,
+               QWidget* parent = nullptr);
+  ~ExportDialog() override;
+
+  const ExportPreview& preview() const { return *m_preview; }
+
+ signals:
+  /// The dialog has closed itself; what was there under the files' names may be replaced.
+  void exportWanted(const QString& kind, const std::vector<sline::widgets::ExportFile>& files);
+
+ private:
+  QWidget* makeKinds();
+  QWidget* makeOptions();
+  QWidget* makeOutlook();
+  QWidget* makeTarget();
+  QWidget* makeButtons();
+  void addSubject(QVBoxLayout& layout);
+  void addForms(QVBoxLayout& layout);
+  void connectControls();
+  QLabel* heading(const QString& text);
+  void chooseKind();
+  void browse();
+  /// Shows what follows from the draft.
+  void refresh();
+  /// As it would be written: with its ending.
+  QString target() const;
+  void tryToExport();
+  void give();
+
+  ExportDraft& m_draft;
+  const ExportSource m_source;
+  std::vector<ExportFile> m_files;
+  QListWidget* m_kinds;
+  QLabel* m_help;
+  QRadioButton* m_seen;
+  QRadioButton* m_savedViews;
+  QCheckBox* m_filled;
+  PagePanel* m_page;
+  struct Part {
+    QLabel* heading = nullptr;
+    RowForm* form = nullptr;
+  };
+  std::vector<Part> m_parts;
+  std::vector<QWidget*> m_subjectWidgets;
+  QLabel* m_pageHeading = nullptr;
+  ExportPreview* m_preview;
+  QLabel* m_summary;
+  QLabel* m_doubt;
+  QLineEdit* m_target;
+  QPushButton* m_export;
+};
+
+}  // namespace sline::widgets

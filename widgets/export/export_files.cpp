@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/export/export_files.h"
+
+#include <QSet>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "model/edit/views.h"
+#include "model/geometry/plane_section.h"
+
+namespace sline::widgets {
+
+namespace {
+
+ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const model::View* view) {
+  ExportFile file{.order = draft.order, .filled = draft.filled, .target = {}};
+  render::ExportOrder& order = file.order;
+  order.scene = view ? model::shown(source.scene, *view).scene : source.scene;
+  order.camera = view ? view->camera : source.camera;
+  order.viewName = view ? view->name : viewNameOf(source.camera);
+  order.look.keyLight = source.keyLight;
+  order.labels.onDark = order.look.background == render::Background::dark;
+  const float aspect = order.page.sizeMm.x / order.page.sizeMm.y;
+  if (pageUseOf(draft.kind) != PageUse::none)
+    order.camera = reframed(order.camera, source.aspect, aspect);
+  return file;
+}
+
+std::filesystem::path pathOf(const QString& text) {
+  return std::filesystem::path(text.toStdString());
+}
+
+}  // namespace
+
+QString safeFileName(const QString& text) {
+  constexpr int longestBytes = 120;  // file systems take 255; the target's own name comes before
+  static const QString separating = QStringLiteral("/\\:*?\"<>|");
+  QString name;
+  for (const QChar each : text)
+    if (separating.contains(each))
+      name += QLatin1Char('-');
+    else
+      name += each.isSurrogate() || each.isPrint() ? each : QChar(u' ');
+  name = name.simplified();
+  while (name.toUtf8().size() > longestBytes)
+    name.chop(name.size() > 1 && name.back().isLowSurrogate() ? 2 : 1);
+  // Windows drops these at the end, and hides what begins with a dot.
+  while (name.endsWith(QLatin1Char('.')) || name.endsWith(QLatin1Char(' ')))
+    name.chop(1);
+  while (name.startsWith(QLatin1Char('.')))
+    name.remove(0, 1);
+  return name.isEmpty() ? QStringLiteral("picture") : name;
+}
+
+std::string viewNameOf(const model::Camera& camera) {
+  constexpr float nearly = 0.9999f;  // within 0.8°
+  const model::CameraFrame frame = model::cameraFrame(camera);
+  for (std::size_t i = 0; i < model::anatomicalViewNames.size(); ++i) {
+    const model::CameraFrame axis =
+        model::cameraFrame(model::anatomicalCamera(model::AnatomicalView(i), {}, 1.0f));
+    if (glm::dot(frame.back, axis.back) > nearly && glm::dot(frame.up, axis.up) > nearly)
+      return std::string(model::anatomicalViewNames[i]);
+  }
+  return {};
+}
+
+model::Camera reframed(model::Camera camera, float before, float aspect) {
+  const float wider = before / aspect;
+  if (!(wider > 1.0f) || !std::isfinite(wider))
+    return camera;
+  constexpr float widest = 150.0f;  // degrees
+  const float half = std::tan(0.5f * glm::radians(camera.fovyDegrees));
+  camera.fovyDegrees = std::min(widest, 2.0f * glm::degrees(std::atan(wider * half)));
+  camera.heightMm *= wider;
+  return camera;
+}
+
+std::vector<ExportFile> exportFiles(const ExportDraft& draft, const ExportSource& source) {
+  const bool each = draft.subject == ExportSubject::savedViews && showsOneView(draft.kind) &&
+                    !source.scene.views().empty();
+  std::vector<ExportFile> files;
+  if (!each) {
+    files.push_back(fileOf(draft, source, nullptr));
+    files.back().target = pathOf(draft.target);
+    return files;
+  }
+  const render::ExportFormat* format = formatOf(draft.kind);
+  const QString ending = QLatin1Char('.') + QLatin1String(format->extension);
+  QString stem = draft.target;
+  if (stem.endsWith(ending, Qt::CaseInsensitive))
+    stem.chop(ending.size());
+  QSet<QString> taken;
+  for (const model::View& view : source.scene.views()) {
+    const QString name = safeFileName(QString::fromStdString(view.name));
+    QString free = name;
+    // Names that differ in case alone are one on many disks.
+    for (int i = 2; taken.contains(free.toCaseFolded()); ++i)
+      free = QStringLiteral("%1 %2").arg(name).arg(i);
+    taken.insert(free.toCaseFolded());
+    files.push_back(fileOf(draft, source, &view));
+    files.back().target = pathOf(QStringLiteral("%1 - %2%3").arg(stem, free, ending));
+  }
+  return files;
+}
+
+render::ExportOrder readyOrder(const ExportFile& file) {
+  render::ExportOrder order = file.order;
+  if (!file.filled)
+    return order;
+  std::vector<glm::vec3> points;
+  for (const model::Node& node : order.scene.nodes()) {
+    if (node.isGroup() || !order.scene.resolve(node.id).visible)
+      continue;
+    const std::vector<glm::vec3> kept =
+        model::keptPoints(*node.mesh, model::planesOf(order.scene.sectionsOf(node.id)));
+    points.insert(points.end(), kept.begin(), kept.end());
+  }
+  if (!points.empty())
+    order.camera = model::fitted(order.camera, points, order.page.sizeMm.x / order.page.sizeMm.y);
+  return order;
+}
+
+QStringList labelLanguages(const model::Scene& scene) {
+  QStringList languages;
+  for (const model::Annotation& annotation : scene.annotations())
+    for (const auto& [tag, text] : annotation.texts)
+      if (const QString language = QString::fromStdString(tag); !languages.contains(language))
+        languages << language;
+  languages.sort();
+  return languages;
+}
+
+}  // namespace sline::widgets

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/export/export_preview.h"
+
+#include <QPainter>
+
+#include "widgets/export/finished_page.h"
+
+namespace sline::widgets {
+
+namespace {
+
+/// Milliseconds after the last change: whoever types a number types all of it.
+constexpr int restAfter = 200;
+constexpr int samples = 2;
+constexpr int margin = 14;
+constexpr int leastPixels = 16;
+
+}  // namespace
+
+ExportPreview::ExportPreview(Viewport& viewport, QWidget* parent)
+    : QWidget(parent), m_viewport(&viewport) {
+  setObjectName(QStringLiteral("exportPreview"));
+  setAccessibleName(tr("Preview"));
+  setMinimumSize(280, 240);
+  m_rest.setSingleShot(true);
+  m_rest.setInterval(restAfter);
+  connect(&m_rest, &QTimer::timeout, this, &ExportPreview::ask);
+  connect(&viewport, &Viewport::previewed, this, &ExportPreview::took);
+}
+
+ExportPreview::~ExportPreview() {
+  m_queue.drop();
+  if (m_viewport)
+    m_viewport->askPreviews({.previews = {}, .asker = PreviewsOf::exported});
+}
+
+void ExportPreview::show(const ExportFile& file) {
+  m_file = file;
+  ++m_wanted;
+  m_rest.start();
+  update();
+}
+
+QRect ExportPreview::pageRect() const {
+  if (!m_file)
+    return {};
+  const glm::vec2 size = m_file->order.page.sizeMm;
+  const QRectF room = QRectF(rect()).adjusted(margin, margin, -margin, -margin);
+  const qreal scale = std::min(room.width() / qreal(size.x), room.height() / qreal(size.y));
+  QRectF page(0.0, 0.0, scale * qreal(size.x), scale * qreal(size.y));
+  page.moveCenter(room.center());
+  return page.toRect();
+}
+
+void ExportPreview::ask() {
+  if (!m_file || pageRect().isEmpty())
+    return;
+  m_queue.drop();
+  m_queue.add([this, file = *m_file, number = m_wanted](const std::stop_token& stop) {
+    if (stop.stop_requested())
+      return BackgroundQueue::Sequel();
+    return BackgroundQueue::Sequel(
+        [this, number, order = readyOrder(file)] { draw(number, order); });
+  });
+}
+
+void ExportPreview::draw(int number, const render::ExportOrder& order) {
+  if (number != m_wanted || !m_viewport)
+    return;
+  m_drawn = order;
+  const QSize page = (QSizeF(pageRect().size()) * devicePixelRatioF()).toSize();
+  PreviewRequest request{.previews = {}, .asker = PreviewsOf::exported};
+  request.previews.push_back({.id = number,
+                              .scene = order.scene,
+                              .camera = order.camera,
+                              .settings = {.width = samples * std::max(page.width(), leastPixels),
+                                           .height = samples * std::max(page.height(), leastPixels),
+                                           .background = order.look.background,
+                                           .light = order.look.light,
+                                           .keyLight = order.look.keyLight},
+                              .samples = samples});
+  m_viewport->askPreviews(std::move(request));
+}
+
+void ExportPreview::took(PreviewsOf asker, int number, const QImage& image) {
+  if (asker != PreviewsOf::exported || number != m_wanted)
+    return;
+  m_queue.add([this, number, image, order = m_drawn](const std::stop_token&) {
+    return BackgroundQueue::Sequel([this, number, labelled = finishedPage(image, order)] {
+      if (number != m_wanted)
+        return;
+      m_picture = labelled;
+      m_shown = number;
+      update();
+    });
+  });
+}
+
+void ExportPreview::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  if (m_file)
+    show(ExportFile(*m_file));
+}
+
+void ExportPreview::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), palette().color(QPalette::Mid));
+  const QRect page = pageRect();
+  if (page.isEmpty())
+    return;
+  painter.fillRect(page.translated(2, 2), QColor(0, 0, 0, 40));
+  painter.fillRect(page, Qt::white);
+  if (m_file->order.look.background == render::Background::transparent) {
+    // What has no colour of its own shows squares, as everywhere.
+    painter.setBrushOrigin(page.topLeft());
+    painter.fillRect(page, QBrush(QColor(222, 222, 222), Qt::Dense4Pattern));
+  }
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  if (!m_picture.isNull()) {
+    // Until the new one is there the old one stands in its place, undistorted.
+    QSize size = m_picture.size().scaled(page.size(), Qt::KeepAspectRatio);
+    if (upToDate())
+      size = page.size();
+    QRect place(QPoint(), size);
+    place.moveCenter(page.center());
+    painter.setOpacity(upToDate() ? 1.0 : 0.4);
+    painter.drawImage(place, m_picture);
+  }
+  painter.setOpacity(1.0);
+  painter.setPen(palette().color(QPalette::Dark));
+  painter.drawRect(QRectF(page).adjusted(-0.5, -0.5, 0.5, 0.5));
+  if (upToDate())
+    return;
+  painter.setPen(QColor(70, 70, 70));
+  painter.drawText(page, Qt::AlignCenter, tr("Drawing…"));
+}
+
+}  // namespace sline::widgets

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/export/export_texts.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <algorithm>
+#include <array>
+
+#include "widgets/export/export_rows.h"
+
+namespace sline::widgets {
+
+namespace {
+
+// The renderer's table is English: these are its texts, for translators.
+[[maybe_unused]] constexpr const char* tableTexts[] = {
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "Scalable Vector Graphics"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat",
+                      "Vectors for Inkscape, Illustrator and print: lines and hatching as smooth "
+                      "paths, hidden ones removed, a named group for each structure"),
+};
+
+QString tr(const char* text, const char* = nullptr, int n = -1) {
+  return QCoreApplication::translate("sline::widgets", text, nullptr, n);
+}
+
+QString numberText(qlonglong number) {
+  return QLocale().toString(number);
+}
+
+/// How large files of a kind are, about: drawings are mostly empty, which packs well.
+struct Weight {
+  const char* kind;
+  double perPixel;
+  double perTriangle;
+};
+constexpr std::array weights{Weight{"png", 0.4, 0.0}, Weight{"tiff", 1.0, 0.0},
+                             Weight{"exr", 2.0, 0.0}, Weight{"jpeg", 0.25, 0.0},
+                             Weight{"svg", 0.0, 2.0}, Weight{"pdf", 0.0, 1.0},
+                             Weight{"glb", 0.0, 30.0}};
+
+std::size_t shownTriangles(const model::Scene& scene) {
+  std::size_t triangles = 0;
+  for (const model::Node& node : scene.nodes())
+    if (!node.isGroup() && scene.resolve(node.id).visible)
+      triangles += node.mesh->triangleCount();
+  return triangles;
+}
+
+int shownStructures(const model::Scene& scene) {
+  return int(std::count_if(scene.nodes().begin(), scene.nodes().end(), [&](const auto& node) {
+    return !node.isGroup() && scene.resolve(node.id).visible;
+  }));
+}
+
+int shownLabels(const model::Scene& scene) {
+  return int(std::count_if(scene.annotations().begin(), scene.annotations().end(),
+                           [](const model::Annotation& each) { return each.visible; }));
+}
+
+QString subjectText(const ExportDraft& draft, const std::vector<ExportFile>& files) {
+  const int structures = shownStructures(files.front().order.scene);
+  if (files.size() > 1)
+    return tr("%n files, one for each saved view.", nullptr, int(files.size()));
+  return pageUseOf(draft.kind) != PageUse::none
+             ? tr("%n structures, seen as in the window.", nullptr, structures)
+             : tr("%n structures as surfaces.", nullptr, structures);
+}
+
+QString languageText(const render::LabelStyle& style) {
+  if (style.language.empty())
+    return {};
+  const QString tag = QString::fromStdString(style.language);
+  for (const ExportRow& row : exportRows({tag}))
+    if (row.id == QLatin1String("language"))
+      for (const RowChoice::Entry& entry : std::get<RowChoice>(row.control).entries)
+        if (entry.id == tag)
+          return entry.text;
+  return tag;
+}
+
+QString labelText(const std::vector<ExportFile>& files) {
+  int labels = 0;
+  for (const ExportFile& file : files)
+    labels = std::max(labels, shownLabels(file.order.scene));
+  const render::LabelStyle& style = files.front().order.labels;
+  if (labels == 0 || style.mode == render::LabelMode::off)
+    return tr("No labels.");
+  if (style.mode == render::LabelMode::numbers)
+    return tr("%n labels as numbers.", nullptr, labels);
+  if (style.mode == render::LabelMode::blank)
+    return tr("%n labels as blank lines.", nullptr, labels);
+  const QString language = languageText(style);
+  return language.isEmpty() ? tr("%n labels in the scene's own language.", nullptr, labels)
+                            : tr("%n labels, language: %1.", nullptr, labels).arg(language);
+}
+
+QString sizeText(const ExportDraft& draft) {
+  const render::ExportPage& page = draft.order.page;
+  if (pageUseOf(draft.kind) == PageUse::shape)
+    return {};
+  if (pageUseOf(draft.kind) == PageUse::drawing)
+    return tr("%1, as lines and shapes of any sharpness.").arg(millimetresText(page));
+  return tr("%1, %2 at %3 dpi.")
+      .arg(millimetresText(page), pixelsText(page), numberText(std::lround(page.dpi)));
+}
+
+QString weightText(const ExportDraft& draft, const std::vector<ExportFile>& files) {
+  const auto* const weight =
+      std::find_if(weights.begin(), weights.end(),
+                   [&draft](const Weight& each) { return draft.kind == QLatin1String(each.kind); });
+  if (weight == weights.end())
+    return {};
+  const glm::ivec2 pixels = render::pixelsOf(draft.order.page);
+  double bytes = 0.0;
+  for (const ExportFile& file : files)
+    bytes += weight->perPixel * double(pixels.x) * double(pixels.y) +
+             weight->perTriangle * double(shownTriangles(file.order.scene));
+  constexpr double megabyte = 1e6;
+  return bytes < megabyte         ? tr("Less than 1 MB.")
+         : bytes < 10 * megabyte  ? tr("A few MB.")
+         : bytes < 100 * megabyte ? tr("Tens of MB.")
+                                  : tr("Hundreds of MB.");
+}
+
+QString privacyText(const ExportDraft& draft) {
+  return holdsNames(draft.kind)
+             ? tr("Names of structures, groups and views are in the file as the scene has them. No "
+                  "paths, user names, dates or patient data are.")
+             : tr("Nothing is in the file but what is seen: no paths, user names, dates or patient "
+                  "data.");
+}
+
+}  // namespace
+
+QString titleOf(const render::ExportFormat& format) {
+  return QCoreApplication::translate("sline::render::ExportFormat", format.title);
+}
+
+QString helpOf(const render::ExportFormat& format) {
+  return QCoreApplication::translate("sline::render::ExportFormat", format.help);
+}
+
+QString millimetresText(const render::ExportPage& page) {
+  const auto side = [](float millimetres) {
+    const float tenths = std::round(10.0f * millimetres) / 10.0f;
+    return QLocale().toString(double(tenths), 'f', tenths == std::round(tenths) ? 0 : 1);
+  };
+  return tr("%1 × %2 mm").arg(side(page.sizeMm.x), side(page.sizeMm.y));
+}
+
+QString pixelsText(const render::ExportPage& page) {
+  const glm::ivec2 pixels = render::pixelsOf(page);
+  return tr("%1 × %2 pixels").arg(numberText(pixels.x), numberText(pixels.y));
+}
+
+QStringList exportSummary(const ExportDraft& draft, const std::vector<ExportFile>& files) {
+  QStringList sentences{subjectText(draft, files)};
+  if (pageUseOf(draft.kind) != PageUse::none)
+    sentences << labelText(files) << sizeText(draft);
+  sentences << weightText(draft, files) << privacyText(draft);
+  sentences.removeAll(QString());
+  return sentences;
+}
+
+QString exportDoubt(const std::vector<ExportFile>& files) {
+  for (const ExportFile& file : files) {
+    if (shownStructures(file.order.scene) > 0)
+      continue;
+    return files.size() == 1 ? tr("No structure is shown: the picture would be empty.")
+                             : tr("The view “%1” shows no structure: its picture would be empty.")
+                                   .arg(QString::fromStdString(file.order.viewName));
+  }
+  return {};
+}
+
+}  // namespace sline::widgets

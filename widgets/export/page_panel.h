@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/export/export_draft.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+class QGridLayout;
+class QLabel;
+class QPushButton;
+
+namespace sline::widgets {
+
+/// The page's size: a paper by its name, or typed in millimetres or pixels. Whichever is typed, the
+/// other is shown beneath.
+class PagePanel : public QWidget {
+  Q_OBJECT
+ public:
+  /// The draft must outlive it.
+  explicit PagePanel(ExportDraft& draft, QWidget* parent = nullptr);
+
+  /// Shows the draft, whose kind may be another.
+  void refresh();
+
+ signals:
+  void changed();
+
+ private:
+  void place(QGridLayout& grid);
+  QDoubleSpinBox* number(const char* name);
+  void connectControls();
+  void setSize(const glm::vec2& sizeMm);
+  void typed();
+  float millimetresPerUnit() const;
+
+  ExportDraft& m_draft;
+  QComboBox* m_preset;
+  QPushButton* m_turn;
+  QDoubleSpinBox* m_width;
+  QDoubleSpinBox* m_height;
+  QComboBox* m_unit;
+  QLabel* m_dpiText;
+  QDoubleSpinBox* m_dpi;
+  QLabel* m_other;
+};
+
+}  // namespace sline::widgets

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/export/picture_copier.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+
+#include "widgets/export/finished_page.h"
+
+namespace sline::widgets {
+
+namespace {
+constexpr int finer = 2;      // than on screen
+constexpr int samples = 2;    // of which each pixel is averaged
+constexpr float dpi = 96.0f;  // what a screen is taken to have, so that letters are as large
+}  // namespace
+
+PictureCopier::PictureCopier(Viewport& viewport, QObject* parent)
+    : QObject(parent), m_viewport(viewport) {
+  connect(&viewport, &Viewport::previewed, this, &PictureCopier::took);
+}
+
+void PictureCopier::copy(const ExportSource& source, const render::ExportOrder& look) {
+  constexpr float millimetresPerInch = 25.4f;
+  ExportDraft draft;
+  draft.order = look;
+  draft.order.look.background = m_viewport.background();
+  draft.order.page = {
+      millimetresPerInch / dpi * glm::vec2(float(m_viewport.width()), float(m_viewport.height())),
+      dpi};
+  m_order = exportFiles(draft, source).front().order;
+  const QSize size = finer * m_viewport.size();
+  PreviewRequest request{.previews = {}, .asker = PreviewsOf::exported};
+  request.previews.push_back({.id = --m_wanted,
+                              .scene = m_order.scene,
+                              .camera = m_order.camera,
+                              .settings = {.width = samples * size.width(),
+                                           .height = samples * size.height(),
+                                           .background = m_order.look.background,
+                                           .keyLight = m_order.look.keyLight},
+                              .samples = samples});
+  m_viewport.askPreviews(std::move(request));
+}
+
+void PictureCopier::took(PreviewsOf asker, int number, const QImage& image) {
+  if (asker != PreviewsOf::exported || number != m_wanted)
+    return;
+  m_queue.add([this, image, order = m_order](const std::stop_token&) {
+    return BackgroundQueue::Sequel([this, page = finishedPage(image, order)] {
+      QGuiApplication::clipboard()->setImage(page);
+      emit copied();
+    });
+  });
+}
+
+}  // namespace sline::widgets

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+
+#include "widgets/export/export_files.h"
+#include "widgets/session/background_queue.h"
+#include "widgets/viewport/viewport.h"
+
+namespace sline::widgets {
+
+/// The window's picture on the clipboard, twice as fine as on screen, with labels and marks as
+/// exports have them.
+class PictureCopier : public QObject {
+  Q_OBJECT
+ public:
+  explicit PictureCopier(Viewport& viewport, QObject* parent = nullptr);
+
+  /// Soon; `look` says how labels and marks are.
+  void copy(const ExportSource& source, const render::ExportOrder& look);
+
+ signals:
+  void copied();
+
+ private:
+  void took(PreviewsOf asker, int number, const QImage& image);
+
+  Viewport& m_viewport;
+  render::ExportOrder m_order;
+  int m_wanted = 0;  ///< downwards: the dialog's preview, which is drawn by the same, counts up
+  BackgroundQueue m_queue;
+};
+
+}  // namespace sline::widgets

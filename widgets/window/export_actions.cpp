@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/window/export_actions.h"
+
+#include <QAction>
+#include <QDesktopServices>
+#include <QDir>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMainWindow>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QStatusBar>
+#include <QToolButton>
+#include <QUrl>
+#include <algorithm>
+
+#include "widgets/export/export_job.h"
+#include "widgets/export/export_texts.h"
+#include "widgets/export/page_presets.h"
+#include "widgets/export/picture_copier.h"
+#include "widgets/viewport/viewport.h"
+#include "widgets/window/message_bar.h"
+#include "widgets/window/window_actions.h"
+
+namespace sline::widgets {
+
+namespace {
+
+constexpr const char* folderKey = "export/folder";
+constexpr const char* widthKey = "export/width";
+
+QString textOf(const std::filesystem::path& path) {
+  return QString::fromStdString(path.string());
+}
+
+QString nameOf(const ExportFile& file) {
+  return textOf(file.target.filename());
+}
+
+}  // namespace
+
+ExportActions::ExportActions(const Parts& parts, QMainWindow& window)
+    : QObject(&window),
+      m_session(parts.session),
+      m_settings(parts.settings),
+      m_actions(parts.actions),
+      m_message(parts.message),
+      m_viewport(parts.viewport),
+      m_window(window),
+      m_copier(new PictureCopier(parts.viewport, this)) {
+  connect(m_copier, &PictureCopier::copied, this, [this] {
+    constexpr int readable = 4000;  // milliseconds
+    m_window.statusBar()->showMessage(tr("The picture is on the clipboard"), readable);
+  });
+  connect(&m_session, &Session::documentChanged, this, &ExportActions::showState);
+  connectActions();
+}
+
+ExportActions::~ExportActions() = default;
+
+void ExportActions::connectActions() {
+  connect(&m_actions[QStringLiteral("export")], &QAction::triggered, this,
+          &ExportActions::showDialog);
+  connect(&m_actions[QStringLiteral("copyPicture")], &QAction::triggered, this,
+          &ExportActions::copyPicture);
+  showState();
+}
+
+void ExportActions::controlsRemade() {
+  connectActions();
+  if (m_job)
+    showProgress();
+}
+
+void ExportActions::showState() {
+  QAction& action = m_actions[QStringLiteral("export")];
+  const auto& nodes = m_session.scene().nodes();
+  const bool any = std::any_of(nodes.begin(), nodes.end(),
+                               [](const model::Node& node) { return !node.isGroup(); });
+  action.setEnabled(any && !m_job);
+  m_actions[QStringLiteral("copyPicture")].setEnabled(any);
+}
+
+ExportSource ExportActions::source() const {
+  return {.scene = m_session.sceneBeforePreview(),
+          .camera = m_viewport.camera(),
+          .aspect = float(m_viewport.width()) / float(std::max(1, m_viewport.height())),
+          .keyLight = m_viewport.keyLight(),
+          .title = m_session.title()};
+}
+
+void ExportActions::copyPicture() {
+  m_copier->copy(source(), rememberedDraft(m_settings).order);
+}
+
+void ExportActions::prepareDraft() {
+  const int opening = m_session.document().opening;
+  if (m_prepared == opening)
+    return;
+  m_prepared = opening;
+  m_draft = rememberedDraft(m_settings);
+  if (!m_settings.contains(QLatin1String(widthKey))) {
+    // A paper that everybody has, lying where the picture in the window does.
+    const std::vector<PagePreset> papers = pagePresets();
+    const auto a4 = std::find_if(papers.begin(), papers.end(), [](const PagePreset& each) {
+      return each.id == QLatin1String("a4");
+    });
+    m_draft.order.page.sizeMm =
+        turnedAs(a4->sizeMm, {float(m_viewport.width()), float(m_viewport.height())});
+  }
+  QString folder = m_settings.value(QLatin1String(folderKey)).toString();
+  const std::filesystem::path& file = m_session.file().path;
+  if (folder.isEmpty() || !QFileInfo(folder).isDir())
+    folder = file.empty() ? QDir::homePath() : textOf(file.parent_path());
+  const QString name = safeFileName(QFileInfo(m_session.title()).completeBaseName());
+  m_draft.target = withEndingOf(QDir(folder).filePath(name), m_draft.kind);
+}
+
+void ExportActions::showDialog() {
+  if (m_dialog) {
+    m_dialog->raise();
+    m_dialog->activateWindow();
+    return;
+  }
+  prepareDraft();
+  m_dialog = new ExportDialog(m_draft, source(), m_viewport, &m_window);
+  m_dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(m_dialog, &ExportDialog::exportWanted, this, &ExportActions::begin);
+  connect(m_dialog, &QDialog::finished, this, [this] { remember(m_draft, m_settings); });
+  m_dialog->open();
+}
+
+void ExportActions::begin(const QString& kind, const std::vector<ExportFile>& files) {
+  const render::ExportFormat* format = formatOf(kind);
+  if (m_job || !format || files.empty())
+    return;
+  m_message.hide();
+  m_job = std::make_unique<ExportJob>(*format, files);
+  showProgress();
+  showState();
+  connect(m_job.get(), &ExportJob::progressed, this, [this](double share, const QString& what) {
+    if (!m_progress)
+      return;
+    m_progress->setRange(0, 1000);
+    m_progress->setValue(int(1000.0 * share));
+    m_progress->setToolTip(what);
+  });
+  connect(m_job.get(), &ExportJob::done, this, [this] {
+    const std::vector<ExportFile> written = m_job->files();
+    end();
+    tellDone(written);
+  });
+  connect(m_job.get(), &ExportJob::failed, this, [this](const Error& error) {
+    end();
+    m_message.showError(error);
+  });
+  connect(m_job.get(), &ExportJob::cancelled, this, [this] {
+    end();
+    constexpr int readable = 4000;  // milliseconds
+    m_window.statusBar()->showMessage(tr("The export was stopped"), readable);
+  });
+  m_job->start();
+}
+
+void ExportActions::showProgress() {
+  const std::vector<ExportFile>& files = m_job->files();
+  const QString text = files.size() == 1 ? tr("Exporting %1").arg(nameOf(files.front()))
+                                         : tr("Exporting %n files", nullptr, int(files.size()));
+  m_what = new QLabel(text);
+  m_what->setObjectName(QStringLiteral("exportText"));
+  m_what->setTextFormat(Qt::PlainText);
+  m_progress = new QProgressBar;
+  m_progress->setObjectName(QStringLiteral("exportProgress"));
+  m_progress->setAccessibleName(text);
+  m_progress->setTextVisible(false);
+  m_progress->setRange(0, 0);  // until the writer says how far it is
+  m_progress->setFixedWidth(160);
+  m_cancel = new QToolButton;
+  m_cancel->setObjectName(QStringLiteral("exportCancel"));
+  m_cancel->setText(tr("Cancel"));
+  connect(m_cancel, &QToolButton::clicked, this, [this] {
+    m_cancel->setEnabled(false);
+    m_job->cancel();
+  });
+  int place = 0;
+  for (QWidget* widget : {static_cast<QWidget*>(m_what), static_cast<QWidget*>(m_progress),
+                          static_cast<QWidget*>(m_cancel)})
+    m_window.statusBar()->insertPermanentWidget(place++, widget);
+}
+
+void ExportActions::end() {
+  // It is the job that calls.
+  m_job.release()->deleteLater();
+  delete m_what;
+  delete m_progress;
+  if (m_cancel)
+    m_cancel->deleteLater();
+  m_cancel = nullptr;
+  showState();
+  if (m_closing)
+    QMetaObject::invokeMethod(this, &ExportActions::closeNow, Qt::QueuedConnection);
+}
+
+bool ExportActions::mayClose() {
+  if (!m_job)
+    return true;
+  auto* box = new QMessageBox(&m_window);
+  box->setObjectName(QStringLiteral("exportingDialog"));
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setText(tr("An export is under way. Stop it and close the window?"));
+  QPushButton* stop = box->addButton(tr("Stop and Close"), QMessageBox::AcceptRole);
+  stop->setObjectName(QStringLiteral("stopExport"));
+  box->setDefaultButton(box->addButton(tr("Go On"), QMessageBox::RejectRole));
+  connect(box, &QDialog::finished, this, [this, box, stop] {
+    if (box->clickedButton() != stop)
+      return;
+    m_closing = true;
+    m_job ? m_job->cancel() : closeNow();
+  });
+  box->open();
+  return false;
+}
+
+void ExportActions::closeNow() {
+  if (std::exchange(m_closing, false))
+    m_window.close();
+}
+
+void ExportActions::tellDone(const std::vector<ExportFile>& files) {
+  m_offers = std::make_unique<QObject>();
+  const QString first = textOf(files.front().target);
+  const auto offer = [this](const QString& text, const QString& tip, const QString& path) {
+    auto* action = new QAction(text, m_offers.get());
+    action->setToolTip(tip);
+    connect(action, &QAction::triggered, this,
+            [path] { QDesktopServices::openUrl(QUrl::fromLocalFile(path)); });
+    return action;
+  };
+  QList<QAction*> offers;
+  if (files.size() == 1)
+    offers << offer(tr("Open"), tr("With the program that this system has for it"), first);
+  offers << offer(tr("Show Folder"), tr("Where it was written to"),
+                  QFileInfo(first).absolutePath());
+  m_message.showDone(files.size() == 1 ? tr("Exported %1").arg(nameOf(files.front()))
+                                       : tr("Exported %n files", nullptr, int(files.size())),
+                     QDir::toNativeSeparators(QFileInfo(first).absolutePath()), offers);
+}
+
+}  // namespace sline::widgets
