@@ -11,6 +11,12 @@ namespace {
 
 using Rgb = GifPalette::Rgb;
 
+/// Where a colour stands in a cube of that many cells each way.
+std::size_t cellOf(const Rgb& colour, std::size_t side) {
+  const std::size_t width = 256 / side;
+  return (colour[0] / width * side + colour[1] / width) * side + colour[2] / width;
+}
+
 /// Colours that share 5 bits of each channel.
 struct Bin {
   std::array<double, 3> sum{};
@@ -24,14 +30,14 @@ struct Bins {
 };
 
 Bins binsOf(std::span<const Image> frames) {
-  std::vector<Bin> bins(32 * 32 * 32);
+  std::vector<Bin> bins(std::size_t(32) * 32 * 32);
   std::map<Rgb, std::size_t> exact;
   for (const Image& frame : frames)
     for (std::size_t i = 0; i + 3 < frame.rgba.size(); i += 4) {
       if (frame.rgba[i + 3] < 128)
         continue;
       const Rgb c{frame.rgba[i], frame.rgba[i + 1], frame.rgba[i + 2]};
-      Bin& bin = bins[std::size_t(c[0] / 8 * 1024 + c[1] / 8 * 32 + c[2] / 8)];
+      Bin& bin = bins[cellOf(c, 32)];
       for (std::size_t channel = 0; channel < 3; ++channel)
         bin.sum[channel] += c[channel];
       bin.count += 1.0;
@@ -179,8 +185,7 @@ std::uint8_t GifPalette::index(const Rgb& colour, int x, int y) {
   Rgb lifted{};
   for (std::size_t c = 0; c < 3; ++c)
     lifted[c] = std::uint8_t(std::clamp(int(colour[c]) + lift, 0, 255));
-  std::int16_t& known =
-      m_known[std::size_t(lifted[0] / 4 * 4096 + lifted[1] / 4 * 64 + lifted[2] / 4)];
+  std::int16_t& known = m_known[cellOf(lifted, 64)];
   if (known < 0)
     known = nearest(lifted);
   return std::uint8_t(known);
