@@ -6,8 +6,8 @@
 #include <QtTest>
 #include <glm/geometric.hpp>
 
-#include "tests/gui/window_fixture.h"
 #include "render/export/marks/orientation_letters.h"
+#include "tests/gui/window_fixture.h"
 
 namespace sline::test {
 

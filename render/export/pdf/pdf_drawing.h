@@ -22,8 +22,8 @@ struct PdfContent {
   QByteArray forms;   ///< entries of /XObject
 };
 
-/// Appends the drawing; groups that are clear as a whole become objects of their own. `scene` names
-/// no structure in the file. The page's height is in points.
+/// Appends the drawing; groups that are clear as a whole become objects of their own. No name of a
+/// structure is written. The page's height is in points.
 void appendDrawing(PdfContent& content, PdfObjects& objects, const VectorDrawing& drawing,
                    const PdfPlace& place, double pageHeight);
 

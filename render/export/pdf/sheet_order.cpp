@@ -30,7 +30,7 @@ std::string structureName(const std::string& name, const std::string& language) 
 
 namespace {
 
-constexpr float patientLabels = 14.0f;  // points
+constexpr float patientLabels = 12.0f;  // points
 
 constexpr std::size_t mostLabels = 36;
 constexpr std::size_t mostPatientLabels = 10;

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "render/export/marks/orientation_letters.h"
 #include "widgets/viewport/navigation.h"
 #include "widgets/viewport/orientation_cube.h"
-#include "render/export/marks/orientation_letters.h"
 
 using namespace sline;
 using namespace sline::widgets;
