@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US" sourcelanguage="en">
 <context>
+    <name>sline::widgets::AnnotationsPanel</name>
+    <message numerus="yes">
+        <source>In %n views</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::FocusPanel</name>
     <message numerus="yes">
         <source>%n structures in focus</source>
@@ -84,6 +94,23 @@
         <translation>
             <numerusform>%n face mended</numerusform>
             <numerusform>%n faces mended</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::LabelActions</name>
+    <message numerus="yes">
+        <source>Add %n labels</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels added</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>

@@ -1562,6 +1562,170 @@
         <source>The saved views one after the other on the whole screen</source>
         <translation>De opgeslagen aanzichten na elkaar op het hele scherm</translation>
     </message>
+    <message>
+        <source>a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing that is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Callout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation type="unfinished">%1 – %2</translation>
+    </message>
+    <message>
+        <source>The scene’s own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labels show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Numbers are for a key beside the picture, blank lines for a test</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Blank lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What labels say, where they have words in that language; else the scene’s own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the structures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Size of letters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As on paper, whatever the size of the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pt</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Labels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;how as</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>T</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click on a structure and type what it is called</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Callout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+T</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click on a place and type a few lines, which stand in a frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Pin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shift+P</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click on a place to mark it; its text stands beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click on two places to measure between them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Label the &amp;Selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ctrl+T</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The selected structures get labels with their names, where they are best seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Edit Text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type what the chosen label says (F2 in the picture)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dele&amp;te Label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the chosen label away (Del in the picture)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -1590,6 +1754,163 @@ OpenGL: %3</translation>
     <message>
         <source>Copy</source>
         <translation>Kopiëren</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::AnnotationList</name>
+    <message>
+        <source>No.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation type="unfinished">Getoond</translation>
+    </message>
+    <message>
+        <source>Not shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change What a Label Says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show Label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide Label</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::AnnotationsPanel</name>
+    <message>
+        <source>Delete</source>
+        <translation type="unfinished">Verwijderen</translation>
+    </message>
+    <message>
+        <source>Take this label away</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the label says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind of label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation type="unfinished">Kleur</translation>
+    </message>
+    <message>
+        <source>Of the dot at its place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the &amp;Ink</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colour of a Label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Colour…</source>
+        <translation type="unfinished">&amp;Kleur…</translation>
+    </message>
+    <message>
+        <source>Views that show it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which of the saved views show it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation type="unfinished">Vergrendeld</translation>
+    </message>
+    <message>
+        <source>The mouse does not move it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lock Label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unlock Label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place by Itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It finds its place again, after it was moved by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place Label by Itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete Label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change What a Label Says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind of Label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Views of a Label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In all views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In no view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>In %n views</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose a label</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2191,6 +2512,73 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::LabelActions</name>
+    <message>
+        <source>Click on two places to measure between them; Esc ends this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click on a place to mark it; Esc ends this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click on a structure and type; Shift+Return begins a line, Esc ends this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click on a structure and type; Esc ends this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n labels</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels added</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What is selected has labels already, or is not in the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::LabelEditor</name>
+    <message>
+        <source>What the label says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Return takes it over, Shift+Return begins a line, Esc forgets it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Return takes it over, Esc forgets it</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::LabelTool</name>
+    <message>
+        <source>Move Label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move What a Label Points At</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::MainWindow</name>
     <message>
         <source>Structures: %1   Triangles: %2</source>
@@ -2354,6 +2742,33 @@ OpenGL: %3</translation>
     <message>
         <source>Automatic: takes away the steps of label maps, and refines what is too coarse to draw; steps: so much everywhere</source>
         <translation>Automatisch: haalt de treden uit labelmaps en verfijnt wat te grof is om te tekenen; stappen: overal zoveel</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PictureLabels</name>
+    <message>
+        <source>Add Callout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add Pin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add Distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add Label</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change What a Label Says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delete Label</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

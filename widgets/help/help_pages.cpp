@@ -21,11 +21,12 @@ struct Place {
   const char* page;
 };
 constexpr Place places[] = {
-    {"structuresPanel", "tree"},   {"propertiesDialog", "tree"},     {"gammaPanel", "gamma"},
-    {"savePresetDialog", "gamma"}, {"managePresetsDialog", "gamma"}, {"focusPanel", "focus"},
-    {"sectionsPanel", "sections"}, {"viewport", "picture"},          {"startPage", "start"},
-    {"historyPanel", "start"},     {"recoveryDialog", "files"},      {"saveDialog", "files"},
-    {"importDialog", "import"},    {"controlsDialog", "keys"},       {"viewsPanel", "views"},
+    {"structuresPanel", "tree"},    {"propertiesDialog", "tree"},     {"gammaPanel", "gamma"},
+    {"savePresetDialog", "gamma"},  {"managePresetsDialog", "gamma"}, {"focusPanel", "focus"},
+    {"sectionsPanel", "sections"},  {"viewport", "picture"},          {"startPage", "start"},
+    {"historyPanel", "start"},      {"recoveryDialog", "files"},      {"saveDialog", "files"},
+    {"importDialog", "import"},     {"controlsDialog", "keys"},       {"viewsPanel", "views"},
+    {"annotationsPanel", "labels"}, {"labelText", "labels"},
 };
 
 QString read(const QString& path) {
@@ -38,9 +39,9 @@ QString read(const QString& path) {
 
 std::vector<QString> helpPageIds() {
   std::vector<QString> ids;
-  for (const char* id : {"start", "tree", "gamma", "focus", "sections", "picture", "views", "files",
-                         "import", "keys", "label_volumes", "dicom", "slicer", "molecules",
-                         "annotate", "vectors", "scene_file"})
+  for (const char* id : {"start", "tree", "gamma", "focus", "sections", "picture", "labels",
+                         "views", "files", "import", "keys", "label_volumes", "dicom", "slicer",
+                         "molecules", "annotate", "vectors", "scene_file"})
     ids.push_back(QLatin1String(id));
   return ids;
 }
