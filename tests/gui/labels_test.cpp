@@ -38,8 +38,10 @@ class LabelsTest : public QObject {
     QCOMPARE(f.editor().toPlainText(), QStringLiteral("bladder"));
     QCOMPARE(f.editor().textCursor().selectedText(), QStringLiteral("bladder"));
     QVERIFY(f.annotations().empty());
+    QVERIFY(f.labels().layer().marks().begun);
     QTest::keyClick(&f.editor(), Qt::Key_Return);
     QVERIFY(!f.editor().isOpen());
+    QVERIFY(!f.labels().layer().marks().begun);
     QCOMPARE(int(f.only().kind), kind);
     QVERIFY(f.structureOf(f.only()) == f.bladder);
     QCOMPARE(f.only().text, std::string("bladder"));

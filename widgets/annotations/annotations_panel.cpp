@@ -157,7 +157,9 @@ void AnnotationsPanel::makeList() {
   m_list->setRootIsDecorated(false);
   m_list->setAllColumnsShowFocus(true);
   m_list->setUniformRowHeights(true);
+  // As high as there is room, but asking for none of the other panels'.
   m_list->setMinimumHeight(64);
+  m_list->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
   m_list->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
   m_list->installEventFilter(this);
   QHeaderView* columns = m_list->header();

@@ -34,8 +34,8 @@ class LabelLayer : public QWidget {
   struct Marks {
     std::optional<model::AnnotationId> hovered;
     std::optional<model::AnnotationId> active;
-    std::optional<glm::vec2> begun;  ///< the first place of a distance that is being made
-    std::optional<glm::vec2> mouse;  ///< and where its second would be
+    std::optional<glm::vec2> begun;  ///< a place of one that is being made
+    std::optional<glm::vec2> mouse;  ///< where the second would be, of a distance
     bool operator==(const Marks&) const = default;
   };
   void mark(const Marks& marks);

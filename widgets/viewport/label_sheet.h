@@ -5,6 +5,8 @@
 
 #include <QImage>
 #include <QPoint>
+#include <QString>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -43,9 +45,15 @@ class LabelDrawer {
 
  private:
   const render::LabelLayout* before(const model::Camera& camera, const LabelWish& wish) const;
+  void paint(LabelSheet& sheet);
+  void paintTexts(QPainter& painter, const LabelSheet& sheet);
 
   render::SightTrees m_trees;
   LabelSheetPtr m_last;
+  model::Scene m_lastScene;
+  /// Texts as they were painted, by all that their looks depend on: letters with halos take longer
+  /// to paint than all else, and only their places change while a camera turns.
+  std::map<QString, QImage> m_texts;
 };
 
 }  // namespace sline::widgets

@@ -48,7 +48,10 @@ PictureLabels::PictureLabels(Place place)
           this)),
       m_editor(new LabelEditor(&m_place.picture)) {
   connect(m_editor, &LabelEditor::accepted, this, &PictureLabels::accept);
-  connect(m_editor, &LabelEditor::cancelled, this, [this] { m_written.reset(); });
+  connect(m_editor, &LabelEditor::cancelled, this, [this] {
+    m_written.reset();
+    showMarks();
+  });
   Session& session = m_place.session;
   connect(&session, &Session::documentChanged, this, &PictureLabels::documentChange);
   connect(&session, &Session::activeAnnotationChanged, this, &PictureLabels::showMarks);
@@ -150,6 +153,7 @@ void PictureLabels::begin(model::Annotation annotation, const QString& offered, 
   m_written = std::move(annotation);
   m_editor->open(at.toPoint() + QPoint(m_new ? beside : 0, 0),
                  {.text = offered, .lines = lines, .points = m_style.points});
+  showMarks();
 }
 
 void PictureLabels::edit(model::AnnotationId id) {
@@ -166,6 +170,7 @@ void PictureLabels::accept(const QString& text) {
   if (!m_written)
     return;
   const model::Annotation written = *std::exchange(m_written, std::nullopt);
+  showMarks();
   Session& session = m_place.session;
   const bool wordless =
       written.kind == model::AnnotationKind::pin || written.kind == model::AnnotationKind::distance;
@@ -255,9 +260,11 @@ std::optional<Qt::CursorShape> PictureLabels::cursor() const {
 }
 
 std::optional<glm::vec2> PictureLabels::begunAt() const {
-  if (m_begun.empty())
+  const bool typed = m_written && m_new;
+  if (m_begun.empty() && !typed)
     return std::nullopt;
-  const auto place = m_place.session.scene().placeOf(m_begun.front());
+  const auto place =
+      m_place.session.scene().placeOf(typed ? m_written->anchors.front() : m_begun.front());
   return place ? pixelOf(m_camera, *place, wish().size) : std::nullopt;
 }
 
@@ -267,7 +274,7 @@ void PictureLabels::showMarks() {
   if (m_mouse && !m_shut) {
     if (const std::optional<LabelGrip> grip = m_tool->gripAt(vec(*m_mouse)))
       marks.hovered = grip->id;
-    if (marks.begun)
+    if (!m_begun.empty())
       marks.mouse = vec(*m_mouse);
   }
   m_layer->mark(marks);
