@@ -1564,167 +1564,167 @@
     </message>
     <message>
         <source>a place</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Stelle</translation>
     </message>
     <message>
         <source>nothing that is there</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts Vorhandenes</translation>
     </message>
     <message>
         <source>Callout</source>
-        <translation type="unfinished"></translation>
+        <translation>Textfeld</translation>
     </message>
     <message>
         <source>Pin</source>
-        <translation type="unfinished"></translation>
+        <translation>Nadel</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Maß</translation>
     </message>
     <message>
         <source>Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschriftung</translation>
     </message>
     <message>
         <source>%1 – %2</source>
-        <translation type="unfinished">%1 – %2</translation>
+        <translation>%1 – %2</translation>
     </message>
     <message>
         <source>The scene’s own</source>
-        <translation type="unfinished"></translation>
+        <translation>Die der Szene</translation>
     </message>
     <message>
         <source>Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschriftungen</translation>
     </message>
     <message>
         <source>Labels show</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschriftungen zeigen</translation>
     </message>
     <message>
         <source>Numbers are for a key beside the picture, blank lines for a test</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummern sind für eine Legende neben dem Bild, leere Linien für einen Test</translation>
     </message>
     <message>
         <source>Texts</source>
-        <translation type="unfinished"></translation>
+        <translation>Texte</translation>
     </message>
     <message>
         <source>Numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummern</translation>
     </message>
     <message>
         <source>Blank lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Leere Linien</translation>
     </message>
     <message>
         <source>Nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts</translation>
     </message>
     <message>
         <source>What labels say, where they have words in that language; else the scene’s own</source>
-        <translation type="unfinished"></translation>
+        <translation>Was Beschriftungen sagen, wo sie Worte in dieser Sprache haben; sonst die der Szene</translation>
     </message>
     <message>
         <source>As the structures</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die Strukturen</translation>
     </message>
     <message>
         <source>Size of letters</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe der Buchstaben</translation>
     </message>
     <message>
         <source>As on paper, whatever the size of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie auf Papier, gleich wie groß das Bild ist</translation>
     </message>
     <message>
         <source>pt</source>
-        <translation type="unfinished"></translation>
+        <translation>pt</translation>
     </message>
     <message>
         <source>&amp;Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschri&amp;ftungen</translation>
     </message>
     <message>
         <source>S&amp;how as</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zeigen als</translation>
     </message>
     <message>
         <source>&amp;Label</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Beschriftung</translation>
     </message>
     <message>
         <source>T</source>
-        <translation type="unfinished"></translation>
+        <translation>T</translation>
     </message>
     <message>
         <source>Click on a structure and type what it is called</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf eine Struktur klicken und schreiben, wie sie heißt</translation>
     </message>
     <message>
         <source>&amp;Callout</source>
-        <translation type="unfinished"></translation>
+        <translation>Te&amp;xtfeld</translation>
     </message>
     <message>
         <source>Shift+T</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+T</translation>
     </message>
     <message>
         <source>Click on a place and type a few lines, which stand in a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf eine Stelle klicken und einige Zeilen schreiben, die in einem Rahmen stehen</translation>
     </message>
     <message>
         <source>&amp;Pin</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nadel</translation>
     </message>
     <message>
         <source>Shift+P</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+P</translation>
     </message>
     <message>
         <source>Click on a place to mark it; its text stands beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf eine Stelle klicken, um sie zu markieren; ihr Text steht daneben</translation>
     </message>
     <message>
         <source>&amp;Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Maß</translation>
     </message>
     <message>
         <source>M</source>
-        <translation type="unfinished"></translation>
+        <translation>M</translation>
     </message>
     <message>
         <source>Click on two places to measure between them</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf zwei Stellen klicken, um dazwischen zu messen</translation>
     </message>
     <message>
         <source>Label the &amp;Selected</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ausgewähltes beschriften</translation>
     </message>
     <message>
         <source>Ctrl+T</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+T</translation>
     </message>
     <message>
         <source>The selected structures get labels with their names, where they are best seen</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ausgewählten Strukturen werden mit ihren Namen beschriftet, wo sie am besten zu sehen sind</translation>
     </message>
     <message>
         <source>&amp;Edit Text</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Text ändern</translation>
     </message>
     <message>
         <source>Type what the chosen label says (F2 in the picture)</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreiben, was die gewählte Beschriftung sagt (F2 im Bild)</translation>
     </message>
     <message>
         <source>Dele&amp;te Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschriftung lös&amp;chen</translation>
     </message>
     <message>
         <source>Take the chosen label away (Del in the picture)</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählte Beschriftung wegnehmen (Entf im Bild)</translation>
     </message>
 </context>
 <context>
@@ -1760,157 +1760,157 @@ OpenGL: %3</translation>
     <name>sline::widgets::AnnotationList</name>
     <message>
         <source>No.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nr.</translation>
     </message>
     <message>
         <source>Says</source>
-        <translation type="unfinished"></translation>
+        <translation>Sagt</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>Art</translation>
     </message>
     <message>
         <source>Points at</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt auf</translation>
     </message>
     <message>
         <source>Shown</source>
-        <translation type="unfinished">Gezeigt</translation>
+        <translation>Gezeigt</translation>
     </message>
     <message>
         <source>Not shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht gezeigt</translation>
     </message>
     <message>
         <source>Change What a Label Says</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschriftungstext ändern</translation>
     </message>
     <message>
         <source>Show Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschriftung zeigen</translation>
     </message>
     <message>
         <source>Hide Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschriftung verbergen</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::AnnotationsPanel</name>
     <message>
         <source>Delete</source>
-        <translation type="unfinished">Löschen</translation>
+        <translation>Löschen</translation>
     </message>
     <message>
         <source>Take this label away</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Beschriftung wegnehmen</translation>
     </message>
     <message>
         <source>Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschriftungen</translation>
     </message>
     <message>
         <source>What the label says</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Beschriftung sagt</translation>
     </message>
     <message>
         <source>Kind of label</source>
-        <translation type="unfinished"></translation>
+        <translation>Art der Beschriftung</translation>
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished">Farbe</translation>
+        <translation>Farbe</translation>
     </message>
     <message>
         <source>Of the dot at its place</source>
-        <translation type="unfinished"></translation>
+        <translation>Des Punkts an ihrer Stelle</translation>
     </message>
     <message>
         <source>As the &amp;Ink</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die &amp;Tinte</translation>
     </message>
     <message>
         <source>Colour of a Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbe einer Beschriftung</translation>
     </message>
     <message>
         <source>&amp;Colour…</source>
-        <translation type="unfinished">Far&amp;be …</translation>
+        <translation>&amp;Farbe …</translation>
     </message>
     <message>
         <source>Views that show it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansichten, die sie zeigen</translation>
     </message>
     <message>
         <source>Which of the saved views show it</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche der gespeicherten Ansichten sie zeigen</translation>
     </message>
     <message>
         <source>Locked</source>
-        <translation type="unfinished">Gesperrt</translation>
+        <translation>Gesperrt</translation>
     </message>
     <message>
         <source>The mouse does not move it</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Maus bewegt sie nicht</translation>
     </message>
     <message>
         <source>Lock Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschriftung sperren</translation>
     </message>
     <message>
         <source>Unlock Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschriftung entsperren</translation>
     </message>
     <message>
         <source>Place by Itself</source>
-        <translation type="unfinished"></translation>
+        <translation>Von selbst platzieren</translation>
     </message>
     <message>
         <source>It finds its place again, after it was moved by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie findet ihren Platz wieder selbst, nachdem sie von Hand verschoben wurde</translation>
     </message>
     <message>
         <source>Place Label by Itself</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschriftung von selbst platzieren</translation>
     </message>
     <message>
         <source>Delete Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschriftung löschen</translation>
     </message>
     <message>
         <source>Change What a Label Says</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschriftungstext ändern</translation>
     </message>
     <message>
         <source>Kind of Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Art der Beschriftung</translation>
     </message>
     <message>
         <source>Views of a Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansichten einer Beschriftung</translation>
     </message>
     <message>
         <source>In all views</source>
-        <translation type="unfinished"></translation>
+        <translation>In allen Ansichten</translation>
     </message>
     <message>
         <source>Only in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur in %1</translation>
     </message>
     <message>
         <source>In no view</source>
-        <translation type="unfinished"></translation>
+        <translation>In keiner Ansicht</translation>
     </message>
     <message numerus="yes">
         <source>In %n views</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>In %n Ansicht</numerusform>
+            <numerusform>In %n Ansichten</numerusform>
         </translation>
     </message>
     <message>
         <source>Choose a label</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie eine Beschriftung</translation>
     </message>
 </context>
 <context>
@@ -2515,67 +2515,67 @@ OpenGL: %3</translation>
     <name>sline::widgets::LabelActions</name>
     <message>
         <source>Click on two places to measure between them; Esc ends this</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf zwei Stellen klicken, um dazwischen zu messen; Esc beendet das</translation>
     </message>
     <message>
         <source>Click on a place to mark it; Esc ends this</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf eine Stelle klicken, um sie zu markieren; Esc beendet das</translation>
     </message>
     <message>
         <source>Click on a structure and type; Shift+Return begins a line, Esc ends this</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf eine Struktur klicken und schreiben; Umschalt+Enter beginnt eine Zeile, Esc beendet das</translation>
     </message>
     <message>
         <source>Click on a structure and type; Esc ends this</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf eine Struktur klicken und schreiben; Esc beendet das</translation>
     </message>
     <message>
         <source>Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschriftungen</translation>
     </message>
     <message numerus="yes">
         <source>Add %n labels</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Beschriftung hinzufügen</numerusform>
+            <numerusform>%n Beschriftungen hinzufügen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n labels added</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Beschriftung hinzugefügt</numerusform>
+            <numerusform>%n Beschriftungen hinzugefügt</numerusform>
         </translation>
     </message>
     <message>
         <source>What is selected has labels already, or is not in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ausgewählte ist schon beschriftet oder nicht im Bild</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::LabelEditor</name>
     <message>
         <source>What the label says</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Beschriftung sagt</translation>
     </message>
     <message>
         <source>Return takes it over, Shift+Return begins a line, Esc forgets it</source>
-        <translation type="unfinished"></translation>
+        <translation>Enter übernimmt es, Umschalt+Enter beginnt eine Zeile, Esc verwirft es</translation>
     </message>
     <message>
         <source>Return takes it over, Esc forgets it</source>
-        <translation type="unfinished"></translation>
+        <translation>Enter übernimmt es, Esc verwirft es</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::LabelTool</name>
     <message>
         <source>Move Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschriftung verschieben</translation>
     </message>
     <message>
         <source>Move What a Label Points At</source>
-        <translation type="unfinished"></translation>
+        <translation>Verschieben, worauf eine Beschriftung zeigt</translation>
     </message>
 </context>
 <context>
@@ -2748,27 +2748,27 @@ OpenGL: %3</translation>
     <name>sline::widgets::PictureLabels</name>
     <message>
         <source>Add Callout</source>
-        <translation type="unfinished"></translation>
+        <translation>Textfeld hinzufügen</translation>
     </message>
     <message>
         <source>Add Pin</source>
-        <translation type="unfinished"></translation>
+        <translation>Nadel hinzufügen</translation>
     </message>
     <message>
         <source>Add Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Maß hinzufügen</translation>
     </message>
     <message>
         <source>Add Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschriftung hinzufügen</translation>
     </message>
     <message>
         <source>Change What a Label Says</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschriftungstext ändern</translation>
     </message>
     <message>
         <source>Delete Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschriftung löschen</translation>
     </message>
 </context>
 <context>

@@ -5,9 +5,9 @@
     <name>sline::widgets::AnnotationsPanel</name>
     <message numerus="yes">
         <source>In %n views</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>In %n view</numerusform>
+            <numerusform>In %n views</numerusform>
         </translation>
     </message>
 </context>
@@ -101,16 +101,16 @@
     <name>sline::widgets::LabelActions</name>
     <message numerus="yes">
         <source>Add %n labels</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Add %n label</numerusform>
+            <numerusform>Add %n labels</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n labels added</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n label added</numerusform>
+            <numerusform>%n labels added</numerusform>
         </translation>
     </message>
 </context>

@@ -1564,167 +1564,167 @@
     </message>
     <message>
         <source>a place</source>
-        <translation type="unfinished"></translation>
+        <translation>et sted</translation>
     </message>
     <message>
         <source>nothing that is there</source>
-        <translation type="unfinished"></translation>
+        <translation>ingenting som finnes</translation>
     </message>
     <message>
         <source>Callout</source>
-        <translation type="unfinished"></translation>
+        <translation>Forklaring</translation>
     </message>
     <message>
         <source>Pin</source>
-        <translation type="unfinished"></translation>
+        <translation>Nål</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Avstand</translation>
     </message>
     <message>
         <source>Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Etikett</translation>
     </message>
     <message>
         <source>%1 – %2</source>
-        <translation type="unfinished">%1 – %2</translation>
+        <translation>%1 – %2</translation>
     </message>
     <message>
         <source>The scene’s own</source>
-        <translation type="unfinished"></translation>
+        <translation>Scenens egen</translation>
     </message>
     <message>
         <source>Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>Etiketter</translation>
     </message>
     <message>
         <source>Labels show</source>
-        <translation type="unfinished"></translation>
+        <translation>Etiketter viser</translation>
     </message>
     <message>
         <source>Numbers are for a key beside the picture, blank lines for a test</source>
-        <translation type="unfinished"></translation>
+        <translation>Numre er for en tegnforklaring ved siden av bildet, tomme linjer for en prøve</translation>
     </message>
     <message>
         <source>Texts</source>
-        <translation type="unfinished"></translation>
+        <translation>Tekster</translation>
     </message>
     <message>
         <source>Numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Numre</translation>
     </message>
     <message>
         <source>Blank lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Tomme linjer</translation>
     </message>
     <message>
         <source>Nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Ingenting</translation>
     </message>
     <message>
         <source>What labels say, where they have words in that language; else the scene’s own</source>
-        <translation type="unfinished"></translation>
+        <translation>Det etikettene sier, der de har ord på det språket; ellers scenens egne</translation>
     </message>
     <message>
         <source>As the structures</source>
-        <translation type="unfinished"></translation>
+        <translation>Som strukturene</translation>
     </message>
     <message>
         <source>Size of letters</source>
-        <translation type="unfinished"></translation>
+        <translation>Skriftstørrelse</translation>
     </message>
     <message>
         <source>As on paper, whatever the size of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Som på papir, uansett hvor stort bildet er</translation>
     </message>
     <message>
         <source>pt</source>
-        <translation type="unfinished"></translation>
+        <translation>pt</translation>
     </message>
     <message>
         <source>&amp;Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Etiketter</translation>
     </message>
     <message>
         <source>S&amp;how as</source>
-        <translation type="unfinished"></translation>
+        <translation>Vis s&amp;om</translation>
     </message>
     <message>
         <source>&amp;Label</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Etikett</translation>
     </message>
     <message>
         <source>T</source>
-        <translation type="unfinished"></translation>
+        <translation>T</translation>
     </message>
     <message>
         <source>Click on a structure and type what it is called</source>
-        <translation type="unfinished"></translation>
+        <translation>Klikk på en struktur og skriv hva den heter</translation>
     </message>
     <message>
         <source>&amp;Callout</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Forklaring</translation>
     </message>
     <message>
         <source>Shift+T</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+T</translation>
     </message>
     <message>
         <source>Click on a place and type a few lines, which stand in a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Klikk på et sted og skriv noen linjer, som står i en ramme</translation>
     </message>
     <message>
         <source>&amp;Pin</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nål</translation>
     </message>
     <message>
         <source>Shift+P</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+P</translation>
     </message>
     <message>
         <source>Click on a place to mark it; its text stands beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>Klikk på et sted for å merke det; teksten står ved siden av</translation>
     </message>
     <message>
         <source>&amp;Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Avstand</translation>
     </message>
     <message>
         <source>M</source>
-        <translation type="unfinished"></translation>
+        <translation>M</translation>
     </message>
     <message>
         <source>Click on two places to measure between them</source>
-        <translation type="unfinished"></translation>
+        <translation>Klikk på to steder for å måle mellom dem</translation>
     </message>
     <message>
         <source>Label the &amp;Selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Sett etikett på det &amp;valgte</translation>
     </message>
     <message>
         <source>Ctrl+T</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+T</translation>
     </message>
     <message>
         <source>The selected structures get labels with their names, where they are best seen</source>
-        <translation type="unfinished"></translation>
+        <translation>De valgte strukturene får etiketter med navnene sine, der de synes best</translation>
     </message>
     <message>
         <source>&amp;Edit Text</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rediger tekst</translation>
     </message>
     <message>
         <source>Type what the chosen label says (F2 in the picture)</source>
-        <translation type="unfinished"></translation>
+        <translation>Skriv hva den valgte etiketten sier (F2 i bildet)</translation>
     </message>
     <message>
         <source>Dele&amp;te Label</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Slett etiketten</translation>
     </message>
     <message>
         <source>Take the chosen label away (Del in the picture)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta bort den valgte etiketten (Del i bildet)</translation>
     </message>
 </context>
 <context>
@@ -1760,157 +1760,157 @@ OpenGL: %3</translation>
     <name>sline::widgets::AnnotationList</name>
     <message>
         <source>No.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nr.</translation>
     </message>
     <message>
         <source>Says</source>
-        <translation type="unfinished"></translation>
+        <translation>Sier</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>Slag</translation>
     </message>
     <message>
         <source>Points at</source>
-        <translation type="unfinished"></translation>
+        <translation>Peker på</translation>
     </message>
     <message>
         <source>Shown</source>
-        <translation type="unfinished">Vist</translation>
+        <translation>Vist</translation>
     </message>
     <message>
         <source>Not shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Ikke vist</translation>
     </message>
     <message>
         <source>Change What a Label Says</source>
-        <translation type="unfinished"></translation>
+        <translation>Endre etikettens tekst</translation>
     </message>
     <message>
         <source>Show Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Vis etiketten</translation>
     </message>
     <message>
         <source>Hide Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Skjul etiketten</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::AnnotationsPanel</name>
     <message>
         <source>Delete</source>
-        <translation type="unfinished">Slett</translation>
+        <translation>Slett</translation>
     </message>
     <message>
         <source>Take this label away</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta bort denne etiketten</translation>
     </message>
     <message>
         <source>Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>Etiketter</translation>
     </message>
     <message>
         <source>What the label says</source>
-        <translation type="unfinished"></translation>
+        <translation>Hva etiketten sier</translation>
     </message>
     <message>
         <source>Kind of label</source>
-        <translation type="unfinished"></translation>
+        <translation>Slags etikett</translation>
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished">Farge</translation>
+        <translation>Farge</translation>
     </message>
     <message>
         <source>Of the dot at its place</source>
-        <translation type="unfinished"></translation>
+        <translation>På prikken der den peker</translation>
     </message>
     <message>
         <source>As the &amp;Ink</source>
-        <translation type="unfinished"></translation>
+        <translation>Som &amp;blekket</translation>
     </message>
     <message>
         <source>Colour of a Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Etikettens farge</translation>
     </message>
     <message>
         <source>&amp;Colour…</source>
-        <translation type="unfinished">&amp;Farge …</translation>
+        <translation>&amp;Farge …</translation>
     </message>
     <message>
         <source>Views that show it</source>
-        <translation type="unfinished"></translation>
+        <translation>Visninger som viser den</translation>
     </message>
     <message>
         <source>Which of the saved views show it</source>
-        <translation type="unfinished"></translation>
+        <translation>Hvilke av de lagrede visningene som viser den</translation>
     </message>
     <message>
         <source>Locked</source>
-        <translation type="unfinished">Låst</translation>
+        <translation>Låst</translation>
     </message>
     <message>
         <source>The mouse does not move it</source>
-        <translation type="unfinished"></translation>
+        <translation>Musen flytter den ikke</translation>
     </message>
     <message>
         <source>Lock Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Lås etiketten</translation>
     </message>
     <message>
         <source>Unlock Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Lås opp etiketten</translation>
     </message>
     <message>
         <source>Place by Itself</source>
-        <translation type="unfinished"></translation>
+        <translation>Plasser av seg selv</translation>
     </message>
     <message>
         <source>It finds its place again, after it was moved by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Den finner plassen sin selv igjen, etter at den ble flyttet for hånd</translation>
     </message>
     <message>
         <source>Place Label by Itself</source>
-        <translation type="unfinished"></translation>
+        <translation>Plasser etiketten av seg selv</translation>
     </message>
     <message>
         <source>Delete Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Slett etiketten</translation>
     </message>
     <message>
         <source>Change What a Label Says</source>
-        <translation type="unfinished"></translation>
+        <translation>Endre etikettens tekst</translation>
     </message>
     <message>
         <source>Kind of Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Slags etikett</translation>
     </message>
     <message>
         <source>Views of a Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Etikettens visninger</translation>
     </message>
     <message>
         <source>In all views</source>
-        <translation type="unfinished"></translation>
+        <translation>I alle visninger</translation>
     </message>
     <message>
         <source>Only in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Bare i %1</translation>
     </message>
     <message>
         <source>In no view</source>
-        <translation type="unfinished"></translation>
+        <translation>Ikke i noen visning</translation>
     </message>
     <message numerus="yes">
         <source>In %n views</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>I %n visning</numerusform>
+            <numerusform>I %n visninger</numerusform>
         </translation>
     </message>
     <message>
         <source>Choose a label</source>
-        <translation type="unfinished"></translation>
+        <translation>Velg en etikett</translation>
     </message>
 </context>
 <context>
@@ -2515,67 +2515,67 @@ OpenGL: %3</translation>
     <name>sline::widgets::LabelActions</name>
     <message>
         <source>Click on two places to measure between them; Esc ends this</source>
-        <translation type="unfinished"></translation>
+        <translation>Klikk på to steder for å måle mellom dem; Esc avslutter</translation>
     </message>
     <message>
         <source>Click on a place to mark it; Esc ends this</source>
-        <translation type="unfinished"></translation>
+        <translation>Klikk på et sted for å merke det; Esc avslutter</translation>
     </message>
     <message>
         <source>Click on a structure and type; Shift+Return begins a line, Esc ends this</source>
-        <translation type="unfinished"></translation>
+        <translation>Klikk på en struktur og skriv; Shift+Enter begynner en linje, Esc avslutter</translation>
     </message>
     <message>
         <source>Click on a structure and type; Esc ends this</source>
-        <translation type="unfinished"></translation>
+        <translation>Klikk på en struktur og skriv; Esc avslutter</translation>
     </message>
     <message>
         <source>Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>Etiketter</translation>
     </message>
     <message numerus="yes">
         <source>Add %n labels</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Legg til %n etikett</numerusform>
+            <numerusform>Legg til %n etiketter</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n labels added</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n etikett lagt til</numerusform>
+            <numerusform>%n etiketter lagt til</numerusform>
         </translation>
     </message>
     <message>
         <source>What is selected has labels already, or is not in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Det valgte har etiketter allerede, eller er ikke i bildet</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::LabelEditor</name>
     <message>
         <source>What the label says</source>
-        <translation type="unfinished"></translation>
+        <translation>Hva etiketten sier</translation>
     </message>
     <message>
         <source>Return takes it over, Shift+Return begins a line, Esc forgets it</source>
-        <translation type="unfinished"></translation>
+        <translation>Enter tar det i bruk, Shift+Enter begynner en linje, Esc forkaster det</translation>
     </message>
     <message>
         <source>Return takes it over, Esc forgets it</source>
-        <translation type="unfinished"></translation>
+        <translation>Enter tar det i bruk, Esc forkaster det</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::LabelTool</name>
     <message>
         <source>Move Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Flytt etiketten</translation>
     </message>
     <message>
         <source>Move What a Label Points At</source>
-        <translation type="unfinished"></translation>
+        <translation>Flytt det etiketten peker på</translation>
     </message>
 </context>
 <context>
@@ -2748,27 +2748,27 @@ OpenGL: %3</translation>
     <name>sline::widgets::PictureLabels</name>
     <message>
         <source>Add Callout</source>
-        <translation type="unfinished"></translation>
+        <translation>Legg til forklaring</translation>
     </message>
     <message>
         <source>Add Pin</source>
-        <translation type="unfinished"></translation>
+        <translation>Legg til nål</translation>
     </message>
     <message>
         <source>Add Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Legg til avstand</translation>
     </message>
     <message>
         <source>Add Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Legg til etikett</translation>
     </message>
     <message>
         <source>Change What a Label Says</source>
-        <translation type="unfinished"></translation>
+        <translation>Endre etikettens tekst</translation>
     </message>
     <message>
         <source>Delete Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Slett etiketten</translation>
     </message>
 </context>
 <context>

@@ -1564,167 +1564,167 @@
     </message>
     <message>
         <source>a place</source>
-        <translation type="unfinished"></translation>
+        <translation>een plaats</translation>
     </message>
     <message>
         <source>nothing that is there</source>
-        <translation type="unfinished"></translation>
+        <translation>niets dat er is</translation>
     </message>
     <message>
         <source>Callout</source>
-        <translation type="unfinished"></translation>
+        <translation>Bijschrift</translation>
     </message>
     <message>
         <source>Pin</source>
-        <translation type="unfinished"></translation>
+        <translation>Speld</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Afstand</translation>
     </message>
     <message>
         <source>Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Label</translation>
     </message>
     <message>
         <source>%1 – %2</source>
-        <translation type="unfinished">%1 – %2</translation>
+        <translation>%1 – %2</translation>
     </message>
     <message>
         <source>The scene’s own</source>
-        <translation type="unfinished"></translation>
+        <translation>Die van de scène</translation>
     </message>
     <message>
         <source>Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>Labels</translation>
     </message>
     <message>
         <source>Labels show</source>
-        <translation type="unfinished"></translation>
+        <translation>Labels tonen</translation>
     </message>
     <message>
         <source>Numbers are for a key beside the picture, blank lines for a test</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummers zijn voor een legenda naast het beeld, lege regels voor een toets</translation>
     </message>
     <message>
         <source>Texts</source>
-        <translation type="unfinished"></translation>
+        <translation>Teksten</translation>
     </message>
     <message>
         <source>Numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummers</translation>
     </message>
     <message>
         <source>Blank lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Lege regels</translation>
     </message>
     <message>
         <source>Nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Niets</translation>
     </message>
     <message>
         <source>What labels say, where they have words in that language; else the scene’s own</source>
-        <translation type="unfinished"></translation>
+        <translation>Wat labels zeggen, waar ze woorden in die taal hebben; anders die van de scène</translation>
     </message>
     <message>
         <source>As the structures</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoals de structuren</translation>
     </message>
     <message>
         <source>Size of letters</source>
-        <translation type="unfinished"></translation>
+        <translation>Grootte van de letters</translation>
     </message>
     <message>
         <source>As on paper, whatever the size of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoals op papier, hoe groot het beeld ook is</translation>
     </message>
     <message>
         <source>pt</source>
-        <translation type="unfinished"></translation>
+        <translation>pt</translation>
     </message>
     <message>
         <source>&amp;Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Labels</translation>
     </message>
     <message>
         <source>S&amp;how as</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tonen als</translation>
     </message>
     <message>
         <source>&amp;Label</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Label</translation>
     </message>
     <message>
         <source>T</source>
-        <translation type="unfinished"></translation>
+        <translation>T</translation>
     </message>
     <message>
         <source>Click on a structure and type what it is called</source>
-        <translation type="unfinished"></translation>
+        <translation>Klik op een structuur en typ hoe ze heet</translation>
     </message>
     <message>
         <source>&amp;Callout</source>
-        <translation type="unfinished"></translation>
+        <translation>Bijs&amp;chrift</translation>
     </message>
     <message>
         <source>Shift+T</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+T</translation>
     </message>
     <message>
         <source>Click on a place and type a few lines, which stand in a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Klik op een plaats en typ enkele regels, die in een kader staan</translation>
     </message>
     <message>
         <source>&amp;Pin</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Speld</translation>
     </message>
     <message>
         <source>Shift+P</source>
-        <translation type="unfinished"></translation>
+        <translation>Shift+P</translation>
     </message>
     <message>
         <source>Click on a place to mark it; its text stands beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>Klik op een plaats om die te markeren; de tekst staat ernaast</translation>
     </message>
     <message>
         <source>&amp;Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Afstand</translation>
     </message>
     <message>
         <source>M</source>
-        <translation type="unfinished"></translation>
+        <translation>M</translation>
     </message>
     <message>
         <source>Click on two places to measure between them</source>
-        <translation type="unfinished"></translation>
+        <translation>Klik op twee plaatsen om ertussen te meten</translation>
     </message>
     <message>
         <source>Label the &amp;Selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Het &amp;geselecteerde benoemen</translation>
     </message>
     <message>
         <source>Ctrl+T</source>
-        <translation type="unfinished"></translation>
+        <translation>Ctrl+T</translation>
     </message>
     <message>
         <source>The selected structures get labels with their names, where they are best seen</source>
-        <translation type="unfinished"></translation>
+        <translation>De geselecteerde structuren krijgen labels met hun namen, waar ze het best te zien zijn</translation>
     </message>
     <message>
         <source>&amp;Edit Text</source>
-        <translation type="unfinished"></translation>
+        <translation>Tekst &amp;bewerken</translation>
     </message>
     <message>
         <source>Type what the chosen label says (F2 in the picture)</source>
-        <translation type="unfinished"></translation>
+        <translation>Typ wat het gekozen label zegt (F2 in het beeld)</translation>
     </message>
     <message>
         <source>Dele&amp;te Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Label &amp;verwijderen</translation>
     </message>
     <message>
         <source>Take the chosen label away (Del in the picture)</source>
-        <translation type="unfinished"></translation>
+        <translation>Het gekozen label weghalen (Del in het beeld)</translation>
     </message>
 </context>
 <context>
@@ -1760,157 +1760,157 @@ OpenGL: %3</translation>
     <name>sline::widgets::AnnotationList</name>
     <message>
         <source>No.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nr.</translation>
     </message>
     <message>
         <source>Says</source>
-        <translation type="unfinished"></translation>
+        <translation>Zegt</translation>
     </message>
     <message>
         <source>Kind</source>
-        <translation type="unfinished"></translation>
+        <translation>Soort</translation>
     </message>
     <message>
         <source>Points at</source>
-        <translation type="unfinished"></translation>
+        <translation>Wijst naar</translation>
     </message>
     <message>
         <source>Shown</source>
-        <translation type="unfinished">Getoond</translation>
+        <translation>Getoond</translation>
     </message>
     <message>
         <source>Not shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Niet getoond</translation>
     </message>
     <message>
         <source>Change What a Label Says</source>
-        <translation type="unfinished"></translation>
+        <translation>Labeltekst wijzigen</translation>
     </message>
     <message>
         <source>Show Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Label tonen</translation>
     </message>
     <message>
         <source>Hide Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Label verbergen</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::AnnotationsPanel</name>
     <message>
         <source>Delete</source>
-        <translation type="unfinished">Verwijderen</translation>
+        <translation>Verwijderen</translation>
     </message>
     <message>
         <source>Take this label away</source>
-        <translation type="unfinished"></translation>
+        <translation>Dit label weghalen</translation>
     </message>
     <message>
         <source>Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>Labels</translation>
     </message>
     <message>
         <source>What the label says</source>
-        <translation type="unfinished"></translation>
+        <translation>Wat het label zegt</translation>
     </message>
     <message>
         <source>Kind of label</source>
-        <translation type="unfinished"></translation>
+        <translation>Soort label</translation>
     </message>
     <message>
         <source>Colour</source>
-        <translation type="unfinished">Kleur</translation>
+        <translation>Kleur</translation>
     </message>
     <message>
         <source>Of the dot at its place</source>
-        <translation type="unfinished"></translation>
+        <translation>Van de stip op zijn plaats</translation>
     </message>
     <message>
         <source>As the &amp;Ink</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoals de &amp;inkt</translation>
     </message>
     <message>
         <source>Colour of a Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleur van een label</translation>
     </message>
     <message>
         <source>&amp;Colour…</source>
-        <translation type="unfinished">&amp;Kleur…</translation>
+        <translation>&amp;Kleur…</translation>
     </message>
     <message>
         <source>Views that show it</source>
-        <translation type="unfinished"></translation>
+        <translation>Aanzichten die het tonen</translation>
     </message>
     <message>
         <source>Which of the saved views show it</source>
-        <translation type="unfinished"></translation>
+        <translation>Welke van de opgeslagen aanzichten het tonen</translation>
     </message>
     <message>
         <source>Locked</source>
-        <translation type="unfinished">Vergrendeld</translation>
+        <translation>Vergrendeld</translation>
     </message>
     <message>
         <source>The mouse does not move it</source>
-        <translation type="unfinished"></translation>
+        <translation>De muis verplaatst het niet</translation>
     </message>
     <message>
         <source>Lock Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Label vergrendelen</translation>
     </message>
     <message>
         <source>Unlock Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Label ontgrendelen</translation>
     </message>
     <message>
         <source>Place by Itself</source>
-        <translation type="unfinished"></translation>
+        <translation>Zelf plaatsen</translation>
     </message>
     <message>
         <source>It finds its place again, after it was moved by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Het vindt zelf weer een plaats, nadat het met de hand is verplaatst</translation>
     </message>
     <message>
         <source>Place Label by Itself</source>
-        <translation type="unfinished"></translation>
+        <translation>Label zelf plaatsen</translation>
     </message>
     <message>
         <source>Delete Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Label verwijderen</translation>
     </message>
     <message>
         <source>Change What a Label Says</source>
-        <translation type="unfinished"></translation>
+        <translation>Labeltekst wijzigen</translation>
     </message>
     <message>
         <source>Kind of Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Soort label</translation>
     </message>
     <message>
         <source>Views of a Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Aanzichten van een label</translation>
     </message>
     <message>
         <source>In all views</source>
-        <translation type="unfinished"></translation>
+        <translation>In alle aanzichten</translation>
     </message>
     <message>
         <source>Only in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Alleen in %1</translation>
     </message>
     <message>
         <source>In no view</source>
-        <translation type="unfinished"></translation>
+        <translation>In geen aanzicht</translation>
     </message>
     <message numerus="yes">
         <source>In %n views</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>In %n aanzicht</numerusform>
+            <numerusform>In %n aanzichten</numerusform>
         </translation>
     </message>
     <message>
         <source>Choose a label</source>
-        <translation type="unfinished"></translation>
+        <translation>Kies een label</translation>
     </message>
 </context>
 <context>
@@ -2515,67 +2515,67 @@ OpenGL: %3</translation>
     <name>sline::widgets::LabelActions</name>
     <message>
         <source>Click on two places to measure between them; Esc ends this</source>
-        <translation type="unfinished"></translation>
+        <translation>Klik op twee plaatsen om ertussen te meten; Esc beëindigt dit</translation>
     </message>
     <message>
         <source>Click on a place to mark it; Esc ends this</source>
-        <translation type="unfinished"></translation>
+        <translation>Klik op een plaats om die te markeren; Esc beëindigt dit</translation>
     </message>
     <message>
         <source>Click on a structure and type; Shift+Return begins a line, Esc ends this</source>
-        <translation type="unfinished"></translation>
+        <translation>Klik op een structuur en typ; Shift+Enter begint een regel, Esc beëindigt dit</translation>
     </message>
     <message>
         <source>Click on a structure and type; Esc ends this</source>
-        <translation type="unfinished"></translation>
+        <translation>Klik op een structuur en typ; Esc beëindigt dit</translation>
     </message>
     <message>
         <source>Labels</source>
-        <translation type="unfinished"></translation>
+        <translation>Labels</translation>
     </message>
     <message numerus="yes">
         <source>Add %n labels</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n label toevoegen</numerusform>
+            <numerusform>%n labels toevoegen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n labels added</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n label toegevoegd</numerusform>
+            <numerusform>%n labels toegevoegd</numerusform>
         </translation>
     </message>
     <message>
         <source>What is selected has labels already, or is not in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Het geselecteerde heeft al labels, of is niet in beeld</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::LabelEditor</name>
     <message>
         <source>What the label says</source>
-        <translation type="unfinished"></translation>
+        <translation>Wat het label zegt</translation>
     </message>
     <message>
         <source>Return takes it over, Shift+Return begins a line, Esc forgets it</source>
-        <translation type="unfinished"></translation>
+        <translation>Enter neemt het over, Shift+Enter begint een regel, Esc vergeet het</translation>
     </message>
     <message>
         <source>Return takes it over, Esc forgets it</source>
-        <translation type="unfinished"></translation>
+        <translation>Enter neemt het over, Esc vergeet het</translation>
     </message>
 </context>
 <context>
     <name>sline::widgets::LabelTool</name>
     <message>
         <source>Move Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Label verplaatsen</translation>
     </message>
     <message>
         <source>Move What a Label Points At</source>
-        <translation type="unfinished"></translation>
+        <translation>Verplaatsen waar een label naar wijst</translation>
     </message>
 </context>
 <context>
@@ -2748,27 +2748,27 @@ OpenGL: %3</translation>
     <name>sline::widgets::PictureLabels</name>
     <message>
         <source>Add Callout</source>
-        <translation type="unfinished"></translation>
+        <translation>Bijschrift toevoegen</translation>
     </message>
     <message>
         <source>Add Pin</source>
-        <translation type="unfinished"></translation>
+        <translation>Speld toevoegen</translation>
     </message>
     <message>
         <source>Add Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Afstand toevoegen</translation>
     </message>
     <message>
         <source>Add Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Label toevoegen</translation>
     </message>
     <message>
         <source>Change What a Label Says</source>
-        <translation type="unfinished"></translation>
+        <translation>Labeltekst wijzigen</translation>
     </message>
     <message>
         <source>Delete Label</source>
-        <translation type="unfinished"></translation>
+        <translation>Label verwijderen</translation>
     </message>
 </context>
 <context>

@@ -122,12 +122,13 @@ void LabelActions::makeDock() {
   dock->setObjectName(QStringLiteral("annotationsPanel"));
   dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
   dock->setWidget(panel);
-  m_window.addDockWidget(Qt::RightDockWidgetArea, dock);
-  // Behind the others: the right side has no height for three.
-  if (auto* beside = m_window.findChild<QDockWidget*>(QStringLiteral("focusPanel"))) {
-    m_window.tabifyDockWidget(beside, dock);
-    beside->raise();
-  }
+  m_window.addDockWidget(Qt::LeftDockWidgetArea, dock);
+  // Behind the structures: a list of labels is as long, and the right side has no height left.
+  auto* structures = m_window.findChild<QDockWidget*>(QStringLiteral("structuresPanel"));
+  m_window.tabifyDockWidget(structures, dock);
+  structures->raise();
+  connect(&m_actions[QStringLiteral("find")], &QAction::triggered, structures,
+          [structures] { structures->raise(); });
 }
 
 void LabelActions::makeModes(QMenu& menu) {
