@@ -68,6 +68,27 @@ std::vector<model::Annotation> labelsFor(const model::Scene& scene, const NodeId
 
 }  // namespace
 
+void addLabelsPanel(QMainWindow& window, Session& session, Preferences& preferences,
+                    const WindowActions& actions) {
+  auto* panel = new AnnotationsPanel(session, preferences);
+  std::vector<QAction*> makers;
+  for (const KindAction& row : kinds)
+    makers.push_back(&actions[QLatin1String(row.id)]);
+  makers.push_back(&actions[QStringLiteral("labelSelected")]);
+  panel->addButtons(makers);
+  auto* dock = new QDockWidget(LabelActions::tr("Labels"));
+  dock->setObjectName(QStringLiteral("annotationsPanel"));
+  dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+  dock->setWidget(panel);
+  window.addDockWidget(Qt::LeftDockWidgetArea, dock);
+  // Behind the structures: a list of labels is as long, and the right side has no height left.
+  auto* structures = window.findChild<QDockWidget*>(QStringLiteral("structuresPanel"));
+  window.tabifyDockWidget(structures, dock);
+  structures->raise();
+  QObject::connect(&actions[QStringLiteral("find")], &QAction::triggered, structures,
+                   [structures] { structures->raise(); });
+}
+
 LabelActions::LabelActions(const Parts& parts, QObject* parent)
     : QObject(parent),
       m_window(parts.window),
@@ -77,7 +98,6 @@ LabelActions::LabelActions(const Parts& parts, QObject* parent)
       m_preferences(parts.preferences),
       m_actions(parts.actions) {
   makeTools();
-  makeDock();
   makeModes(parts.shown);
   connect(&m_preferences, &Preferences::changed, this, &LabelActions::follow);
   connect(&m_session.names(), &ShownNames::changed, this, &LabelActions::follow);
@@ -109,26 +129,6 @@ void LabelActions::makeTools() {
     if (const auto active = m_session.activeAnnotation())
       m_labels.remove(*active);
   });
-}
-
-void LabelActions::makeDock() {
-  auto* panel = new AnnotationsPanel(m_session, m_preferences);
-  std::vector<QAction*> makers;
-  for (const KindAction& row : kinds)
-    makers.push_back(&m_actions[QLatin1String(row.id)]);
-  makers.push_back(&m_actions[QStringLiteral("labelSelected")]);
-  panel->addButtons(makers);
-  auto* dock = new QDockWidget(tr("Labels"));
-  dock->setObjectName(QStringLiteral("annotationsPanel"));
-  dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
-  dock->setWidget(panel);
-  m_window.addDockWidget(Qt::LeftDockWidgetArea, dock);
-  // Behind the structures: a list of labels is as long, and the right side has no height left.
-  auto* structures = m_window.findChild<QDockWidget*>(QStringLiteral("structuresPanel"));
-  m_window.tabifyDockWidget(structures, dock);
-  structures->raise();
-  connect(&m_actions[QStringLiteral("find")], &QAction::triggered, structures,
-          [structures] { structures->raise(); });
 }
 
 void LabelActions::makeModes(QMenu& menu) {

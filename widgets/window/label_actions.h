@@ -16,8 +16,12 @@ namespace sline::widgets {
 class PictureLabels;
 class Viewport;
 
-/// Labels in the window: their panel, what the actions do with them, and how the picture shows
-/// them, which the preferences say.
+/// The list of labels, beside that of structures.
+void addLabelsPanel(QMainWindow& window, Session& session, Preferences& preferences,
+                    const WindowActions& actions);
+
+/// Labels in the window: what the actions do with them, and how the picture shows them, which the
+/// preferences say.
 class LabelActions : public QObject {
   Q_OBJECT
  public:
@@ -32,7 +36,6 @@ class LabelActions : public QObject {
   LabelActions(const Parts& parts, QObject* parent);
 
  private:
-  void makeDock();
   void makeModes(QMenu& menu);
   void makeTools();
   void follow();

@@ -162,6 +162,7 @@ void MainWindow::makePanels() {
   steps->hide();
   focusPanel->raise();
   m_tours = new TourActions(*this, m_session, *m_viewport, m_actions, m_parts);
+  addLabelsPanel(*this, m_session, m_preferences, m_actions);
   resizeDocks({findChild<QDockWidget*>(QStringLiteral("structuresPanel")),
                findChild<QDockWidget*>(QStringLiteral("gammaPanel"))},
               {366, 304}, Qt::Horizontal);
