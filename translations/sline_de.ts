@@ -1910,7 +1910,7 @@ OpenGL: %3</translation>
     </message>
     <message>
         <source>Choose a label</source>
-        <translation>Wählen Sie eine Beschriftung</translation>
+        <translation>Wähle eine Beschriftung</translation>
     </message>
 </context>
 <context>

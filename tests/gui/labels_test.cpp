@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Labels in the picture: made, moved, edited and taken away by mouse and keys.
+#include <QAbstractItemView>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -125,6 +126,8 @@ class LabelsTest : public QObject {
     f.click(f.middleOf(f.bladder));
     QTRY_COMPARE(f.annotations().size(), std::size_t(1));
     QCOMPARE(f.step(), QStringLiteral("Add Distance"));
+    const auto& list = f.control<QAbstractItemView>("annotationList");
+    QVERIFY(list.model()->index(0, 1).data().toString().endsWith(QStringLiteral(" mm")));
     QVERIFY(f.structureOf(f.only(), 0) == f.liver);
     QVERIFY(f.structureOf(f.only(), 1) == f.bladder);
     // Between the places that were clicked, whatever the view.

@@ -107,8 +107,8 @@ QVariant AnnotationList::data(const QModelIndex& index, int role) const {
     case number:
       return annotation->visible ? QLocale().toString(numberOf(index.row())) : QString();
     case text:
-      return role == Qt::ToolTipRole ? tip(shownText(*annotation, m_language))
-                                     : shownText(*annotation, m_language);
+      return role == Qt::ToolTipRole ? tip(shownText(m_session.scene(), *annotation, m_language))
+                                     : shownText(m_session.scene(), *annotation, m_language);
     case kind:
       return kindText(annotation->kind);
     default:

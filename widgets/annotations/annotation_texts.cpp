@@ -2,7 +2,8 @@
 #include "widgets/annotations/annotation_texts.h"
 
 #include <QCoreApplication>
-#include <array>
+#include <QLocale>
+#include <glm/geometric.hpp>
 
 #include "widgets/annotations/label_look.h"
 
@@ -46,8 +47,15 @@ QString wordsIn(const model::Annotation& annotation, const std::string& language
   return QString::fromStdString(model::textIn(annotation, language));
 }
 
-QString shownText(const model::Annotation& annotation, const std::string& language) {
+QString shownText(const model::Scene& scene, const model::Annotation& annotation,
+                  const std::string& language) {
   const QString text = wordsIn(annotation, language).simplified();
+  if (text.isEmpty() && annotation.kind == model::AnnotationKind::distance) {
+    const auto from = scene.placeOf(annotation.anchors.front());
+    const auto to = scene.placeOf(annotation.anchors.back());
+    if (from && to)
+      return tr("%1 mm").arg(QLocale().toString(double(glm::length(*to - *from)), 'f', 1));
+  }
   return text.isEmpty() ? kindText(annotation.kind) : text;
 }
 

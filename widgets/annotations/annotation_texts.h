@@ -9,8 +9,9 @@
 namespace sline::widgets {
 
 QString kindText(model::AnnotationKind kind);
-/// In one line; an annotation without words goes by its kind.
-QString shownText(const model::Annotation& annotation, const std::string& language);
+/// In one line; an annotation without words goes by its kind, a distance by its length.
+QString shownText(const model::Scene& scene, const model::Annotation& annotation,
+                  const std::string& language);
 /// What it points at, as people read it: a structure's name, of a distance both, or "a place".
 QString placeText(Session& session, const model::Annotation& annotation);
 
