@@ -106,6 +106,7 @@ LabelActions::LabelActions(const Parts& parts, QObject* parent)
   connect(&m_session, &Session::activeAnnotationChanged, this, &LabelActions::showState);
   follow();
   showState();
+  showMaking();
 }
 
 void LabelActions::makeTools() {
