@@ -1838,6 +1838,154 @@
         <source>The picture on the clipboard, with its labels, for other programs</source>
         <translation>Das Bild in die Zwischenablage, mit seiner Beschriftung, für andere Programme</translation>
     </message>
+    <message>
+        <source>a place</source>
+        <translation>eine Stelle</translation>
+    </message>
+    <message>
+        <source>nothing that is there</source>
+        <translation>nichts Vorhandenes</translation>
+    </message>
+    <message>
+        <source>Callout</source>
+        <translation>Textfeld</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Nadel</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Maß</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Beschriftung</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>The scene’s own</source>
+        <translation>Die der Szene</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Beschriftungen</translation>
+    </message>
+    <message>
+        <source>Labels show</source>
+        <translation>Beschriftungen zeigen</translation>
+    </message>
+    <message>
+        <source>Numbers are for a key beside the picture, blank lines for a test</source>
+        <translation>Nummern sind für eine Legende neben dem Bild, leere Linien für einen Test</translation>
+    </message>
+    <message>
+        <source>Blank lines</source>
+        <translation>Leere Linien</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>What labels say, where they have words in that language; else the scene’s own</source>
+        <translation>Was Beschriftungen sagen, wo sie Worte in dieser Sprache haben; sonst die der Szene</translation>
+    </message>
+    <message>
+        <source>As the structures</source>
+        <translation>Wie die Strukturen</translation>
+    </message>
+    <message>
+        <source>Size of letters</source>
+        <translation>Größe der Buchstaben</translation>
+    </message>
+    <message>
+        <source>As on paper, whatever the size of the picture</source>
+        <translation>Wie auf Papier, gleich wie groß das Bild ist</translation>
+    </message>
+    <message>
+        <source>S&amp;how as</source>
+        <translation>&amp;Zeigen als</translation>
+    </message>
+    <message>
+        <source>&amp;Label</source>
+        <translation>&amp;Beschriftung</translation>
+    </message>
+    <message>
+        <source>T</source>
+        <translation>T</translation>
+    </message>
+    <message>
+        <source>Click on a structure and type what it is called</source>
+        <translation>Auf eine Struktur klicken und schreiben, wie sie heißt</translation>
+    </message>
+    <message>
+        <source>&amp;Callout</source>
+        <translation>Te&amp;xtfeld</translation>
+    </message>
+    <message>
+        <source>Shift+T</source>
+        <translation>Shift+T</translation>
+    </message>
+    <message>
+        <source>Click on a place and type a few lines, which stand in a frame</source>
+        <translation>Auf eine Stelle klicken und einige Zeilen schreiben, die in einem Rahmen stehen</translation>
+    </message>
+    <message>
+        <source>&amp;Pin</source>
+        <translation>&amp;Nadel</translation>
+    </message>
+    <message>
+        <source>Shift+P</source>
+        <translation>Shift+P</translation>
+    </message>
+    <message>
+        <source>Click on a place to mark it; its text stands beside it</source>
+        <translation>Auf eine Stelle klicken, um sie zu markieren; ihr Text steht daneben</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>&amp;Maß</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>Click on two places to measure between them</source>
+        <translation>Auf zwei Stellen klicken, um dazwischen zu messen</translation>
+    </message>
+    <message>
+        <source>Label the &amp;Selected</source>
+        <translation>&amp;Ausgewähltes beschriften</translation>
+    </message>
+    <message>
+        <source>Ctrl+T</source>
+        <translation>Ctrl+T</translation>
+    </message>
+    <message>
+        <source>The selected structures get labels with their names, where they are best seen</source>
+        <translation>Die ausgewählten Strukturen werden mit ihren Namen beschriftet, wo sie am besten zu sehen sind</translation>
+    </message>
+    <message>
+        <source>&amp;Edit Text</source>
+        <translation>&amp;Text ändern</translation>
+    </message>
+    <message>
+        <source>Type what the chosen label says (F2 in the picture)</source>
+        <translation>Schreiben, was die gewählte Beschriftung sagt (F2 im Bild)</translation>
+    </message>
+    <message>
+        <source>Dele&amp;te Label</source>
+        <translation>Beschriftung lös&amp;chen</translation>
+    </message>
+    <message>
+        <source>Take the chosen label away (Del in the picture)</source>
+        <translation>Die gewählte Beschriftung wegnehmen (Entf im Bild)</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -1866,6 +2014,163 @@ OpenGL: %3</translation>
     <message>
         <source>Copy</source>
         <translation>Kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::AnnotationList</name>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Says</source>
+        <translation>Sagt</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Points at</source>
+        <translation>Zeigt auf</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Gezeigt</translation>
+    </message>
+    <message>
+        <source>Not shown</source>
+        <translation>Nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>Change What a Label Says</source>
+        <translation>Beschriftungstext ändern</translation>
+    </message>
+    <message>
+        <source>Show Label</source>
+        <translation>Beschriftung zeigen</translation>
+    </message>
+    <message>
+        <source>Hide Label</source>
+        <translation>Beschriftung verbergen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::AnnotationsPanel</name>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Take this label away</source>
+        <translation>Diese Beschriftung wegnehmen</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Beschriftungen</translation>
+    </message>
+    <message>
+        <source>What the label says</source>
+        <translation>Was die Beschriftung sagt</translation>
+    </message>
+    <message>
+        <source>Kind of label</source>
+        <translation>Art der Beschriftung</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Of the dot at its place</source>
+        <translation>Des Punkts an ihrer Stelle</translation>
+    </message>
+    <message>
+        <source>As the &amp;Ink</source>
+        <translation>Wie die &amp;Tinte</translation>
+    </message>
+    <message>
+        <source>Colour of a Label</source>
+        <translation>Farbe einer Beschriftung</translation>
+    </message>
+    <message>
+        <source>&amp;Colour…</source>
+        <translation>&amp;Farbe …</translation>
+    </message>
+    <message>
+        <source>Views that show it</source>
+        <translation>Ansichten, die sie zeigen</translation>
+    </message>
+    <message>
+        <source>Which of the saved views show it</source>
+        <translation>Welche der gespeicherten Ansichten sie zeigen</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Gesperrt</translation>
+    </message>
+    <message>
+        <source>The mouse does not move it</source>
+        <translation>Die Maus bewegt sie nicht</translation>
+    </message>
+    <message>
+        <source>Lock Label</source>
+        <translation>Beschriftung sperren</translation>
+    </message>
+    <message>
+        <source>Unlock Label</source>
+        <translation>Beschriftung entsperren</translation>
+    </message>
+    <message>
+        <source>Place by Itself</source>
+        <translation>Von selbst platzieren</translation>
+    </message>
+    <message>
+        <source>It finds its place again, after it was moved by hand</source>
+        <translation>Sie findet ihren Platz wieder selbst, nachdem sie von Hand verschoben wurde</translation>
+    </message>
+    <message>
+        <source>Place Label by Itself</source>
+        <translation>Beschriftung von selbst platzieren</translation>
+    </message>
+    <message>
+        <source>Delete Label</source>
+        <translation>Beschriftung löschen</translation>
+    </message>
+    <message>
+        <source>Change What a Label Says</source>
+        <translation>Beschriftungstext ändern</translation>
+    </message>
+    <message>
+        <source>Kind of Label</source>
+        <translation>Art der Beschriftung</translation>
+    </message>
+    <message>
+        <source>Views of a Label</source>
+        <translation>Ansichten einer Beschriftung</translation>
+    </message>
+    <message>
+        <source>In all views</source>
+        <translation>In allen Ansichten</translation>
+    </message>
+    <message>
+        <source>Only in %1</source>
+        <translation>Nur in %1</translation>
+    </message>
+    <message>
+        <source>In no view</source>
+        <translation>In keiner Ansicht</translation>
+    </message>
+    <message numerus="yes">
+        <source>In %n views</source>
+        <translation>
+            <numerusform>In %n Ansicht</numerusform>
+            <numerusform>In %n Ansichten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose a label</source>
+        <translation>Wähle eine Beschriftung</translation>
     </message>
 </context>
 <context>
@@ -2640,6 +2945,73 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::LabelActions</name>
+    <message>
+        <source>Click on two places to measure between them; Esc ends this</source>
+        <translation>Auf zwei Stellen klicken, um dazwischen zu messen; Esc beendet das</translation>
+    </message>
+    <message>
+        <source>Click on a place to mark it; Esc ends this</source>
+        <translation>Auf eine Stelle klicken, um sie zu markieren; Esc beendet das</translation>
+    </message>
+    <message>
+        <source>Click on a structure and type; Shift+Return begins a line, Esc ends this</source>
+        <translation>Auf eine Struktur klicken und schreiben; Umschalt+Enter beginnt eine Zeile, Esc beendet das</translation>
+    </message>
+    <message>
+        <source>Click on a structure and type; Esc ends this</source>
+        <translation>Auf eine Struktur klicken und schreiben; Esc beendet das</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Beschriftungen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n labels</source>
+        <translation>
+            <numerusform>%n Beschriftung hinzufügen</numerusform>
+            <numerusform>%n Beschriftungen hinzufügen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels added</source>
+        <translation>
+            <numerusform>%n Beschriftung hinzugefügt</numerusform>
+            <numerusform>%n Beschriftungen hinzugefügt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What is selected has labels already, or is not in the picture</source>
+        <translation>Das Ausgewählte ist schon beschriftet oder nicht im Bild</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::LabelEditor</name>
+    <message>
+        <source>What the label says</source>
+        <translation>Was die Beschriftung sagt</translation>
+    </message>
+    <message>
+        <source>Return takes it over, Shift+Return begins a line, Esc forgets it</source>
+        <translation>Enter übernimmt es, Umschalt+Enter beginnt eine Zeile, Esc verwirft es</translation>
+    </message>
+    <message>
+        <source>Return takes it over, Esc forgets it</source>
+        <translation>Enter übernimmt es, Esc verwirft es</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::LabelTool</name>
+    <message>
+        <source>Move Label</source>
+        <translation>Beschriftung verschieben</translation>
+    </message>
+    <message>
+        <source>Move What a Label Points At</source>
+        <translation>Verschieben, worauf eine Beschriftung zeigt</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::MainWindow</name>
     <message>
         <source>Structures: %1   Triangles: %2</source>
@@ -2854,6 +3226,33 @@ OpenGL: %3</translation>
     <message>
         <source>Si&amp;ze</source>
         <translation>&amp;Größe</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PictureLabels</name>
+    <message>
+        <source>Add Callout</source>
+        <translation>Textfeld hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add Pin</source>
+        <translation>Nadel hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add Distance</source>
+        <translation>Maß hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add Label</source>
+        <translation>Beschriftung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change What a Label Says</source>
+        <translation>Beschriftungstext ändern</translation>
+    </message>
+    <message>
+        <source>Delete Label</source>
+        <translation>Beschriftung löschen</translation>
     </message>
 </context>
 <context>

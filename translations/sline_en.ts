@@ -54,6 +54,16 @@
     </message>
 </context>
 <context>
+    <name>sline::widgets::AnnotationsPanel</name>
+    <message numerus="yes">
+        <source>In %n views</source>
+        <translation>
+            <numerusform>In %n view</numerusform>
+            <numerusform>In %n views</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::ExportActions</name>
     <message numerus="yes">
         <source>Exporting %n files</source>
@@ -170,6 +180,23 @@
         <translation>
             <numerusform>%n face mended</numerusform>
             <numerusform>%n faces mended</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::LabelActions</name>
+    <message numerus="yes">
+        <source>Add %n labels</source>
+        <translation>
+            <numerusform>Add %n label</numerusform>
+            <numerusform>Add %n labels</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels added</source>
+        <translation>
+            <numerusform>%n label added</numerusform>
+            <numerusform>%n labels added</numerusform>
         </translation>
     </message>
 </context>

@@ -1838,6 +1838,154 @@
         <source>The picture on the clipboard, with its labels, for other programs</source>
         <translation>Bildet på utklippstavlen, med etikettene, til andre programmer</translation>
     </message>
+    <message>
+        <source>a place</source>
+        <translation>et sted</translation>
+    </message>
+    <message>
+        <source>nothing that is there</source>
+        <translation>ingenting som finnes</translation>
+    </message>
+    <message>
+        <source>Callout</source>
+        <translation>Forklaring</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Nål</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Avstand</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Etikett</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>The scene’s own</source>
+        <translation>Scenens egen</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Etiketter</translation>
+    </message>
+    <message>
+        <source>Labels show</source>
+        <translation>Etiketter viser</translation>
+    </message>
+    <message>
+        <source>Numbers are for a key beside the picture, blank lines for a test</source>
+        <translation>Numre er for en tegnforklaring ved siden av bildet, tomme linjer for en prøve</translation>
+    </message>
+    <message>
+        <source>Blank lines</source>
+        <translation>Tomme linjer</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Ingenting</translation>
+    </message>
+    <message>
+        <source>What labels say, where they have words in that language; else the scene’s own</source>
+        <translation>Det etikettene sier, der de har ord på det språket; ellers scenens egne</translation>
+    </message>
+    <message>
+        <source>As the structures</source>
+        <translation>Som strukturene</translation>
+    </message>
+    <message>
+        <source>Size of letters</source>
+        <translation>Skriftstørrelse</translation>
+    </message>
+    <message>
+        <source>As on paper, whatever the size of the picture</source>
+        <translation>Som på papir, uansett hvor stort bildet er</translation>
+    </message>
+    <message>
+        <source>S&amp;how as</source>
+        <translation>Vis s&amp;om</translation>
+    </message>
+    <message>
+        <source>&amp;Label</source>
+        <translation>&amp;Etikett</translation>
+    </message>
+    <message>
+        <source>T</source>
+        <translation>T</translation>
+    </message>
+    <message>
+        <source>Click on a structure and type what it is called</source>
+        <translation>Klikk på en struktur og skriv hva den heter</translation>
+    </message>
+    <message>
+        <source>&amp;Callout</source>
+        <translation>&amp;Forklaring</translation>
+    </message>
+    <message>
+        <source>Shift+T</source>
+        <translation>Shift+T</translation>
+    </message>
+    <message>
+        <source>Click on a place and type a few lines, which stand in a frame</source>
+        <translation>Klikk på et sted og skriv noen linjer, som står i en ramme</translation>
+    </message>
+    <message>
+        <source>&amp;Pin</source>
+        <translation>&amp;Nål</translation>
+    </message>
+    <message>
+        <source>Shift+P</source>
+        <translation>Shift+P</translation>
+    </message>
+    <message>
+        <source>Click on a place to mark it; its text stands beside it</source>
+        <translation>Klikk på et sted for å merke det; teksten står ved siden av</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>&amp;Avstand</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>Click on two places to measure between them</source>
+        <translation>Klikk på to steder for å måle mellom dem</translation>
+    </message>
+    <message>
+        <source>Label the &amp;Selected</source>
+        <translation>Sett etikett på det &amp;valgte</translation>
+    </message>
+    <message>
+        <source>Ctrl+T</source>
+        <translation>Ctrl+T</translation>
+    </message>
+    <message>
+        <source>The selected structures get labels with their names, where they are best seen</source>
+        <translation>De valgte strukturene får etiketter med navnene sine, der de synes best</translation>
+    </message>
+    <message>
+        <source>&amp;Edit Text</source>
+        <translation>&amp;Rediger tekst</translation>
+    </message>
+    <message>
+        <source>Type what the chosen label says (F2 in the picture)</source>
+        <translation>Skriv hva den valgte etiketten sier (F2 i bildet)</translation>
+    </message>
+    <message>
+        <source>Dele&amp;te Label</source>
+        <translation>&amp;Slett etiketten</translation>
+    </message>
+    <message>
+        <source>Take the chosen label away (Del in the picture)</source>
+        <translation>Ta bort den valgte etiketten (Del i bildet)</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -1866,6 +2014,163 @@ OpenGL: %3</translation>
     <message>
         <source>Copy</source>
         <translation>Kopier</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::AnnotationList</name>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Says</source>
+        <translation>Sier</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Slag</translation>
+    </message>
+    <message>
+        <source>Points at</source>
+        <translation>Peker på</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Vist</translation>
+    </message>
+    <message>
+        <source>Not shown</source>
+        <translation>Ikke vist</translation>
+    </message>
+    <message>
+        <source>Change What a Label Says</source>
+        <translation>Endre etikettens tekst</translation>
+    </message>
+    <message>
+        <source>Show Label</source>
+        <translation>Vis etiketten</translation>
+    </message>
+    <message>
+        <source>Hide Label</source>
+        <translation>Skjul etiketten</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::AnnotationsPanel</name>
+    <message>
+        <source>Delete</source>
+        <translation>Slett</translation>
+    </message>
+    <message>
+        <source>Take this label away</source>
+        <translation>Ta bort denne etiketten</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Etiketter</translation>
+    </message>
+    <message>
+        <source>What the label says</source>
+        <translation>Hva etiketten sier</translation>
+    </message>
+    <message>
+        <source>Kind of label</source>
+        <translation>Slags etikett</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farge</translation>
+    </message>
+    <message>
+        <source>Of the dot at its place</source>
+        <translation>På prikken der den peker</translation>
+    </message>
+    <message>
+        <source>As the &amp;Ink</source>
+        <translation>Som &amp;blekket</translation>
+    </message>
+    <message>
+        <source>Colour of a Label</source>
+        <translation>Etikettens farge</translation>
+    </message>
+    <message>
+        <source>&amp;Colour…</source>
+        <translation>&amp;Farge …</translation>
+    </message>
+    <message>
+        <source>Views that show it</source>
+        <translation>Visninger som viser den</translation>
+    </message>
+    <message>
+        <source>Which of the saved views show it</source>
+        <translation>Hvilke av de lagrede visningene som viser den</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Låst</translation>
+    </message>
+    <message>
+        <source>The mouse does not move it</source>
+        <translation>Musen flytter den ikke</translation>
+    </message>
+    <message>
+        <source>Lock Label</source>
+        <translation>Lås etiketten</translation>
+    </message>
+    <message>
+        <source>Unlock Label</source>
+        <translation>Lås opp etiketten</translation>
+    </message>
+    <message>
+        <source>Place by Itself</source>
+        <translation>Plasser av seg selv</translation>
+    </message>
+    <message>
+        <source>It finds its place again, after it was moved by hand</source>
+        <translation>Den finner plassen sin selv igjen, etter at den ble flyttet for hånd</translation>
+    </message>
+    <message>
+        <source>Place Label by Itself</source>
+        <translation>Plasser etiketten av seg selv</translation>
+    </message>
+    <message>
+        <source>Delete Label</source>
+        <translation>Slett etiketten</translation>
+    </message>
+    <message>
+        <source>Change What a Label Says</source>
+        <translation>Endre etikettens tekst</translation>
+    </message>
+    <message>
+        <source>Kind of Label</source>
+        <translation>Slags etikett</translation>
+    </message>
+    <message>
+        <source>Views of a Label</source>
+        <translation>Etikettens visninger</translation>
+    </message>
+    <message>
+        <source>In all views</source>
+        <translation>I alle visninger</translation>
+    </message>
+    <message>
+        <source>Only in %1</source>
+        <translation>Bare i %1</translation>
+    </message>
+    <message>
+        <source>In no view</source>
+        <translation>Ikke i noen visning</translation>
+    </message>
+    <message numerus="yes">
+        <source>In %n views</source>
+        <translation>
+            <numerusform>I %n visning</numerusform>
+            <numerusform>I %n visninger</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose a label</source>
+        <translation>Velg en etikett</translation>
     </message>
 </context>
 <context>
@@ -2640,6 +2945,73 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::LabelActions</name>
+    <message>
+        <source>Click on two places to measure between them; Esc ends this</source>
+        <translation>Klikk på to steder for å måle mellom dem; Esc avslutter</translation>
+    </message>
+    <message>
+        <source>Click on a place to mark it; Esc ends this</source>
+        <translation>Klikk på et sted for å merke det; Esc avslutter</translation>
+    </message>
+    <message>
+        <source>Click on a structure and type; Shift+Return begins a line, Esc ends this</source>
+        <translation>Klikk på en struktur og skriv; Shift+Enter begynner en linje, Esc avslutter</translation>
+    </message>
+    <message>
+        <source>Click on a structure and type; Esc ends this</source>
+        <translation>Klikk på en struktur og skriv; Esc avslutter</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Etiketter</translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n labels</source>
+        <translation>
+            <numerusform>Legg til %n etikett</numerusform>
+            <numerusform>Legg til %n etiketter</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels added</source>
+        <translation>
+            <numerusform>%n etikett lagt til</numerusform>
+            <numerusform>%n etiketter lagt til</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What is selected has labels already, or is not in the picture</source>
+        <translation>Det valgte har etiketter allerede, eller er ikke i bildet</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::LabelEditor</name>
+    <message>
+        <source>What the label says</source>
+        <translation>Hva etiketten sier</translation>
+    </message>
+    <message>
+        <source>Return takes it over, Shift+Return begins a line, Esc forgets it</source>
+        <translation>Enter tar det i bruk, Shift+Enter begynner en linje, Esc forkaster det</translation>
+    </message>
+    <message>
+        <source>Return takes it over, Esc forgets it</source>
+        <translation>Enter tar det i bruk, Esc forkaster det</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::LabelTool</name>
+    <message>
+        <source>Move Label</source>
+        <translation>Flytt etiketten</translation>
+    </message>
+    <message>
+        <source>Move What a Label Points At</source>
+        <translation>Flytt det etiketten peker på</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::MainWindow</name>
     <message>
         <source>Structures: %1   Triangles: %2</source>
@@ -2854,6 +3226,33 @@ OpenGL: %3</translation>
     <message>
         <source>Si&amp;ze</source>
         <translation>&amp;Størrelse</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PictureLabels</name>
+    <message>
+        <source>Add Callout</source>
+        <translation>Legg til forklaring</translation>
+    </message>
+    <message>
+        <source>Add Pin</source>
+        <translation>Legg til nål</translation>
+    </message>
+    <message>
+        <source>Add Distance</source>
+        <translation>Legg til avstand</translation>
+    </message>
+    <message>
+        <source>Add Label</source>
+        <translation>Legg til etikett</translation>
+    </message>
+    <message>
+        <source>Change What a Label Says</source>
+        <translation>Endre etikettens tekst</translation>
+    </message>
+    <message>
+        <source>Delete Label</source>
+        <translation>Slett etiketten</translation>
     </message>
 </context>
 <context>

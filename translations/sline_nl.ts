@@ -1838,6 +1838,154 @@
         <source>The picture on the clipboard, with its labels, for other programs</source>
         <translation>De afbeelding op het klembord, met haar labels, voor andere programma’s</translation>
     </message>
+    <message>
+        <source>a place</source>
+        <translation>een plaats</translation>
+    </message>
+    <message>
+        <source>nothing that is there</source>
+        <translation>niets dat er is</translation>
+    </message>
+    <message>
+        <source>Callout</source>
+        <translation>Bijschrift</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Speld</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Afstand</translation>
+    </message>
+    <message>
+        <source>Label</source>
+        <translation>Label</translation>
+    </message>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>The scene’s own</source>
+        <translation>Die van de scène</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Labels</translation>
+    </message>
+    <message>
+        <source>Labels show</source>
+        <translation>Labels tonen</translation>
+    </message>
+    <message>
+        <source>Numbers are for a key beside the picture, blank lines for a test</source>
+        <translation>Nummers zijn voor een legenda naast het beeld, lege regels voor een toets</translation>
+    </message>
+    <message>
+        <source>Blank lines</source>
+        <translation>Lege regels</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Niets</translation>
+    </message>
+    <message>
+        <source>What labels say, where they have words in that language; else the scene’s own</source>
+        <translation>Wat labels zeggen, waar ze woorden in die taal hebben; anders die van de scène</translation>
+    </message>
+    <message>
+        <source>As the structures</source>
+        <translation>Zoals de structuren</translation>
+    </message>
+    <message>
+        <source>Size of letters</source>
+        <translation>Grootte van de letters</translation>
+    </message>
+    <message>
+        <source>As on paper, whatever the size of the picture</source>
+        <translation>Zoals op papier, hoe groot het beeld ook is</translation>
+    </message>
+    <message>
+        <source>S&amp;how as</source>
+        <translation>&amp;Tonen als</translation>
+    </message>
+    <message>
+        <source>&amp;Label</source>
+        <translation>&amp;Label</translation>
+    </message>
+    <message>
+        <source>T</source>
+        <translation>T</translation>
+    </message>
+    <message>
+        <source>Click on a structure and type what it is called</source>
+        <translation>Klik op een structuur en typ hoe ze heet</translation>
+    </message>
+    <message>
+        <source>&amp;Callout</source>
+        <translation>Bijs&amp;chrift</translation>
+    </message>
+    <message>
+        <source>Shift+T</source>
+        <translation>Shift+T</translation>
+    </message>
+    <message>
+        <source>Click on a place and type a few lines, which stand in a frame</source>
+        <translation>Klik op een plaats en typ enkele regels, die in een kader staan</translation>
+    </message>
+    <message>
+        <source>&amp;Pin</source>
+        <translation>&amp;Speld</translation>
+    </message>
+    <message>
+        <source>Shift+P</source>
+        <translation>Shift+P</translation>
+    </message>
+    <message>
+        <source>Click on a place to mark it; its text stands beside it</source>
+        <translation>Klik op een plaats om die te markeren; de tekst staat ernaast</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>&amp;Afstand</translation>
+    </message>
+    <message>
+        <source>M</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>Click on two places to measure between them</source>
+        <translation>Klik op twee plaatsen om ertussen te meten</translation>
+    </message>
+    <message>
+        <source>Label the &amp;Selected</source>
+        <translation>Het &amp;geselecteerde benoemen</translation>
+    </message>
+    <message>
+        <source>Ctrl+T</source>
+        <translation>Ctrl+T</translation>
+    </message>
+    <message>
+        <source>The selected structures get labels with their names, where they are best seen</source>
+        <translation>De geselecteerde structuren krijgen labels met hun namen, waar ze het best te zien zijn</translation>
+    </message>
+    <message>
+        <source>&amp;Edit Text</source>
+        <translation>Tekst &amp;bewerken</translation>
+    </message>
+    <message>
+        <source>Type what the chosen label says (F2 in the picture)</source>
+        <translation>Typ wat het gekozen label zegt (F2 in het beeld)</translation>
+    </message>
+    <message>
+        <source>Dele&amp;te Label</source>
+        <translation>Label &amp;verwijderen</translation>
+    </message>
+    <message>
+        <source>Take the chosen label away (Del in the picture)</source>
+        <translation>Het gekozen label weghalen (Del in het beeld)</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -1866,6 +2014,163 @@ OpenGL: %3</translation>
     <message>
         <source>Copy</source>
         <translation>Kopiëren</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::AnnotationList</name>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Says</source>
+        <translation>Zegt</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Soort</translation>
+    </message>
+    <message>
+        <source>Points at</source>
+        <translation>Wijst naar</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Getoond</translation>
+    </message>
+    <message>
+        <source>Not shown</source>
+        <translation>Niet getoond</translation>
+    </message>
+    <message>
+        <source>Change What a Label Says</source>
+        <translation>Labeltekst wijzigen</translation>
+    </message>
+    <message>
+        <source>Show Label</source>
+        <translation>Label tonen</translation>
+    </message>
+    <message>
+        <source>Hide Label</source>
+        <translation>Label verbergen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::AnnotationsPanel</name>
+    <message>
+        <source>Delete</source>
+        <translation>Verwijderen</translation>
+    </message>
+    <message>
+        <source>Take this label away</source>
+        <translation>Dit label weghalen</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Labels</translation>
+    </message>
+    <message>
+        <source>What the label says</source>
+        <translation>Wat het label zegt</translation>
+    </message>
+    <message>
+        <source>Kind of label</source>
+        <translation>Soort label</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Kleur</translation>
+    </message>
+    <message>
+        <source>Of the dot at its place</source>
+        <translation>Van de stip op zijn plaats</translation>
+    </message>
+    <message>
+        <source>As the &amp;Ink</source>
+        <translation>Zoals de &amp;inkt</translation>
+    </message>
+    <message>
+        <source>Colour of a Label</source>
+        <translation>Kleur van een label</translation>
+    </message>
+    <message>
+        <source>&amp;Colour…</source>
+        <translation>&amp;Kleur…</translation>
+    </message>
+    <message>
+        <source>Views that show it</source>
+        <translation>Aanzichten die het tonen</translation>
+    </message>
+    <message>
+        <source>Which of the saved views show it</source>
+        <translation>Welke van de opgeslagen aanzichten het tonen</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Vergrendeld</translation>
+    </message>
+    <message>
+        <source>The mouse does not move it</source>
+        <translation>De muis verplaatst het niet</translation>
+    </message>
+    <message>
+        <source>Lock Label</source>
+        <translation>Label vergrendelen</translation>
+    </message>
+    <message>
+        <source>Unlock Label</source>
+        <translation>Label ontgrendelen</translation>
+    </message>
+    <message>
+        <source>Place by Itself</source>
+        <translation>Zelf plaatsen</translation>
+    </message>
+    <message>
+        <source>It finds its place again, after it was moved by hand</source>
+        <translation>Het vindt zelf weer een plaats, nadat het met de hand is verplaatst</translation>
+    </message>
+    <message>
+        <source>Place Label by Itself</source>
+        <translation>Label zelf plaatsen</translation>
+    </message>
+    <message>
+        <source>Delete Label</source>
+        <translation>Label verwijderen</translation>
+    </message>
+    <message>
+        <source>Change What a Label Says</source>
+        <translation>Labeltekst wijzigen</translation>
+    </message>
+    <message>
+        <source>Kind of Label</source>
+        <translation>Soort label</translation>
+    </message>
+    <message>
+        <source>Views of a Label</source>
+        <translation>Aanzichten van een label</translation>
+    </message>
+    <message>
+        <source>In all views</source>
+        <translation>In alle aanzichten</translation>
+    </message>
+    <message>
+        <source>Only in %1</source>
+        <translation>Alleen in %1</translation>
+    </message>
+    <message>
+        <source>In no view</source>
+        <translation>In geen aanzicht</translation>
+    </message>
+    <message numerus="yes">
+        <source>In %n views</source>
+        <translation>
+            <numerusform>In %n aanzicht</numerusform>
+            <numerusform>In %n aanzichten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose a label</source>
+        <translation>Kies een label</translation>
     </message>
 </context>
 <context>
@@ -2640,6 +2945,73 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::LabelActions</name>
+    <message>
+        <source>Click on two places to measure between them; Esc ends this</source>
+        <translation>Klik op twee plaatsen om ertussen te meten; Esc beëindigt dit</translation>
+    </message>
+    <message>
+        <source>Click on a place to mark it; Esc ends this</source>
+        <translation>Klik op een plaats om die te markeren; Esc beëindigt dit</translation>
+    </message>
+    <message>
+        <source>Click on a structure and type; Shift+Return begins a line, Esc ends this</source>
+        <translation>Klik op een structuur en typ; Shift+Enter begint een regel, Esc beëindigt dit</translation>
+    </message>
+    <message>
+        <source>Click on a structure and type; Esc ends this</source>
+        <translation>Klik op een structuur en typ; Esc beëindigt dit</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Labels</translation>
+    </message>
+    <message numerus="yes">
+        <source>Add %n labels</source>
+        <translation>
+            <numerusform>%n label toevoegen</numerusform>
+            <numerusform>%n labels toevoegen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels added</source>
+        <translation>
+            <numerusform>%n label toegevoegd</numerusform>
+            <numerusform>%n labels toegevoegd</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What is selected has labels already, or is not in the picture</source>
+        <translation>Het geselecteerde heeft al labels, of is niet in beeld</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::LabelEditor</name>
+    <message>
+        <source>What the label says</source>
+        <translation>Wat het label zegt</translation>
+    </message>
+    <message>
+        <source>Return takes it over, Shift+Return begins a line, Esc forgets it</source>
+        <translation>Enter neemt het over, Shift+Enter begint een regel, Esc vergeet het</translation>
+    </message>
+    <message>
+        <source>Return takes it over, Esc forgets it</source>
+        <translation>Enter neemt het over, Esc vergeet het</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::LabelTool</name>
+    <message>
+        <source>Move Label</source>
+        <translation>Label verplaatsen</translation>
+    </message>
+    <message>
+        <source>Move What a Label Points At</source>
+        <translation>Verplaatsen waar een label naar wijst</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::MainWindow</name>
     <message>
         <source>Structures: %1   Triangles: %2</source>
@@ -2854,6 +3226,33 @@ OpenGL: %3</translation>
     <message>
         <source>Si&amp;ze</source>
         <translation>Groo&amp;tte</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PictureLabels</name>
+    <message>
+        <source>Add Callout</source>
+        <translation>Bijschrift toevoegen</translation>
+    </message>
+    <message>
+        <source>Add Pin</source>
+        <translation>Speld toevoegen</translation>
+    </message>
+    <message>
+        <source>Add Distance</source>
+        <translation>Afstand toevoegen</translation>
+    </message>
+    <message>
+        <source>Add Label</source>
+        <translation>Label toevoegen</translation>
+    </message>
+    <message>
+        <source>Change What a Label Says</source>
+        <translation>Labeltekst wijzigen</translation>
+    </message>
+    <message>
+        <source>Delete Label</source>
+        <translation>Label verwijderen</translation>
     </message>
 </context>
 <context>

@@ -2,11 +2,16 @@
 // Edits of annotations: Scene → Scene (see model/edit/style.h for `Edited`).
 #pragma once
 
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "model/edit/style.h"
 
 namespace sline::model {
+
+/// Null where there is none of that id.
+const Annotation* findAnnotation(const Scene& scene, AnnotationId id);
 
 /// Adds the annotation under a fresh id, last of all. A faulty one, or one on a surface that is not
 /// in the scene, changes nothing.
@@ -21,5 +26,10 @@ Edited withoutAnnotations(const Scene& scene, std::span<const AnnotationId> ids)
 /// it lists this too. `alone`: no other shows it that does not list it, and a view without a list
 /// gets one of all that are visible.
 Edited withAnnotationInView(const Scene& scene, AnnotationId id, std::size_t view, bool alone);
+/// That view alone, of all saved ones, shows the annotation, or, where none is named, every view
+/// does. What is seen now stays: that is the annotation's own visibility.
+Edited withAnnotationShownIn(const Scene& scene, AnnotationId id, std::optional<std::size_t> view);
+/// Which of the saved views show it, by their places.
+std::vector<std::size_t> viewsShowing(const Scene& scene, AnnotationId id);
 
 }  // namespace sline::model

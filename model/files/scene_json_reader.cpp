@@ -261,6 +261,10 @@ Annotation SceneReader::annotation(const JsonValue& value) const {
     annotation.visible = visible->flag();
   if (const auto locked = object.take("locked"))
     annotation.locked = locked->flag();
+  if (const auto offset = object.take("offset")) {
+    const auto [right, down] = numbersOf<2>(*offset);
+    annotation.offset = {right, down};
+  }
   annotation.unread = object.unread();
   if (const auto fault = annotationFault(annotation))
     value.fail(*fault);

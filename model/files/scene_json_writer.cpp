@@ -171,6 +171,8 @@ Ordered annotationOf(const Annotation& annotation) {
     json["colour"] = colourText(*annotation.colour);
   json["visible"] = annotation.visible;
   json["locked"] = annotation.locked;
+  if (annotation.offset)
+    json["offset"] = {jsonNumber(annotation.offset->x), jsonNumber(annotation.offset->y)};
   addUnread(json, annotation.unread);
   return json;
 }

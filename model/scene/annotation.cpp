@@ -7,6 +7,9 @@
 namespace sline::model {
 
 namespace {
+/// Heights of the picture.
+constexpr float farthestOffset = 100.0f;
+
 bool sound(const Anchor& anchor) {
   if (const auto* place = std::get_if<glm::vec3>(&anchor))
     return std::isfinite(place->x) && std::isfinite(place->y) && std::isfinite(place->z);
@@ -38,6 +41,9 @@ std::optional<std::string_view> annotationFault(const Annotation& annotation) {
     return "a distance has two places, any other annotation one";
   if (!std::all_of(annotation.anchors.begin(), annotation.anchors.end(), sound))
     return "its place is no point in space, and none in a triangle";
+  if (annotation.offset && !(std::abs(annotation.offset->x) <= farthestOffset &&
+                             std::abs(annotation.offset->y) <= farthestOffset))
+    return "its text is farther away than any picture is wide";
   return std::nullopt;
 }
 

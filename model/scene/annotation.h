@@ -5,6 +5,7 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <map>
 #include <optional>
@@ -52,7 +53,11 @@ struct Annotation {
   std::optional<Colour> colour;              ///< absent: the ink's
   bool visible = true;                       ///< where a view does not say which are shown
   bool locked = false;                       ///< not to be moved by hand
-  std::string unread;                        ///< as Node::unread
+  /// Moved by hand: from its place (a distance's middle) to the middle of its text, to the right
+  /// and downwards, in heights of the picture; so it goes along where the picture is printed
+  /// larger.
+  std::optional<glm::vec2> offset;
+  std::string unread;  ///< as Node::unread
   bool operator==(const Annotation&) const = default;
 };
 

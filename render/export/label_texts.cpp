@@ -21,7 +21,7 @@ float pixelsToMm(const LabelStyle& style) {
 }
 
 QString fullText(const ShownLabel& label, const LabelStyle& style) {
-  QString text = QString::fromStdString(label.text).simplified();
+  const QString text = QString::fromStdString(label.text).simplified();
   if (!label.lengthMm)
     return text;
   const QLocale locale(QString::fromStdString(style.language.empty() ? "en" : style.language));
@@ -87,6 +87,15 @@ QStringList broken(const QString& text, const QFontMetricsF& metrics, qreal wide
   return fill(high);
 }
 
+/// A callout's lines begin where its writer began them, too.
+QStringList writtenLines(const ShownLabel& label, const QFontMetricsF& metrics, qreal widest) {
+  QStringList lines;
+  for (const QString& line : QString::fromStdString(label.text).trimmed().split(QLatin1Char('\n')))
+    lines << (line.trimmed().isEmpty() ? QStringList{QString()}
+                                       : broken(line.simplified(), metrics, widest));
+  return lines;
+}
+
 }  // namespace
 
 QFont labelFont() {
@@ -144,6 +153,8 @@ LabelText textOf(const ShownLabel& label, const LabelStyle& style, float widestM
   }
   if (style.mode == LabelMode::numbers)
     text.lines = {QString::number(label.number)};
+  else if (label.item.kind == model::AnnotationKind::callout)
+    text.lines = writtenLines(label, metrics, qreal(widestMm / scale));
   else
     text.lines = broken(fullText(label, style), metrics, qreal(widestMm / scale));
   qreal width = 0.0;

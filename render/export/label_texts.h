@@ -31,7 +31,8 @@ float lineHeightMm(const LabelStyle& style);
 /// Of a blank line, the same for every text: its length gives nothing away.
 float blankWidthMm(const LabelStyle& style);
 /// A distance has its length, in the language's digits, behind its text. Lines are broken between
-/// words so that none is wider than `widestMm`, unless a word is.
+/// words so that none is wider than `widestMm`, unless a word is; a callout's also where its text
+/// has them.
 LabelText textOf(const ShownLabel& label, const LabelStyle& style, float widestMm);
 
 }  // namespace sline::render

@@ -19,6 +19,8 @@ std::optional<LabelItem> itemOf(const model::Annotation& annotation, const model
     item.places.push_back(*place);
     item.hidden = item.hidden || sights.hidden(anchor, screen.sight(*place));
   }
+  if (annotation.offset)
+    item.offset = screen.size().y * *annotation.offset;
   return item;
 }
 

@@ -102,6 +102,14 @@ std::optional<Sights::Seen> Sights::nearest(const model::Ray& ray) const {
   return best;
 }
 
+std::vector<model::MeshPtr> Sights::withoutTree() const {
+  std::vector<model::MeshPtr> meshes;
+  for (const Body& body : m_bodies)
+    if (body.hides && !m_trees.has(body.node->mesh))
+      meshes.push_back(body.node->mesh);
+  return meshes;
+}
+
 std::optional<Sights::Seen> Sights::nearestOf(model::NodeId structure,
                                               const model::Ray& ray) const {
   const Body* body = find(structure);

@@ -17,6 +17,7 @@ namespace sline::render {
 class SightTrees {
  public:
   const model::Bvh& treeOf(const model::MeshPtr& mesh);
+  bool has(const model::MeshPtr& mesh) const { return m_trees.contains(mesh); }
   /// Forgets meshes that the scene no longer has.
   void keepThoseOf(const model::Scene& scene);
 
@@ -38,6 +39,8 @@ class Sights {
   std::optional<Seen> nearest(const model::Ray& ray) const;
   /// The nearest of that structure alone, whether it hides anything or not.
   std::optional<Seen> nearestOf(model::NodeId structure, const model::Ray& ray) const;
+  /// Meshes without which `hidden` would have to wait for a tree.
+  std::vector<model::MeshPtr> withoutTree() const;
   /// Visible, and not taken away by a section.
   bool shows(const model::Anchor& anchor) const;
   /// Something that hides is before the place; `ray` must go through it. Its own structure counts

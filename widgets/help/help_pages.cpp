@@ -21,12 +21,15 @@ struct Place {
   const char* page;
 };
 constexpr Place places[] = {
-    {"structuresPanel", "tree"},       {"propertiesDialog", "tree"},     {"gammaPanel", "gamma"},
-    {"savePresetDialog", "gamma"},     {"managePresetsDialog", "gamma"}, {"focusPanel", "focus"},
-    {"sectionsPanel", "sections"},     {"viewport", "picture"},          {"startPage", "start"},
-    {"historyPanel", "start"},         {"recoveryDialog", "files"},      {"saveDialog", "files"},
-    {"importDialog", "import"},        {"controlsDialog", "keys"},       {"viewsPanel", "views"},
-    {"exportDialog", "export_dialog"},
+    {"structuresPanel", "tree"},      {"propertiesDialog", "tree"},
+    {"gammaPanel", "gamma"},          {"savePresetDialog", "gamma"},
+    {"managePresetsDialog", "gamma"}, {"focusPanel", "focus"},
+    {"sectionsPanel", "sections"},    {"viewport", "picture"},
+    {"startPage", "start"},           {"historyPanel", "start"},
+    {"recoveryDialog", "files"},      {"saveDialog", "files"},
+    {"importDialog", "import"},       {"controlsDialog", "keys"},
+    {"viewsPanel", "views"},          {"annotationsPanel", "labels"},
+    {"labelText", "labels"},          {"exportDialog", "export_dialog"},
 };
 
 QString read(const QString& path) {
@@ -39,10 +42,11 @@ QString read(const QString& path) {
 
 std::vector<QString> helpPageIds() {
   std::vector<QString> ids;
-  for (const char* id : {"start", "tree", "gamma", "focus", "sections", "picture", "views",
-                         "export_dialog", "export", "sheets", "films", "files", "import", "keys",
-                         "label_volumes", "dicom", "slicer", "molecules", "annotate", "vectors",
-                         "scene_file"})
+  for (const char* id :
+       {"start",     "tree",     "gamma",         "focus",         "sections", "picture",
+        "labels",    "views",    "export_dialog", "export",        "sheets",   "films",
+        "files",     "import",   "keys",          "label_volumes", "dicom",    "slicer",
+        "molecules", "annotate", "vectors",       "scene_file"})
     ids.push_back(QLatin1String(id));
   return ids;
 }

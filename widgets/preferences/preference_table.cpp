@@ -65,6 +65,32 @@ std::vector<PreferenceRow> pictureRows() {
        tr("In milliseconds, in the corner of the picture"), Switch{false}}};
 }
 
+std::vector<PreferenceRow> labelRows() {
+  const QString page = tr("Labels");
+  constexpr int smallest = 5;
+  constexpr int largest = 36;
+  return {{QStringLiteral("labels/mode"), page, tr("Labels show"),
+           tr("Numbers are for a key beside the picture, blank lines for a test"),
+           ChoiceOf{{{QStringLiteral("texts"), tr("Texts")},
+                     {QStringLiteral("numbers"), tr("Numbers")},
+                     {QStringLiteral("blank"), tr("Blank lines")},
+                     {QStringLiteral("off"), tr("Nothing")}},
+                    QStringLiteral("texts")}},
+          {QStringLiteral("labels/language"), page, tr("Language"),
+           tr("What labels say, where they have words in that language; else the scene’s own"),
+           ChoiceOf{{{QStringLiteral("structures"), tr("As the structures")},
+                     {QStringLiteral("scene"), tr("The scene’s own")},
+                     {QStringLiteral("en"), tr("English")},
+                     {QStringLiteral("de"), tr("German")},
+                     {QStringLiteral("la"), tr("Latin")},
+                     {QStringLiteral("nl"), tr("Dutch")},
+                     {QStringLiteral("nb"), tr("Norwegian")}},
+                    QStringLiteral("structures")}},
+          {QStringLiteral("labels/points"), page, tr("Size of letters"),
+           tr("As on paper, whatever the size of the picture"),
+           WholeNumber{smallest, largest, 10, tr("pt"), {}}}};
+}
+
 std::vector<PreferenceRow> navigationRows() {
   const QString page = tr("Mouse");
   return {{QStringLiteral("navigation/mouse"), page, tr("Mouse buttons as in"),
@@ -91,7 +117,7 @@ std::vector<PreferenceRow> fileRows() {
 std::vector<PreferenceRow> preferenceRows() {
   std::vector<PreferenceRow> rows = appearanceRows();
   for (const std::vector<PreferenceRow>& more :
-       {languageRows(), pictureRows(), navigationRows(), fileRows()})
+       {languageRows(), pictureRows(), labelRows(), navigationRows(), fileRows()})
     rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }

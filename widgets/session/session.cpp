@@ -5,6 +5,7 @@
 #include <QUndoCommand>
 #include <algorithm>
 
+#include "model/edit/annotations.h"
 #include "model/import/file_kinds.h"
 #include "model/import/scene_inputs.h"
 
@@ -210,6 +211,19 @@ void Session::activateSection(std::optional<model::SectionId> id) {
   emit activeSectionChanged();
 }
 
+std::optional<model::AnnotationId> Session::activeAnnotation() const {
+  return m_activeAnnotation && model::findAnnotation(scene(), *m_activeAnnotation)
+             ? m_activeAnnotation
+             : std::nullopt;
+}
+
+void Session::activateAnnotation(std::optional<model::AnnotationId> id) {
+  if (id == m_activeAnnotation)
+    return;
+  m_activeAnnotation = id;
+  emit activeAnnotationChanged();
+}
+
 void Session::set(Document document) {
   if (document == m_document)
     return;
@@ -218,6 +232,7 @@ void Session::set(Document document) {
   if (another) {
     moveLock(before.opening, m_document.opening);
     m_activeSection.reset();
+    m_activeAnnotation.reset();
   }
   emit documentChanged(before, m_document);
   compareWithFile(another);

@@ -66,6 +66,9 @@ class Session : public QObject {
   /// The section that is being worked on, where the scene has it.
   std::optional<model::SectionId> activeSection() const;
   void activateSection(std::optional<model::SectionId> id);
+  /// The label that is being worked on, where the scene has it.
+  std::optional<model::AnnotationId> activeAnnotation() const;
+  void activateAnnotation(std::optional<model::AnnotationId> id);
 
   /// Reads the files and folders in the background; the scene becomes the document when it is
   /// there (one undo step). A job that is under way is cancelled.
@@ -99,6 +102,8 @@ class Session : public QObject {
   void opened(const std::vector<std::filesystem::path>& paths);
   /// Another one was activated; that it left the scene, or came back, is a change of the document.
   void activeSectionChanged();
+  /// As for sections.
+  void activeAnnotationChanged();
   void jobStarted(const QString& title);
   void jobProgressed(double done, const QString& what);
   void jobEnded();
@@ -128,6 +133,7 @@ class Session : public QObject {
   NodeIds m_selection;
   ShownNames m_names;
   std::optional<model::SectionId> m_activeSection;
+  std::optional<model::AnnotationId> m_activeAnnotation;
   SceneJob* m_job = nullptr;
   bool m_modified = false;
   int m_openings = 0;

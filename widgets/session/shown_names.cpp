@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/session/shown_names.h"
 
+#include <algorithm>
+#include <array>
+
 namespace sline::widgets {
 
 void ShownNames::setLanguage(std::optional<model::NameLanguage> language) {
@@ -19,6 +22,15 @@ QString ShownNames::shown(const QString& name) const {
     found = m_shown.insert(
         name, QString::fromStdString(m_table.displayName(name.toStdString(), *m_language)));
   return *found;
+}
+
+QString ShownNames::calledIn(const std::string& name, std::string_view tag) const {
+  static constexpr std::array<std::string_view, model::nameLanguages> tags{"en", "la", "de", "nl",
+                                                                           "nb"};
+  const auto found = std::find(tags.begin(), tags.end(), tag);
+  return QString::fromStdString(
+      found == tags.end() ? name
+                          : m_table.displayName(name, model::NameLanguage(found - tags.begin())));
 }
 
 QStringList ShownNames::alsoCalled(const QString& name) const {

@@ -24,6 +24,8 @@ class ShownNames : public QObject {
   /// The name as people read it; plain text.
   QString shown(const QString& name) const;
   QString shown(const std::string& name) const { return shown(QString::fromStdString(name)); }
+  /// In the language of that tag ("la"); of an empty or unknown one the name itself.
+  QString calledIn(const std::string& name, std::string_view tag) const;
   /// All that the structure is called in any language.
   QStringList alsoCalled(const QString& name) const;
 

@@ -24,6 +24,8 @@ struct Pick {
 struct Picks {
   std::optional<Pick> seen;  ///< what a person means who points there
   std::vector<Pick> all;     ///< each structure once, nearest first
+  /// Of what is seen, where it was asked for.
+  std::optional<model::Anchor> anchor;
 };
 
 class PickIndex {

@@ -2,7 +2,9 @@
 #include "widgets/viewport/picker.h"
 
 #include <array>
+#include <glm/geometric.hpp>
 
+#include "model/geometry/nearest_point.h"
 #include "widgets/viewport/navigation.h"
 
 namespace sline::widgets {
@@ -26,6 +28,27 @@ std::vector<model::Ray> sightsAround(const model::Camera& camera, const glm::vec
   return rays;
 }
 
+namespace {
+
+Picks lookUp(PickIndex& index, const Picker::Question& question) {
+  Picks picks = index.look(question.scene, question.rays);
+  if (!question.anchored || !picks.seen)
+    return picks;
+  constexpr float far = 0.015f;  // of the structure's size
+  const model::Node& node = *question.scene.find(picks.seen->id);
+  const auto nearest = model::nearestPoint(*node.mesh, picks.seen->position);
+  const float away = nearest ? glm::length(nearest->place - picks.seen->position) : 0.0f;
+  // A cut face is no part of the mesh: a place on it is one in space.
+  if (!nearest || (away > far * glm::length(node.mesh->bounds().size()) &&
+                   !question.scene.sectionsOf(node.id).empty()))
+    picks.anchor = picks.seen->position;
+  else
+    picks.anchor = model::SurfacePoint{node.id, nearest->triangle, nearest->weights};
+  return picks;
+}
+
+}  // namespace
+
 Picker::Picker(QObject* parent) : QObject(parent) {
   m_threads.setMaxThreadCount(1);
 }
@@ -40,7 +63,7 @@ void Picker::ask(Question question, Answer answer) {
   // The first pick of a mesh sorts its triangles, which takes longer than a frame.
   m_threads.start(
       [this, index = m_index, question = std::move(question), answer = std::move(answer)] {
-        Picks picks = index->look(question.scene, question.rays);
+        Picks picks = lookUp(*index, question);
         QMetaObject::invokeMethod(this, [picks = std::move(picks), answer] { answer(picks); });
       });
 }
@@ -51,7 +74,7 @@ void Picker::askLatest(Question question, Answer answer) {
                    answer = std::move(answer)] {
     if (*latest != number)
       return;
-    Picks picks = index->look(question.scene, question.rays);
+    Picks picks = lookUp(*index, question);
     QMetaObject::invokeMethod(this, [picks = std::move(picks), latest, number, answer] {
       if (*latest == number)
         answer(picks);

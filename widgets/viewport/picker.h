@@ -25,6 +25,7 @@ class Picker : public QObject {
   struct Question {
     model::Scene scene;
     std::vector<model::Ray> rays;
+    bool anchored = false;  ///< Picks::anchor is wanted
   };
   using Answer = std::function<void(const Picks&)>;
   /// Every one of these is answered, in their order.

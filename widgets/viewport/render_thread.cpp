@@ -97,9 +97,11 @@ RenderThread::Work RenderThread::next() {
   constexpr std::chrono::milliseconds quiet(200);
   std::unique_lock lock(m_mutex);
   for (;;) {
-    m_wake.wait(lock, [this] { return m_quit || m_request || previewsWait(); });
+    m_wake.wait(lock, [this] { return m_quit || m_request || m_unlabelled || previewsWait(); });
     if (m_quit)
       return {};
+    if (m_unlabelled && !m_request)
+      return {.labels = true};
     const auto other = [this] { return m_quit || m_request || !previewsWait(); };
     if (m_request || !m_wake.wait_until(lock, m_pictureEnd + quiet, other))
       break;
@@ -136,6 +138,11 @@ Result<bool> RenderThread::draw(PicturePainter& painter, const PictureRequest& r
     return Error{.reason = std::string("the picture could not be drawn: ") + failure.what(),
                  .remedy = "Hide some structures, or close other programs to free memory"};
   }
+  // Before anybody sees the picture, so that both come together.
+  m_sheet = m_labels.draw(request.scene, request.camera, request.labels);
+  m_unlabelled.reset();
+  if (!m_sheet)
+    m_unlabelled = request;
   m_handoff.publish(request.number);
   return true;
 }
@@ -151,9 +158,18 @@ void RenderThread::drawPicture(PicturePainter& painter, const PictureRequest& re
                 .scale = request.scale,
                 .moving = request.moving,
                 .camera = request.camera,
-                .layersDrawn = painter.layersDrawn()});
+                .layersDrawn = painter.layersDrawn(),
+                .labels = m_sheet});
   const std::lock_guard lock(m_mutex);
   m_pictureEnd = std::chrono::steady_clock::now();
+}
+
+void RenderThread::drawLabels() {
+  if (m_labels.prepare(m_unlabelled->scene))
+    return;
+  m_sheet = m_labels.draw(m_unlabelled->scene, m_unlabelled->camera, m_unlabelled->labels);
+  m_unlabelled.reset();
+  emit labelled(m_sheet);
 }
 
 void RenderThread::drawPreview(PicturePainter& painter, const PreviewRequest::Preview& preview,
@@ -203,6 +219,8 @@ void RenderThread::run() {
     const Work work = next();
     if (work.picture)
       drawPicture(**painter, *work.picture);
+    else if (work.labels)
+      drawLabels();
     else if (work.preview)
       drawPreview(**painter, *work.preview, work.asker);
     else

@@ -19,6 +19,7 @@
 #include "model/base/result.h"
 #include "render/gpu/handoff.h"
 #include "render/picture/picture.h"
+#include "widgets/viewport/label_sheet.h"
 
 class QOpenGLContext;
 
@@ -32,6 +33,7 @@ struct PictureRequest {
   float scale = 1.0f;   ///< of the picture's size to the window's; what is shown is as large
   bool moving = false;  ///< camera or section are on their way; else they rest, and their picture
                         ///< is given up when they move on
+  LabelWish labels;
 };
 
 /// Who asks for small pictures; the first come first.
@@ -78,7 +80,8 @@ struct PictureReport {
   float scale = 1.0f;   ///< as requested
   bool moving = false;  ///< as requested
   model::Camera camera;
-  int layersDrawn = 0;  ///< the others were as in the picture before
+  int layersDrawn = 0;   ///< the others were as in the picture before
+  LabelSheetPtr labels;  ///< null: they come later, by `labelled`
 };
 
 class RenderThread : public QThread {
@@ -94,6 +97,8 @@ class RenderThread : public QThread {
 
  signals:
   void drawn(const sline::widgets::PictureReport& report);
+  /// The labels of the newest picture that came without them.
+  void labelled(const sline::widgets::LabelSheetPtr& labels);
   void previewed(sline::widgets::PreviewsOf asker, int id, const QImage& image);
   void failed(const sline::Error& error);
 
@@ -101,17 +106,25 @@ class RenderThread : public QThread {
   void run() override;
 
  private:
-  /// Waits until there is something to do; neither of both: the thread is to end.
+  /// Waits until there is something to do; nothing of all: the thread is to end.
   struct Work {
     std::optional<PictureRequest> picture;
     std::optional<PreviewRequest::Preview> preview;
     PreviewsOf asker = PreviewsOf::stages;
+    bool labels = false;
   };
   Work next();
+  /// A step towards the labels of a picture that lacks them.
+  void drawLabels();
   void drawPicture(PicturePainter& painter, const PictureRequest& request);
   void drawPreview(PicturePainter& painter, const PreviewRequest::Preview& preview,
                    PreviewsOf asker);
   Result<bool> draw(PicturePainter& painter, const PictureRequest& request);
+
+  // Of the thread itself.
+  LabelDrawer m_labels;
+  LabelSheetPtr m_sheet;                       ///< of the picture that was drawn last
+  std::optional<PictureRequest> m_unlabelled;  ///< its request, where it has none
 
   render::gpu::Handoff& m_handoff;
   PainterFactory m_factory;

@@ -54,11 +54,17 @@ Viewport::Viewport(Session& session, QWidget* parent)
   m_nameRest.setSingleShot(true);
   m_nameRest.setInterval(nameAfter);
   m_flightTick.setInterval(flightStep);
+  m_labels = new PictureLabels({.picture = *this,
+                                .session = session,
+                                .picker = m_picker,
+                                .question = [this](const QPointF& at) { return question(at); }});
   m_marks = new PictureMarks(*this);
   m_marks->setBackground(m_background);
   connect(&m_rest, &QTimer::timeout, this, &Viewport::rest);
   connect(&m_nameRest, &QTimer::timeout, this, &Viewport::wantName);
   connect(&m_flightTick, &QTimer::timeout, this, &Viewport::flyOn);
+  connect(m_labels, &PictureLabels::wishChanged, this, [this] { refresh(); });
+  connect(m_labels, &PictureLabels::makingChanged, this, &Viewport::showCursor);
   connect(&session, &Session::documentChanged, this, &Viewport::documentChange);
   connect(&session, &Session::activeSectionChanged, this, &Viewport::showSection);
   connect(&m_marks->cube(), &CubeMark::lookWanted, this, &Viewport::lookFrom);
@@ -99,6 +105,9 @@ void Viewport::openGraphics() {
   m_handoff = std::make_unique<render::gpu::Handoff>();
   m_thread = std::make_unique<RenderThread>(*context(), *m_handoff, m_factory);
   connect(m_thread.get(), &RenderThread::drawn, this, &Viewport::took);
+  connect(m_thread.get(), &RenderThread::labelled, this, [this](const LabelSheetPtr& sheet) {
+    m_labels->took(sheet, m_drawnCamera.value_or(m_camera));
+  });
   connect(m_thread.get(), &RenderThread::previewed, this, &Viewport::previewed);
   connect(m_thread.get(), &RenderThread::failed, this, &Viewport::failure);
   refresh();
@@ -174,7 +183,8 @@ void Viewport::refresh(model::Scene scene) {
                                       .background = m_background,
                                       .keyLight = keyLight()},
                          .scale = m_askedScale,
-                         .moving = m_moving};
+                         .moving = m_moving,
+                         .labels = m_labels->wish(m_moving)};
   m_thread->ask(std::move(request));
 }
 
@@ -193,6 +203,7 @@ void Viewport::took(const PictureReport& report) {
     m_quality.took(report.milliseconds, report.scale);
   m_marks->showTime(report.milliseconds, report.scale);
   m_drawnCamera = report.camera;
+  m_labels->took(report.labels, report.camera);
   if (report.moving)
     placeMarks();
   else
@@ -203,7 +214,8 @@ void Viewport::took(const PictureReport& report) {
 }
 
 bool Viewport::upToDate() const {
-  return m_shown != 0 && m_shown == m_asked && m_askedScale == 1.0f && !m_moving && !m_flight;
+  return m_shown != 0 && m_shown == m_asked && m_took == m_asked && m_askedScale == 1.0f &&
+         !m_moving && !m_flight && m_labels->ready();
 }
 
 void Viewport::keepMoving() {
@@ -226,7 +238,7 @@ void Viewport::move(const model::Camera& camera) {
 void Viewport::rest() {
   m_moving = false;
   m_cutting = false;
-  if (m_askedScale != 1.0f)
+  if (m_askedScale != 1.0f || m_labels->waits())
     refresh();
 }
 
@@ -275,6 +287,7 @@ const model::Scene& Viewport::shownScene() const {
 
 void Viewport::showInstead(std::optional<model::Scene> scene) {
   m_instead = std::move(scene);
+  m_labels->setShut(m_instead.has_value());
   forgetName();
   refresh();
 }
@@ -327,9 +340,13 @@ void Viewport::setPivot(const glm::vec3& pivot) {
   placeMarks();
 }
 
+float Viewport::aspectBesideLabels() const {
+  return aspect() * m_labels->shareBeside(m_session.scene());
+}
+
 void Viewport::showFrom(model::AnatomicalView view) {
   pivotToMiddle();
-  flyTo(cameraFrom(m_session.scene(), view, aspect()));
+  flyTo(cameraFrom(m_session.scene(), view, aspectBesideLabels()));
 }
 
 void Viewport::lookFrom(const CubePart& from) {
@@ -345,7 +362,7 @@ void Viewport::fitTo(const NodeIds& ids) {
   if (bounds.empty())
     return;
   m_pivot = bounds.centre();
-  flyTo(fitted(m_camera, m_session.scene(), ids, aspect()));
+  flyTo(fitted(m_camera, m_session.scene(), ids, aspectBesideLabels()));
 }
 
 void Viewport::setBackground(render::Background background) {
@@ -353,6 +370,7 @@ void Viewport::setBackground(render::Background background) {
     return;
   m_background = background;
   m_marks->setBackground(background);
+  m_labels->setDark(background == render::Background::dark);
   refresh();
   emit backgroundChanged();
 }
@@ -387,12 +405,13 @@ void Viewport::documentChange(const Document& before, const Document& now) {
     m_blend.reset();  // somebody changed the looks meanwhile
   if (another) {
     m_instead.reset();
+    m_labels->setShut(false);
     cancelDrag();
     m_drawnCamera.reset();
     m_quality = {};
     pivotToMiddle();
     stopFlight();
-    m_camera = overview(now.scene, aspect());
+    m_camera = overview(now.scene, aspectBesideLabels());
   }
   if (!another && m_session.previewing() && before.scene.sections() != now.scene.sections()) {
     m_cutting = true;

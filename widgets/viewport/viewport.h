@@ -15,6 +15,7 @@
 #include "widgets/viewport/camera_tool.h"
 #include "widgets/viewport/motion_quality.h"
 #include "widgets/viewport/picker.h"
+#include "widgets/viewport/picture_labels.h"
 #include "widgets/viewport/picture_marks.h"
 #include "widgets/viewport/render_thread.h"
 #include "widgets/viewport/section_tool.h"
@@ -70,6 +71,7 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   /// So many pixels at the upper edge are covered; marks keep clear of them.
   void setHeadroom(int pixels);
   void setNamesWanted(bool wanted);
+  PictureLabels& labels() { return *m_labels; }
 
   /// True where the picture on screen is of the document and the camera as they are, in full size.
   bool upToDate() const;
@@ -136,6 +138,7 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   bool nativeGesture(const QNativeGestureEvent& event);
   void cancelDrag();
   void dragOn();
+  void showCursor();
   void wantName();
   void forgetName();
   void turnByCube(const glm::vec2& way);
@@ -146,6 +149,8 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   render::gpu::TextureSize pixels() const;
   glm::vec2 size2() const { return {float(width()), float(height())}; }
   float aspect() const { return size2().x / size2().y; }
+  /// Of the part of the picture that labels leave to the anatomy.
+  float aspectBesideLabels() const;
 
   Session& m_session;
   QString m_driver;
@@ -192,6 +197,7 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   QTimer m_nameRest;
   bool m_namesWanted = true;
   QPointF m_mouse;
+  PictureLabels* m_labels;
   PictureMarks* m_marks;
 };
 

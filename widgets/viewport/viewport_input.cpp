@@ -62,9 +62,13 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
   m_pressed = event->position();
   m_dragged = false;
   const Pointer mouse = pointer(event->position(), event->button(), event->modifiers());
-  for (Tool* tool : {static_cast<Tool*>(&m_sectionTool), static_cast<Tool*>(&m_cameraTool)})
+  std::vector<Tool*> tools{&m_sectionTool, &m_cameraTool};
+  if (!m_instead)
+    tools.insert(tools.begin() + 1, &m_labels->tool());
+  for (Tool* tool : tools)
     if (!m_held && tool->press(mouse))
       m_held = tool;
+  m_labels->hover(std::nullopt);
   m_heldBack.reset();
   m_lastHeard.start();
   showSection();
@@ -76,9 +80,8 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
     forgetName();
     m_nameRest.start();
     showSection();
-    setCursor(m_sectionTool.gripAt(pointer(m_mouse, Qt::NoButton, {})) == SectionGrip::none
-                  ? Qt::ArrowCursor
-                  : Qt::PointingHandCursor);
+    m_labels->hover(m_mouse);
+    showCursor();
     return;
   }
   const QPointF way = event->position() - m_pressed;
@@ -95,6 +98,12 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
     m_rest.start();
 }
 
+void Viewport::showCursor() {
+  const bool onSection =
+      m_sectionTool.gripAt(pointer(m_mouse, Qt::NoButton, {})) != SectionGrip::none;
+  setCursor(onSection ? Qt::PointingHandCursor : m_labels->cursor().value_or(Qt::ArrowCursor));
+}
+
 void Viewport::dragOn() {
   const std::optional<Pointer> mouse = std::exchange(m_heldBack, std::nullopt);
   if (!m_held || !mouse)
@@ -106,14 +115,17 @@ void Viewport::dragOn() {
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != m_button)
     return;
-  const bool onSection = m_held == &m_sectionTool;
+  const bool taken = m_held == &m_sectionTool || m_held == &m_labels->tool();
   dragOn();
   if (m_held)
     m_held->release(pointer(event->position(), m_button, event->modifiers()));
   m_held = nullptr;
   m_button = Qt::NoButton;
   showSection();
-  if (m_dragged || onSection)
+  m_labels->hover(event->position());
+  if (m_dragged || taken)
+    return;
+  if (event->button() == Qt::LeftButton && m_labels->click(event->position()))
     return;
   const Qt::KeyboardModifiers keys = event->modifiers();
   if (event->button() == Qt::RightButton)
@@ -125,7 +137,9 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton &&
+  if (event->button() == Qt::LeftButton && m_labels->doubleClick(event->position()))
+    return;
+  if (event->button() == Qt::LeftButton && !m_labels->making() &&
       m_sectionTool.gripAt(pointer(event->position(), Qt::LeftButton, {})) == SectionGrip::none)
     click(event->position(), ClickFor::pivot);
   else
@@ -185,6 +199,8 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
     m_dragged = true;  // the release is no click
   } else if (event->key() == Qt::Key_Escape && m_marks->cube().cancel()) {
     return;
+  } else if (m_labels->press(*event)) {
+    return;
   } else if (arrow != glm::vec2(0.0f)) {
     stopFlight();
     move(control ? panned(m_camera, m_pivot, keyPixels * arrow, size2().y)
@@ -237,6 +253,7 @@ void Viewport::clicked(const Picks& picks, const QPoint& at, ClickFor purpose) {
     emit pivotChosen(m_session.names().shown(node->name));
     return;
   }
+  m_session.activateAnnotation(std::nullopt);
   NodeIds ids;
   if (purpose == ClickFor::addition)
     ids = m_session.selection();
@@ -274,6 +291,7 @@ void Viewport::forgetName() {
 void Viewport::leaveEvent(QEvent* event) {
   forgetName();
   showSection();
+  m_labels->hover(std::nullopt);
   QOpenGLWidget::leaveEvent(event);
 }
 
@@ -294,6 +312,12 @@ bool Viewport::event(QEvent* event) {
   if (event->type() == QEvent::NativeGesture &&
       nativeGesture(*static_cast<QNativeGestureEvent*>(event)))
     return true;
+  // Del and F2 are about structures elsewhere in the window.
+  if (event->type() == QEvent::ShortcutOverride &&
+      m_labels->wants(*static_cast<QKeyEvent*>(event))) {
+    event->accept();
+    return true;
+  }
   const bool handled = QOpenGLWidget::event(event);
   // Another screen may have finer pixels.
   if (event->type() == QEvent::ScreenChangeInternal)

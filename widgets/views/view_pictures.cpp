@@ -18,7 +18,8 @@ constexpr int samples = 2;
 constexpr double penWidth = 0.7;
 constexpr std::size_t mostKept = 96;
 
-/// What the picture is of, without what nobody sees: names and the views themselves.
+/// What the picture is of, without what nobody sees: names and the views themselves; labels
+/// neither, whose letters would be a pixel high.
 model::Scene seenAlone(model::Scene scene) {
   scene.setViews({});
   scene.setAnnotations({});

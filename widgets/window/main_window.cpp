@@ -40,6 +40,7 @@
 #include "widgets/window/export_actions.h"
 #include "widgets/window/file_actions.h"
 #include "widgets/window/import_actions.h"
+#include "widgets/window/label_actions.h"
 #include "widgets/window/message_bar.h"
 #include "widgets/window/picture_habits.h"
 #include "widgets/window/picture_menu.h"
@@ -154,6 +155,7 @@ void MainWindow::makePanels() {
   steps->hide();
   focusPanel->raise();
   m_tours = new TourActions(*this, m_session, *m_viewport, m_actions, m_parts);
+  addLabelsPanel(*this, m_session, m_preferences, m_actions);
   resizeDocks({findChild<QDockWidget*>(QStringLiteral("structuresPanel")),
                findChild<QDockWidget*>(QStringLiteral("gammaPanel"))},
               {366, 304}, Qt::Horizontal);
@@ -262,6 +264,9 @@ void MainWindow::makeMenus() {
   m_sections = new SectionActions(m_session, *m_viewport, m_actions, m_parts);
   connect(m_sections, &SectionActions::refused, m_message, &MessageBar::showError);
   m_sections->fillAddMenu(m_sectionsPanel->addButton());
+  new LabelActions({*this, m_session, *m_viewport, m_preferences, m_actions,
+                    menus[QStringLiteral("labelModeMenu")]},
+                   m_parts);
   new PictureHabits(*m_viewport, m_preferences, m_actions, menus[QStringLiteral("backgroundMenu")],
                     m_parts);
   new PictureMenu(m_session, *m_viewport, *m_sections, *m_menus, m_parts);

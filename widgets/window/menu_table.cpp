@@ -66,6 +66,10 @@ std::vector<MenuRow> menuRows() {
                "ungroup", "lock",    "properties", "",           "remove"})),
       row("inheritMenu", tr("&Inherit"),
           ids({"inherit", "inheritColour", "inheritOpacity", "", "inheritAll"})),
+      row("labelMenu", tr("&Labels"),
+          ids({"annotateLabel", "annotateCallout", "annotatePin", "annotateDistance", "",
+               "labelSelected", "", "labelEdit", "labelDelete", "", ">labelModeMenu"})),
+      row("labelModeMenu", tr("S&how as"), {}),
       row("viewMenu", tr("&View"),
           ids({"anterior", "posterior", "left", "right", "superior", "inferior", "fit", "zoomTo",
                "", ">savedViews", "addView", "present", "", ">sectionMenu", "keyLight",
@@ -108,6 +112,9 @@ std::vector<QString> toolRows() {
               "sectionCoronal",
               "sectionAxial",
               "sectionFlip",
+              "",
+              "annotateLabel",
+              "annotateDistance",
               "",
               "keyLight"});
 }

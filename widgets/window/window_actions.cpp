@@ -131,6 +131,28 @@ std::vector<ActionRow> structureRows() {
        tr("Take the selected structures out of the scene"), "remove"}};
 }
 
+std::vector<ActionRow> labelRows() {
+  return {{QStringLiteral("annotateLabel"), tr("&Label"), key(tr("T")),
+           tr("Click on a structure and type what it is called"), "label"},
+          {QStringLiteral("annotateCallout"), tr("&Callout"), key(tr("Shift+T")),
+           tr("Click on a place and type a few lines, which stand in a frame"), "callout"},
+          {QStringLiteral("annotatePin"), tr("&Pin"), key(tr("Shift+P")),
+           tr("Click on a place to mark it; its text stands beside it"), "pin"},
+          {QStringLiteral("annotateDistance"), tr("&Distance"), key(tr("M")),
+           tr("Click on two places to measure between them"), "distance"},
+          {QStringLiteral("labelSelected"), tr("Label the &Selected"), key(tr("Ctrl+T")),
+           tr("The selected structures get labels with their names, where they are best seen"),
+           "label_selected"},
+          {QStringLiteral("labelEdit"),
+           tr("&Edit Text"),
+           {},
+           tr("Type what the chosen label says (F2 in the picture)")},
+          {QStringLiteral("labelDelete"),
+           tr("Dele&te Label"),
+           {},
+           tr("Take the chosen label away (Del in the picture)")}};
+}
+
 std::vector<ActionRow> viewRows() {
   return {
       {QStringLiteral("anterior"), tr("&Anterior"), key(tr("A")), tr("Seen from the front")},
@@ -184,7 +206,7 @@ std::vector<ActionRow> viewRows() {
 
 std::vector<ActionRow> actionRows() {
   std::vector<ActionRow> rows = fileRows();
-  for (const std::vector<ActionRow>& more : {lookRows(), structureRows(), viewRows()})
+  for (const std::vector<ActionRow>& more : {lookRows(), structureRows(), labelRows(), viewRows()})
     rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }

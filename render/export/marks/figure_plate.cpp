@@ -3,7 +3,7 @@
 
 namespace sline::render {
 
-FigurePlate figurePlate(const ExportOrder& order, SightTrees& trees, const LabelLayout* before) {
+FigurePlate figurePlate(const ExportOrder& order, SightTrees& trees, const LabelTurn& turn) {
   FigurePlate plate{.labels = {}, .marks = marksOf(order)};
   if (order.labels.mode == LabelMode::off)
     return plate;
@@ -11,7 +11,7 @@ FigurePlate figurePlate(const ExportOrder& order, SightTrees& trees, const Label
   style.onDark = order.look.background == Background::dark;
   style.edges = plate.marks.edges;
   plate.labels =
-      labelPlate(order.scene, Screen(order.camera, order.page.sizeMm), style, trees, before);
+      labelPlate(order.scene, Screen(order.camera, order.page.sizeMm), style, trees, turn);
   return plate;
 }
 

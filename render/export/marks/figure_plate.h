@@ -12,10 +12,8 @@ struct FigurePlate {
   Marks marks;
 };
 
-/// For the order's camera and page, labels beside the marks; `before` is the labels' layout in the
-/// picture before it, for a camera that turns.
-FigurePlate figurePlate(const ExportOrder& order, SightTrees& trees,
-                        const LabelLayout* before = nullptr);
+/// For the order's camera and page, labels beside the marks.
+FigurePlate figurePlate(const ExportOrder& order, SightTrees& trees, const LabelTurn& turn = {});
 FigurePlate figurePlate(const ExportOrder& order);
 
 /// The painter's unit must be a millimetre, from the picture's upper left corner.

@@ -121,7 +121,7 @@ Result<Film::Sweep> Film::sweepOf(const ExportOrder& order) {
 FilmFrame Film::at(int frame) const {
   if (const auto* turn = std::get_if<Turn>(&m_motion))
     // The view's name would be true of where the turn begins alone.
-    return {turn->scene, turn->table.at(double(frame) / double(m_frames)), {}};
+    return {turn->scene, turn->table.at(double(frame) / double(m_frames)), {}, true};
   if (const auto* tour = std::get_if<Tour>(&m_motion))
     return atTime(*tour, double(frame) / double(m_framesPerSecond));
   const double last = std::max(double(m_frames - 1), 1.0);
@@ -138,7 +138,8 @@ FilmFrame Film::atTime(const Tour& tour, double seconds) const {
   const bool arrived = part <= 0.0 && leg > 0;
   const Leg& now = tour.legs[arrived ? leg - 1 : leg];
   const double way = arrived ? 1.0 : part;
-  return {now.blend.at(way), now.flight.at(way), way < 0.5 ? now.from : now.to};
+  return {now.blend.at(way), now.flight.at(way), way < 0.5 ? now.from : now.to,
+          way > 0.0 && way < 1.0};
 }
 
 FilmFrame Film::atPart(const Sweep& sweep, double part) const {

@@ -22,6 +22,7 @@ struct FilmFrame {
   model::Scene scene;
   model::Camera camera;
   std::string viewName;  ///< as ExportOrder::viewName
+  bool moving = false;   ///< the camera is on its way
 };
 
 class Film {

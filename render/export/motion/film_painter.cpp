@@ -73,7 +73,7 @@ FigurePlate FilmPainter::Data::plateOf(const FilmFrame& frame) {
   style.onDark = order.look.background == Background::dark;
   style.edges = edges;
   plate.labels = labelPlate(frame.scene, Screen(frame.camera, order.page.sizeMm), style, trees,
-                            layout ? &*layout : nullptr);
+                            {.before = layout ? &*layout : nullptr, .moving = frame.moving});
   layout = plate.labels->layout;
   return plate;
 }

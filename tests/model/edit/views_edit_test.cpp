@@ -65,6 +65,7 @@ class ViewsEditTest : public QObject {
   void annotationsThatCannotBe_data();
   void annotationsThatCannotBe();
   void changedAndRemoved();
+  void shownInOneViewOrAll();
   void keyLight();
 };
 
@@ -192,6 +193,30 @@ void ViewsEditTest::changedAndRemoved() {
   QVERIFY(gone.changed);
   QCOMPARE(*gone.scene.views()[0].annotations, std::vector<AnnotationId>{s.onOne});
   QVERIFY(!withoutAnnotations(s.scene, std::array{AnnotationId{99}}).changed);
+}
+
+void ViewsEditTest::shownInOneViewOrAll() {
+  Sample s;
+  // The second says nothing of annotations: it shows what is visible.
+  s.scene.setViews({s.view(), {.name = "W"}});
+  using Places = std::vector<std::size_t>;
+  QCOMPARE(viewsShowing(s.scene, s.onTwo), (Places{1}));
+  QCOMPARE(viewsShowing(s.scene, s.onOne), (Places{0, 1}));
+  QVERIFY(!withAnnotationShownIn(s.scene, s.onOne, std::nullopt).changed);
+  QVERIFY(!withAnnotationShownIn(s.scene, s.onTwo, 1).changed);
+  const Edited second = withAnnotationShownIn(s.scene, s.onOne, 1);
+  QVERIFY(second.changed);
+  QCOMPARE(viewsShowing(second.scene, s.onOne), (Places{1}));
+  const Edited first = withAnnotationShownIn(second.scene, s.onOne, 0);
+  QCOMPARE(viewsShowing(first.scene, s.onOne), (Places{0}));
+  // Of the others nothing changes, nor of what is seen without a view.
+  QCOMPARE(viewsShowing(first.scene, s.onTwo), (Places{1}));
+  QCOMPARE(viewsShowing(first.scene, s.free), (Places{0, 1}));
+  QCOMPARE(visiblePins(first.scene), visiblePins(s.scene));
+  QCOMPARE(viewsShowing(withAnnotationShownIn(first.scene, s.onOne, std::nullopt).scene, s.onOne),
+           (Places{0, 1}));
+  QVERIFY(findAnnotation(s.scene, s.free)->id == s.free);
+  QVERIFY(!findAnnotation(s.scene, AnnotationId{99}));
 }
 
 void ViewsEditTest::keyLight() {

@@ -80,7 +80,8 @@ void SceneJsonTest::keysStandInTheOrderDescribed() {
                    "part fingerprint transform"));
   QCOMPARE(keysOf(root["views"][1]), QString("name camera sections"));
   QCOMPARE(keysOf(root["views"][3]), QString("name camera looks annotations"));
-  QCOMPARE(keysOf(root["annotations"][0]), QString("id kind at text texts colour visible locked"));
+  QCOMPARE(keysOf(root["annotations"][0]),
+           QString("id kind at text texts colour visible locked offset"));
   QCOMPARE(keysOf(root["annotations"][1]), QString("id kind at to text visible locked"));
   QCOMPARE(keysOf(root["annotations"][0]["at"]), QString("structure triangle weights"));
   // A mesh that two structures share is named twice and written once.
@@ -292,6 +293,15 @@ void SceneJsonTest::refuses_data() {
   row(
       "texts in a list", [](Json& j) { j["annotations"][0]["texts"] = {"Arteria"}; },
       "annotations[0].texts", "an object");
+  row(
+      "a text moved to nowhere",
+      [](Json& j) {
+        j["annotations"][0]["offset"] = {1.0e6, 0};
+      },
+      "annotations[0]", "farther away");
+  row(
+      "an offset of one number", [](Json& j) { j["annotations"][0]["offset"] = {1}; },
+      "annotations[0].offset", "2 numbers");
   row(
       "a look twice", [](Json& j) { j["views"][3]["looks"][1]["node"] = 3; }, "views[3].looks[1]",
       "twice");

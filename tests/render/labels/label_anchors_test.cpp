@@ -88,6 +88,29 @@ class LabelAnchorsTest : public QObject {
     QVERIFY(!shown(two.scene)[1].item.hidden);
   }
 
+  /// Moved by hand: so many heights of the picture, whatever its size.
+  void offsetsGoWithThePicture() {
+    Two two = twoSpheres();
+    point(two.scene, two.large, {0.6f, -0.8f, 0.0f});
+    QVERIFY(!shown(two.scene)[0].item.offset);
+    std::vector<model::Annotation> annotations = two.scene.annotations();
+    annotations[0].offset = glm::vec2(0.5f, -0.25f);
+    two.scene.setAnnotations(annotations);
+    QVERIFY(*shown(two.scene)[0].item.offset == glm::vec2(90.0f, -45.0f));
+  }
+
+  /// What would have to be sorted first is told beforehand.
+  void meshesWithoutATreeAreTold() {
+    Two two = twoSpheres();
+    SightTrees trees;
+    QCOMPARE(Sights(two.scene, trees).withoutTree().size(), std::size_t(2));
+    trees.treeOf(two.scene.find(two.large)->mesh);
+    QCOMPARE(Sights(two.scene, trees).withoutTree().size(), std::size_t(1));
+    model::Style clear;
+    clear.opacity = Opacity::clamped(0.1f);
+    QVERIFY(Sights(styled(two.scene, two.small, clear), trees).withoutTree().empty());
+  }
+
   void clearThingsHideNothing_data() {
     QTest::addColumn<float>("gamma");
     QTest::addColumn<float>("opacity");

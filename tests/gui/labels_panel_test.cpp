@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+// The panel of labels: list, words, kinds, views, how they are shown; labels for many at once.
+#include <QCheckBox>
+#include <QColorDialog>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QMenu>
+#include <QSpinBox>
+#include <QStatusBar>
+#include <QToolButton>
+#include <QTreeView>
+
+#include "model/edit/views.h"
+#include "tests/gui/labels_fixture.h"
+
+namespace sline::test {
+
+namespace {
+
+struct Panel : Labels {
+  using Labels::Labels;
+  void open() {
+    control<QDockWidget>("annotationsPanel").raise();
+    QCoreApplication::processEvents();
+    if (!list().isVisible())
+      qFatal("the panel is not there");
+  }
+  QTreeView& list() { return control<QTreeView>("annotationList"); }
+  QModelIndex cell(int row, int column) { return list().model()->index(row, column); }
+  QString said(int row, int column) { return cell(row, column).data().toString(); }
+  void choose(int row) {
+    QTest::mouseClick(list().viewport(), Qt::LeftButton, {},
+                      list().visualRect(cell(row, 1)).center());
+  }
+  QPlainTextEdit& words() { return control<QPlainTextEdit>("annotationText"); }
+  QComboBox& box(const char* name) { return control<QComboBox>(name); }
+  /// By keys, as a hand would.
+  void pick(const char* name, int row) {
+    QComboBox& there = box(name);
+    there.setFocus();
+    while (there.currentIndex() > row)
+      QTest::keyClick(&there, Qt::Key_Up);
+    while (there.currentIndex() < row)
+      QTest::keyClick(&there, Qt::Key_Down);
+  }
+  QStringList rowsOf(const char* name) {
+    QStringList all;
+    for (int i = 0; i < box(name).count(); ++i)
+      all << box(name).itemText(i);
+    return all;
+  }
+  void press(const char* name) { QTest::mouseClick(&control<QToolButton>(name), Qt::LeftButton); }
+};
+
+}  // namespace
+
+class LabelsPanelTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void listSaysWhatThereIs() {
+    Panel f;
+    f.make(f.liver, {});
+    f.make(f.bladder, QStringLiteral("<b>x</b>"), Qt::Key_P, Qt::ShiftModifier);
+    f.open();
+    QCOMPARE(f.list().model()->rowCount(), 2);
+    QCOMPARE(f.said(0, 0), QStringLiteral("1"));
+    QCOMPARE(f.said(0, 1), QStringLiteral("liver"));
+    QCOMPARE(f.said(0, 2), QStringLiteral("Label"));
+    QCOMPARE(f.said(1, 1), QStringLiteral("<b>x</b>"));
+    QCOMPARE(f.said(1, 2), QStringLiteral("Pin"));
+    QCOMPARE(f.said(1, 3), QStringLiteral("bladder"));
+    // The active one is the same here and in the picture.
+    QCOMPARE(f.list().currentIndex().row(), 1);
+    f.choose(0);
+    QVERIFY(f.session.activeAnnotation() == f.annotations().front().id);
+    f.click(f.textAt(f.annotations().back().id));
+    QCOMPARE(f.list().currentIndex().row(), 1);
+    // In other languages names follow.
+    f.window.preferences().set("language/structures", "de");
+    QCOMPARE(f.said(0, 1), QStringLiteral("Leber"));
+    QCOMPARE(f.said(0, 3), QStringLiteral("Leber"));
+  }
+
+  void ticksShowAndHide() {
+    Panel f;
+    f.make(f.liver, {});
+    f.make(f.bladder, {});
+    f.open();
+    QVERIFY(f.list().model()->setData(f.cell(0, 0), Qt::Unchecked, Qt::CheckStateRole));
+    QCOMPARE(f.step(), QStringLiteral("Hide Label"));
+    QCOMPARE(f.shownLines(), QStringList{"bladder"});
+    QCOMPARE(f.said(0, 0), QString());
+    QCOMPARE(f.said(1, 0), QStringLiteral("1"));
+    f.undo();
+    QCOMPARE(f.shownLines(), QStringList({"liver", "bladder"}));
+  }
+
+  void wordsAreWrittenHere() {
+    Panel f;
+    f.make(f.liver, {});
+    f.open();
+    f.choose(0);
+    const int before = f.steps();
+    QCOMPARE(f.words().toPlainText(), QStringLiteral("liver"));
+    f.words().setFocus();
+    f.words().selectAll();
+    QTest::keyClicks(&f.words(), QStringLiteral("right "));
+    QTest::keyClicks(&f.words(), QStringLiteral("lobe"));
+    QCOMPARE(f.only().text, std::string("right lobe"));
+    QCOMPARE(f.words().toPlainText(), QStringLiteral("right lobe"));
+    QCOMPARE(f.shownLines(), QStringList{"right lobe"});
+    QTest::keyClick(&f.words(), Qt::Key_Return);  // a label is one line
+    QCOMPARE(f.only().text, std::string("right lobe"));
+    f.session.undo();
+    QCOMPARE(f.only().text, std::string("liver"));
+    QCOMPARE(f.steps(), before);
+    QCOMPARE(f.words().toPlainText(), QStringLiteral("liver"));
+    // In another language beside it; what it lacks is told.
+    f.window.preferences().set("labels/language", "de");
+    QCOMPARE(f.words().toPlainText(), QStringLiteral("Leber"));
+    f.words().selectAll();
+    QTest::keyClick(&f.words(), Qt::Key_Delete);
+    QVERIFY(!f.only().texts.contains("de"));
+    QCOMPARE(f.words().placeholderText(), QStringLiteral("liver"));
+    QTest::keyClicks(&f.words(), QStringLiteral("Lappen"));
+    QCOMPARE(f.only().texts.at("de"), std::string("Lappen"));
+    QCOMPARE(f.only().text, std::string("liver"));
+  }
+
+  void kindLockAndPlaceAreChanged() {
+    Panel f;
+    f.make(f.liver, {});
+    f.open();
+    f.choose(0);
+    QCOMPARE(f.rowsOf("annotationKind"), QStringList({"Label", "Callout", "Pin"}));
+    f.pick("annotationKind", 1);
+    QVERIFY(f.only().kind == model::AnnotationKind::callout);
+    f.session.undo();
+    QVERIFY(f.only().kind == model::AnnotationKind::label);
+    QTest::mouseClick(&f.control<QCheckBox>("annotationLocked"), Qt::LeftButton, {}, {8, 8});
+    QVERIFY(f.only().locked);
+    QCOMPARE(f.step(), QStringLiteral("Lock Label"));
+    f.session.undo();
+    QVERIFY(!f.only().locked);
+    QVERIFY(!f.control<QToolButton>("annotationRelease").isEnabled());
+    dragMouse(f.viewport(), f.textAt(f.only().id), f.textAt(f.only().id) + QPoint(30, 60));
+    QVERIFY(f.only().offset);
+    f.press("annotationRelease");
+    QVERIFY(!f.only().offset);
+  }
+
+  void colourIsChosen() {
+    Panel f;
+    f.make(f.liver, {});
+    f.open();
+    f.choose(0);
+    QMenu& menu = *f.control<QToolButton>("annotationColour").menu();
+    menu.actions().at(1)->trigger();
+    auto* dialog = f.window.findChild<QColorDialog*>("annotationColourDialog");
+    QVERIFY(dialog);
+    dialog->setCurrentColor(QColor(200, 30, 40));
+    QVERIFY(f.session.previewing());
+    dialog->accept();
+    QVERIFY(f.only().colour == (Colour{200, 30, 40}));
+    QCOMPARE(f.step(), QStringLiteral("Colour of a Label"));
+    menu.actions().at(0)->trigger();
+    QVERIFY(!f.only().colour);
+  }
+
+  void delTakesAway() {
+    Panel f;
+    f.make(f.liver, {});
+    f.make(f.bladder, {});
+    f.open();
+    f.session.select({f.liver});
+    f.choose(0);
+    f.list().setFocus();
+    QTest::keyClick(&f.list(), Qt::Key_Delete);
+    QCOMPARE(f.annotations().size(), std::size_t(1));
+    QCOMPARE(f.session.scene().nodes().size(), std::size_t(2));
+    QVERIFY(f.session.activeAnnotation() == f.only().id);
+    f.press("annotationDelete");
+    QVERIFY(f.annotations().empty());
+    QVERIFY(!f.words().isEnabled());
+    f.session.undo();
+    f.session.undo();
+    QCOMPARE(f.annotations().size(), std::size_t(2));
+  }
+
+  void labelsAreBoundToViews() {
+    Panel f;
+    f.make(f.liver, {});
+    f.make(f.bladder, {});
+    f.open();
+    f.choose(0);
+    QVERIFY(!f.box("annotationViews").isEnabled());
+    for (const Qt::Key side : {Qt::Key_A, Qt::Key_P}) {
+      f.key(side);
+      f.key(Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
+    }
+    QVERIFY(f.settled());
+    f.choose(0);
+    QCOMPARE(f.rowsOf("annotationViews"),
+             QStringList({"In all views", "Only in View 1", "Only in View 2"}));
+    QCOMPARE(f.box("annotationViews").currentIndex(), 0);
+    f.pick("annotationViews", 2);
+    const model::AnnotationId id = f.annotations().front().id;
+    QCOMPARE(model::viewsShowing(f.session.scene(), id), std::vector<std::size_t>{1});
+    QCOMPARE(f.step(), QStringLiteral("Views of a Label"));
+    // What is seen now stays; a view shows what it has.
+    QCOMPARE(f.shownLines(), QStringList({"liver", "bladder"}));
+    const QList<QAction*> views = f.control<QMenu>("savedViews").actions();
+    views.at(0)->trigger();
+    QCOMPARE(f.shownLines(), QStringList{"bladder"});
+    views.at(1)->trigger();
+    QCOMPARE(f.shownLines(), QStringList({"liver", "bladder"}));
+    f.choose(0);
+    f.pick("annotationViews", 0);
+    QCOMPARE(model::viewsShowing(f.session.scene(), id).size(), std::size_t(2));
+    // The keys went by the other view.
+    f.session.undo();
+    f.session.undo();
+    QCOMPARE(model::viewsShowing(f.session.scene(), id), std::vector<std::size_t>{1});
+  }
+
+  void howTheyAreShown() {
+    Panel f;
+    f.make(f.liver, {});
+    f.open();
+    f.pick("annotationMode", 1);
+    QCOMPARE(f.shownLines(), QStringList{"1"});
+    QVERIFY(f.control<QAction>("labels-numbers").isChecked());
+    f.pick("annotationMode", 0);
+    f.pick("annotationLanguage", 4);
+    QCOMPARE(f.shownLines(), QStringList{"hepar"});
+    f.control<QSpinBox>("annotationPoints").setValue(16);
+    QCOMPARE(f.window.preferences().number("labels/points"), 16);
+    QCOMPARE(f.sheet().wish.style.points, 16.0f);
+  }
+
+  /// The keyboard makes labels, too.
+  void selectedAreLabelled() {
+    Panel f;
+    f.make(f.liver, QStringLiteral("mine"));
+    f.session.select({f.liver, f.bladder});
+    f.key(Qt::Key_T, Qt::ControlModifier);
+    QTRY_COMPARE(f.annotations().size(), std::size_t(2));
+    QCOMPARE(f.annotations().back().text, std::string("bladder"));
+    QCOMPARE(f.annotations().back().texts.at("de"), std::string("Harnblase"));
+    QCOMPARE(f.step(), QStringLiteral("Add 1 labels"));
+    QCOMPARE(f.shownLines(), QStringList({"mine", "bladder"}));
+    f.undo();
+    QCOMPARE(f.annotations().size(), std::size_t(1));
+    f.session.select({f.liver});
+    f.key(Qt::Key_T, Qt::ControlModifier);
+    QTRY_VERIFY(f.window.statusBar()->currentMessage().contains("already"));
+    QCOMPARE(f.annotations().size(), std::size_t(1));
+  }
+
+  /// Points that a file has in space, and texts of all kinds, are listed.
+  void pointsInSpaceAreListed() {
+    Panel f;
+    f.session.apply("pin", model::withAnnotation(f.session.scene(),
+                                                 {.kind = model::AnnotationKind::pin,
+                                                  .anchors = {glm::vec3(0.0f, -5.0f, 0.0f)}}));
+    f.open();
+    QCOMPARE(f.said(0, 1), QStringLiteral("Pin"));
+    QCOMPARE(f.said(0, 3), QStringLiteral("a place"));
+  }
+};
+
+}  // namespace sline::test
+
+QTEST_MAIN(sline::test::LabelsPanelTest)
+#include "labels_panel_test.moc"

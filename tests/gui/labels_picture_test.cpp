@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// Labels as the picture shows them: drawn, in every mode and language, steady, with their picture.
+#include <QActionGroup>
+
+#include "model/edit/style.h"
+#include "model/edit/visibility.h"
+#include "tests/gui/labels_fixture.h"
+
+namespace sline::test {
+
+namespace {
+
+/// How many pixels there are darker, or lighter, than halfway.
+int inked(const QImage& image, const QRect& box, bool dark) {
+  int count = 0;
+  for (int y = box.top(); y <= box.bottom(); ++y)
+    for (int x = box.left(); x <= box.right(); ++x)
+      count += (qGray(image.pixel(x, y)) < 128) == dark ? 1 : 0;
+  return count;
+}
+
+}  // namespace
+
+class LabelsPictureTest : public QObject {
+  Q_OBJECT
+
+  static QRect boxIn(Labels& f, model::AnnotationId id) {
+    return widgets::boxOf(f.sheet(), id).toAlignedRect();
+  }
+  static void showAs(Labels& f, const char* mode) {
+    f.control<QAction>(qPrintable(QStringLiteral("labels-") + mode)).trigger();
+    QVERIFY(f.settled());
+  }
+
+ private slots:
+  void wordsAreInThePicture() {
+    Labels f;
+    const QImage bare = f.whole();
+    f.make(f.liver, {});
+    const QRect box = boxIn(f, f.only().id);
+    f.session.activateAnnotation(std::nullopt);
+    QVERIFY(inked(f.whole(), box, true) > inked(bare, box, true) + 20);
+    // The leader and the dot at its place, too.
+    const QRect changed = difference(bare, f.whole());
+    QVERIFY(changed.contains(f.placeAt(f.only().id)));
+    // On dark ground ink is light.
+    f.control<QAction>("background-dark").trigger();
+    QVERIFY(f.settled());
+    QVERIFY(inked(f.whole(), boxIn(f, f.only().id), false) > 20);
+  }
+
+  /// The same words of the same size in millimetres as in a picture of the command line.
+  void layoutIsThatOfExports() {
+    Labels f;
+    f.make(f.liver, {});
+    f.make(f.bladder, {}, Qt::Key_P, Qt::ShiftModifier);
+    const widgets::LabelSheet& sheet = f.sheet();
+    render::SightTrees trees;
+    const render::LabelPlate plate = render::labelPlate(
+        f.session.scene(),
+        render::Screen(f.viewport().camera(), sheet.wish.size / sheet.wish.pixelsPerMm),
+        sheet.wish.style, trees);
+    QCOMPARE(plate.layout.labels.size(), std::size_t(2));
+    for (const render::PlacedLabel& label : plate.layout.labels) {
+      const render::PlacedLabel* shown = sheet.plate.layout.find(label.id);
+      QVERIFY(shown);
+      QVERIFY(shown->box.size() == label.box.size());
+      QCOMPARE(int(shown->post), int(label.post));
+    }
+  }
+
+  /// What hides a place hides it here as in exports.
+  void hiddenPlacesAreTold() {
+    Labels f;
+    f.make(f.liver, {});
+    QVERIFY(!f.sheet().plate.labels.front().item.hidden);
+    f.key(Qt::Key_P);  // from behind
+    QVERIFY(f.sheet().plate.labels.front().item.hidden);
+    // A structure that is not shown has no label.
+    f.session.apply("hide", model::withStyle(f.session.scene(), {&f.liver, 1}, {.visible = false}));
+    QVERIFY(f.settled());
+    QVERIFY(!f.labels().layer().sheet());
+    f.undo();
+    QVERIFY(f.settled());
+    QVERIFY(f.labels().layer().sheet());
+    // Nor has one that is gone; undo brings both back.
+    f.session.select({f.liver});
+    f.control<QAction>("remove").trigger();
+    QVERIFY(f.annotations().empty());
+    QVERIFY(f.settled());
+    QVERIFY(!f.labels().layer().sheet());
+    f.undo();
+    QVERIFY(f.settled());
+    QVERIFY(f.labels().layer().sheet());
+  }
+
+  void modesAreChosen() {
+    Labels f;
+    f.make(f.liver, {});
+    f.make(f.bladder, {});
+    const auto lines = [&f] { return f.shownLines(); };
+    QCOMPARE(lines(), QStringList({"liver", "bladder"}));
+    showAs(f, "numbers");
+    QCOMPARE(lines(), QStringList({"1", "2"}));
+    QCOMPARE(f.window.preferences().choice("labels/mode"), QStringLiteral("numbers"));
+    showAs(f, "blank");
+    QCOMPARE(lines(), QStringList({"", ""}));
+    // Blank lines give nothing away.
+    f.session.activateAnnotation(std::nullopt);
+    QVERIFY(f.settled());
+    const QImage before = f.whole();
+    model::Annotation other = f.annotations().front();
+    other.text = "another word, and longer";
+    f.session.apply("words", model::withAnnotationChanged(f.session.scene(), other.id, other));
+    QVERIFY(f.settled());
+    QVERIFY(difference(before, f.whole()).isEmpty());
+    showAs(f, "off");
+    QVERIFY(!f.labels().layer().sheet());
+    showAs(f, "texts");
+    QCOMPARE(lines(), QStringList({"another word,/and longer", "bladder"}));
+  }
+
+  void languageIsChosen() {
+    Labels f;
+    f.make(f.liver, {});
+    f.make(f.bladder, QStringLiteral("my bladder"));
+    const auto speak = [&f](const char* language) {
+      f.window.preferences().set("labels/language", language);
+      return f.shownLines();
+    };
+    QCOMPARE(speak("de"), QStringList({"Leber", "my bladder"}));
+    QCOMPARE(speak("la"), QStringList({"hepar", "my bladder"}));
+    QCOMPARE(speak("scene"), QStringList({"liver", "my bladder"}));
+    // As the structures are called.
+    f.window.preferences().set("language/structures", "nl");
+    QCOMPARE(speak("structures"), QStringList({"lever", "my bladder"}));
+    // What is typed is typed in that language.
+    QTest::mouseDClick(&f.viewport(), Qt::LeftButton, {}, f.textAt(f.annotations().back().id));
+    QVERIFY(f.typing());
+    QTest::keyClicks(&f.editor(), QStringLiteral("mijn blaas"));
+    QTest::keyClick(&f.editor(), Qt::Key_Return);
+    QCOMPARE(f.annotations().back().text, std::string("my bladder"));
+    QCOMPARE(f.annotations().back().texts.at("nl"), std::string("mijn blaas"));
+    QCOMPARE(speak("scene"), QStringList({"liver", "my bladder"}));
+  }
+
+  void lettersHaveTheirSize() {
+    Labels f;
+    f.make(f.liver, {});
+    const QRectF before = widgets::boxOf(f.sheet(), f.only().id);
+    f.window.preferences().set("labels/points", 20);
+    const QRectF after = widgets::boxOf(f.sheet(), f.only().id);
+    QVERIFY(std::abs(after.height() / before.height() - 2.0) < 0.05);
+    // Points are points of this screen.
+    const double pixels = 20.0 * f.viewport().logicalDpiY() / 72.0;
+    QVERIFY(after.height() > pixels && after.height() < 1.5 * pixels);
+  }
+
+  /// Labels belong to the camera of the picture that they lie over, at every step of a turn, and
+  /// stay on their side.
+  void labelsComeWithTheirPicture() {
+    Labels f;
+    f.make(f.liver, {});
+    f.make(f.bladder, {});
+    const auto postOf = [&f](std::size_t i) {
+      return f.sheet().plate.layout.find(f.annotations()[i].id)->post;
+    };
+    const render::LabelPost liver = postOf(0);
+    const render::LabelPost bladder = postOf(1);
+    QVERIFY(liver != bladder);
+    for (int step = 0; step < 6; ++step) {
+      f.key(Qt::Key_Right);
+      QVERIFY(f.sheet().camera == f.viewport().camera());
+      QVERIFY(postOf(0) == liver);
+      QVERIFY(postOf(1) == bladder);
+    }
+    const QPoint from = f.viewport().rect().center() + QPoint(0, 200);
+    sendMouse(f.viewport(), QEvent::MouseButtonPress, from);
+    for (int step = 1; step <= 8; ++step) {
+      sendMouse(f.viewport(), QEvent::MouseMove, from - QPoint(12 * step, 0));
+      QTRY_VERIFY(f.labels().layer().sheet() &&
+                  f.labels().layer().sheet()->camera == f.viewport().camera());
+    }
+    sendMouse(f.viewport(), QEvent::MouseButtonRelease, from - QPoint(96, 0));
+  }
+
+  /// Sorting the meshes is no reason to wait for a picture, nor is a new document's.
+  void anotherDocumentHasItsOwn() {
+    Labels f;
+    f.make(f.liver, {});
+    f.session.openEmpty(QStringLiteral("nothing"));
+    QVERIFY(f.settled());
+    QVERIFY(!f.labels().layer().sheet());
+    f.session.undo();
+    QVERIFY(f.settled());
+    QVERIFY(f.labels().layer().sheet());
+  }
+};
+
+}  // namespace sline::test
+
+QTEST_MAIN(sline::test::LabelsPictureTest)
+#include "labels_picture_test.moc"

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: Apache-2.0
+// Labels in the picture: made, moved, edited and taken away by mouse and keys.
+#include <QAbstractItemView>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "tests/gui/labels_fixture.h"
+
+namespace sline::test {
+
+using model::AnnotationKind;
+
+class LabelsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void eachKindIsMade_data() {
+    QTest::addColumn<int>("key");
+    QTest::addColumn<int>("keys");
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<QString>("step");
+    const auto shift = int(Qt::ShiftModifier);
+    QTest::newRow("label") << int(Qt::Key_T) << 0 << int(AnnotationKind::label) << "Add Label";
+    QTest::newRow("callout") << int(Qt::Key_T) << shift << int(AnnotationKind::callout)
+                             << "Add Callout";
+    QTest::newRow("pin") << int(Qt::Key_P) << shift << int(AnnotationKind::pin) << "Add Pin";
+  }
+  void eachKindIsMade() {
+    QFETCH(int, key);
+    QFETCH(int, keys);
+    QFETCH(int, kind);
+    QFETCH(QString, step);
+    Labels f;
+    const int before = f.steps();
+    f.key(Qt::Key(key), Qt::KeyboardModifiers(keys));
+    f.click(f.middleOf(f.bladder));
+    QVERIFY(f.typing());
+    // What it is called is offered, and gone with the first letter.
+    QCOMPARE(f.editor().toPlainText(), QStringLiteral("bladder"));
+    QCOMPARE(f.editor().textCursor().selectedText(), QStringLiteral("bladder"));
+    QVERIFY(f.annotations().empty());
+    QVERIFY(f.labels().layer().marks().begun);
+    QTest::keyClick(&f.editor(), Qt::Key_Return);
+    QVERIFY(!f.editor().isOpen());
+    QVERIFY(!f.labels().layer().marks().begun);
+    QCOMPARE(int(f.only().kind), kind);
+    QVERIFY(f.structureOf(f.only()) == f.bladder);
+    QCOMPARE(f.only().text, std::string("bladder"));
+    QCOMPARE(f.step(), step);
+    QCOMPARE(f.steps(), before + 1);
+    QVERIFY(f.session.activeAnnotation() == f.only().id);
+    // The place that was clicked is the place.
+    const QPoint away = f.placeAt(f.only().id) - f.middleOf(f.bladder);
+    QVERIFY(away.manhattanLength() <= 3);
+    // The next one, with words of one's own; the tool is still in hand.
+    f.click(f.middleOf(f.liver));
+    QVERIFY(f.typing());
+    QTest::keyClicks(&f.editor(), QStringLiteral("my own"));
+    QTest::keyClick(&f.editor(), Qt::Key_Return);
+    QCOMPARE(f.annotations().size(), std::size_t(2));
+    QCOMPARE(f.annotations().back().text, std::string("my own"));
+    QVERIFY(f.annotations().back().texts.empty());
+    f.undo();
+    QCOMPARE(f.annotations().size(), std::size_t(1));
+    f.redo();
+    QCOMPARE(f.annotations().size(), std::size_t(2));
+    f.key(Qt::Key_Escape);
+    QVERIFY(!f.labels().making());
+    f.click(f.middleOf(f.liver));
+    QTRY_COMPARE(f.session.selection(), widgets::NodeIds{f.liver});
+  }
+
+  void escapeForgetsWhatWasTyped() {
+    Labels f;
+    const int before = f.steps();
+    f.key(Qt::Key_T);
+    f.click(f.middleOf(f.liver));
+    QVERIFY(f.typing());
+    QTest::keyClicks(&f.editor(), QStringLiteral("nothing"));
+    QTest::keyClick(&f.editor(), Qt::Key_Escape);
+    QVERIFY(!f.editor().isOpen());
+    QVERIFY(f.annotations().empty());
+    QCOMPARE(f.steps(), before);
+    // Beside the structures there is nothing to label.
+    f.click({8, 300});
+    QTest::qWait(150);
+    QVERIFY(!f.editor().isOpen());
+    // An empty label is none.
+    f.click(f.middleOf(f.liver));
+    QVERIFY(f.typing());
+    QTest::keyClick(&f.editor(), Qt::Key_Delete);
+    QTest::keyClick(&f.editor(), Qt::Key_Return);
+    QVERIFY(f.annotations().empty());
+    // Turning with the tool in hand makes none either.
+    const model::Camera camera = f.viewport().camera();
+    dragMouse(f.viewport(), f.middleOf(f.liver), f.middleOf(f.liver) + QPoint(60, 0));
+    QVERIFY(f.viewport().camera() != camera);
+    QVERIFY(!f.editor().isOpen());
+  }
+
+  void clickElsewhereTakesWordsOver() {
+    Labels f;
+    f.key(Qt::Key_T);
+    f.click(f.middleOf(f.liver));
+    QVERIFY(f.typing());
+    QTest::keyClicks(&f.editor(), QStringLiteral("first"));
+    f.viewport().setFocus(Qt::MouseFocusReason);  // as a click does
+    f.click(f.middleOf(f.bladder));
+    QVERIFY(f.typing());
+    QTest::keyClick(&f.editor(), Qt::Key_Return);
+    QCOMPARE(f.annotations().size(), std::size_t(2));
+    QCOMPARE(f.annotations().front().text, std::string("first"));
+  }
+
+  void distancesHaveTwoPlaces() {
+    Labels f;
+    f.key(Qt::Key_M);
+    f.click(f.middleOf(f.liver));
+    QTRY_VERIFY(f.labels().layer().marks().begun);
+    QVERIFY(f.annotations().empty());
+    f.key(Qt::Key_Escape);  // that place
+    QVERIFY(!f.labels().layer().marks().begun);
+    QVERIFY(f.labels().making());
+    f.click(f.middleOf(f.liver));
+    QTRY_VERIFY(f.labels().layer().marks().begun);
+    f.click(f.middleOf(f.bladder));
+    QTRY_COMPARE(f.annotations().size(), std::size_t(1));
+    QCOMPARE(f.step(), QStringLiteral("Add Distance"));
+    const auto& list = f.control<QAbstractItemView>("annotationList");
+    QVERIFY(list.model()->index(0, 1).data().toString().endsWith(QStringLiteral(" mm")));
+    QVERIFY(f.structureOf(f.only(), 0) == f.liver);
+    QVERIFY(f.structureOf(f.only(), 1) == f.bladder);
+    // Between the places that were clicked, whatever the view.
+    const auto place = [&f](std::size_t i) {
+      return *f.session.scene().placeOf(f.only().anchors[i]);
+    };
+    const float length = glm::length(place(1) - place(0));
+    QVERIFY(length > 50.0f && length < 60.0f);
+    QCOMPARE(f.shownLines(), QStringList{QStringLiteral("%1\u00a0mm").arg(std::lround(length))});
+    f.undo();
+    QVERIFY(f.annotations().empty());
+  }
+
+  void textsAreMovedByHand() {
+    Labels f;
+    f.make(f.liver, {});
+    const model::AnnotationId id = f.only().id;
+    const int before = f.steps();
+    const QPoint from = f.textAt(id);
+    const QPoint to = from + QPoint(40, 90);
+    dragMouse(f.viewport(), from, to);
+    QCOMPARE(f.step(), QStringLiteral("Move Label"));
+    QCOMPARE(f.steps(), before + 1);
+    QVERIFY(f.only().offset);
+    QVERIFY((f.textAt(id) - to).manhattanLength() <= 2);
+    // It goes along with its place.
+    const QPoint beside = f.textAt(id) - f.placeAt(id);
+    dragMouse(f.viewport(), {300, 60}, {330, 80}, Qt::MiddleButton);
+    QVERIFY(((f.textAt(id) - f.placeAt(id)) - beside).manhattanLength() <= 2);
+    f.undo();
+    QVERIFY(!f.only().offset);
+    f.redo();
+    QVERIFY(f.only().offset);
+  }
+
+  void escapePutsItBack() {
+    Labels f;
+    f.make(f.liver, {});
+    const model::Annotation was = f.only();
+    const int before = f.steps();
+    for (const QPoint from : {f.textAt(was.id), f.placeAt(was.id)}) {
+      sendMouse(f.viewport(), QEvent::MouseButtonPress, from);
+      for (const int step : {8, 20, 40})
+        sendMouse(f.viewport(), QEvent::MouseMove, from + QPoint(step, step));
+      QTRY_VERIFY(f.session.previewing());
+      f.key(Qt::Key_Escape);
+      QVERIFY(!f.session.previewing());
+      sendMouse(f.viewport(), QEvent::MouseButtonRelease, from + QPoint(40, 40));
+      QVERIFY(f.settled());
+      QVERIFY(f.only() == was);
+      QCOMPARE(f.steps(), before);
+    }
+  }
+
+  void placesAreMovedOverSurfaces() {
+    Labels f;
+    f.make(f.liver, {});
+    const model::AnnotationId id = f.only().id;
+    const int before = f.steps();
+    dragMouse(f.viewport(), f.placeAt(id), f.middleOf(f.bladder));
+    QTRY_VERIFY(f.structureOf(f.only()) == f.bladder);
+    QTRY_COMPARE(f.steps(), before + 1);
+    QVERIFY((f.placeAt(id) - f.middleOf(f.bladder)).manhattanLength() <= 3);
+    QCOMPARE(f.only().text, std::string("liver"));
+    f.undo();
+    QVERIFY(f.structureOf(f.only()) == f.liver);
+    // Beside all surfaces it stays on the last.
+    dragMouse(f.viewport(), f.placeAt(id), {8, 300});
+    QVERIFY(f.settled());
+    QTRY_VERIFY(!f.session.previewing());
+    QVERIFY(f.structureOf(f.only()) == f.liver);
+  }
+
+  void lockedOnesStay() {
+    Labels f;
+    f.make(f.liver, {});
+    f.change([](model::Annotation& annotation) { annotation.locked = true; });
+    const model::Annotation was = f.only();
+    const model::Camera camera = f.viewport().camera();
+    const int before = f.steps();
+    dragMouse(f.viewport(), f.textAt(was.id), f.textAt(was.id) + QPoint(50, 50));
+    dragMouse(f.viewport(), f.placeAt(was.id), f.middleOf(f.bladder));
+    QVERIFY(f.settled());
+    QVERIFY(f.only() == was);
+    QCOMPARE(f.steps(), before);
+    QVERIFY(f.viewport().camera() == camera);
+  }
+
+  void wordsAreEditedInPlace() {
+    Labels f;
+    f.make(f.liver, {});
+    const model::AnnotationId id = f.only().id;
+    QTest::mouseDClick(&f.viewport(), Qt::LeftButton, {}, f.textAt(id));
+    QVERIFY(f.typing());
+    QCOMPARE(f.editor().toPlainText(), QStringLiteral("liver"));
+    QTest::keyClicks(&f.editor(), QStringLiteral("hepar"));
+    QTest::keyClick(&f.editor(), Qt::Key_Return);
+    QCOMPARE(f.only().text, std::string("hepar"));
+    QCOMPARE(f.shownLines(), QStringList{QStringLiteral("hepar")});
+    f.undo();
+    QCOMPARE(f.only().text, std::string("liver"));
+    f.redo();
+    QCOMPARE(f.only().text, std::string("hepar"));
+    // By key; the same words are no step.
+    const int before = f.steps();
+    f.key(Qt::Key_F2);
+    QVERIFY(f.typing());
+    QTest::keyClick(&f.editor(), Qt::Key_Return);
+    QCOMPARE(f.steps(), before);
+    QVERIFY(f.viewport().hasFocus());
+  }
+
+  void calloutsHaveLines() {
+    Labels f;
+    f.key(Qt::Key_T, Qt::ShiftModifier);
+    f.click(f.middleOf(f.liver));
+    QVERIFY(f.typing());
+    QTest::keyClicks(&f.editor(), QStringLiteral("one"));
+    QTest::keyClick(&f.editor(), Qt::Key_Return, Qt::ShiftModifier);
+    QTest::keyClicks(&f.editor(), QStringLiteral("two"));
+    QTest::keyClick(&f.editor(), Qt::Key_Return);
+    QCOMPARE(f.only().text, std::string("one\ntwo"));
+    QCOMPARE(f.shownLines(), QStringList{QStringLiteral("one/two")});
+  }
+
+  /// Nothing of HTML is understood, wherever words are shown.
+  void wordsArePlain() {
+    Labels f;
+    const QString words = QStringLiteral("<b>x</b><img src=/etc/passwd>");
+    f.make(f.liver, words, Qt::Key_T, Qt::ShiftModifier);
+    QCOMPARE(f.only().text, words.toStdString());
+    // As they are, but for where lines end.
+    QCOMPARE(f.shownLines().join(QString()).remove('/').remove(' '),
+             QString(words).remove('/').remove(' '));
+    f.key(Qt::Key_F2);
+    QVERIFY(f.typing());
+    QCOMPARE(f.editor().toPlainText(), words);
+  }
+
+  /// Del is for what was chosen last.
+  void delTakesTheChosenAway() {
+    Labels f;
+    f.click(f.middleOf(f.bladder));
+    QTRY_COMPARE(f.session.selection(), widgets::NodeIds{f.bladder});
+    f.make(f.liver, {});
+    const model::AnnotationId id = f.only().id;
+    f.click({8, 300});
+    QTRY_VERIFY(!f.session.activeAnnotation());
+    f.click(f.textAt(id));
+    QVERIFY(f.session.activeAnnotation() == id);
+    f.key(Qt::Key_Delete);
+    QVERIFY(f.annotations().empty());
+    QCOMPARE(f.session.scene().nodes().size(), std::size_t(2));
+    QCOMPARE(f.step(), QStringLiteral("Delete Label"));
+    f.undo();
+    QCOMPARE(f.annotations().size(), std::size_t(1));
+    f.click(f.middleOf(f.bladder));
+    QTRY_COMPARE(f.session.selection(), widgets::NodeIds{f.bladder});
+    QVERIFY(!f.session.activeAnnotation());
+    f.key(Qt::Key_Delete);
+    QCOMPARE(f.session.scene().nodes().size(), std::size_t(1));
+  }
+
+  void hoverShowsWhatCanBeTaken() {
+    Labels f;
+    f.make(f.liver, {});
+    const model::AnnotationId id = f.only().id;
+    const QPoint at = f.textAt(id);
+    sendMouse(f.viewport(), QEvent::MouseMove, {8, 300}, Qt::NoButton);
+    QVERIFY(!f.labels().layer().marks().hovered);
+    QCOMPARE(f.viewport().cursor().shape(), Qt::ArrowCursor);
+    sendMouse(f.viewport(), QEvent::MouseMove, at, Qt::NoButton);
+    QVERIFY(f.labels().layer().marks().hovered == id);
+    QCOMPARE(f.viewport().cursor().shape(), Qt::OpenHandCursor);
+  }
+
+  /// Another scene in the document's place shows its labels, but nothing can be done to them.
+  void shutWhileSomethingElseIsShown() {
+    Labels f;
+    f.make(f.liver, {});
+    const QPoint at = f.textAt(f.only().id);
+    f.session.activateAnnotation(std::nullopt);
+    f.viewport().showInstead(f.session.scene());
+    QVERIFY(f.settled());
+    QVERIFY(f.labels().layer().sheet());
+    f.click(at);
+    QVERIFY(!f.session.activeAnnotation());
+    QTest::mouseDClick(&f.viewport(), Qt::LeftButton, {}, at);
+    QVERIFY(!f.editor().isOpen());
+    f.viewport().showInstead({});
+    QVERIFY(f.settled());
+    f.click(at);
+    QVERIFY(f.session.activeAnnotation());
+  }
+};
+
+}  // namespace sline::test
+
+QTEST_MAIN(sline::test::LabelsTest)
+#include "labels_test.moc"

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QAbstractTableModel>
+
+#include "widgets/session/session.h"
+
+namespace sline::widgets {
+
+/// The scene's annotations as rows: a tick for what is shown beside its number, what it says, its
+/// kind and what it points at.
+class AnnotationList : public QAbstractTableModel {
+  Q_OBJECT
+ public:
+  enum Column { number, text, kind, place, columnCount_ };
+  explicit AnnotationList(Session& session, QObject* parent = nullptr);
+
+  /// Texts are shown, and typed, in that language; empty: the scene's own.
+  const std::string& language() const { return m_language; }
+  void setLanguage(const std::string& tag);
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+  const model::Annotation* at(int row) const;
+  /// −1 where there is none.
+  int rowOf(std::optional<model::AnnotationId> id) const;
+
+ private:
+  void documentChange(const Document& before, const Document& now);
+  void allChanged();
+  /// As it stands in pictures: among those that are visible, from 1.
+  int numberOf(int row) const;
+
+  Session& m_session;
+  std::string m_language;
+};
+
+}  // namespace sline::widgets

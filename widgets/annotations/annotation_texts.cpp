@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/annotations/annotation_texts.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <glm/geometric.hpp>
+
+#include "widgets/annotations/label_look.h"
+
+namespace sline::widgets {
+
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("sline::widgets", text);
+}
+
+std::optional<model::NodeId> structureAt(const model::Anchor& anchor) {
+  const auto* point = std::get_if<model::SurfacePoint>(&anchor);
+  return point ? std::optional(point->structure) : std::nullopt;
+}
+
+QString anchorText(Session& session, const model::Anchor& anchor) {
+  const std::optional<model::NodeId> id = structureAt(anchor);
+  if (!id)
+    return tr("a place");
+  const model::Node* node = session.scene().find(*id);
+  return node ? session.names().shown(node->name) : tr("nothing that is there");
+}
+
+}  // namespace
+
+QString kindText(model::AnnotationKind kind) {
+  switch (kind) {
+    case model::AnnotationKind::callout:
+      return tr("Callout");
+    case model::AnnotationKind::pin:
+      return tr("Pin");
+    case model::AnnotationKind::distance:
+      return tr("Distance");
+    default:
+      return tr("Label");
+  }
+}
+
+QString wordsIn(const model::Annotation& annotation, const std::string& language) {
+  return QString::fromStdString(model::textIn(annotation, language));
+}
+
+QString shownText(const model::Scene& scene, const model::Annotation& annotation,
+                  const std::string& language) {
+  const QString text = wordsIn(annotation, language).simplified();
+  if (text.isEmpty() && annotation.kind == model::AnnotationKind::distance) {
+    const auto from = scene.placeOf(annotation.anchors.front());
+    const auto to = scene.placeOf(annotation.anchors.back());
+    if (from && to)
+      return tr("%1 mm").arg(QLocale().toString(double(glm::length(*to - *from)), 'f', 1));
+  }
+  return text.isEmpty() ? kindText(annotation.kind) : text;
+}
+
+QString placeText(Session& session, const model::Annotation& annotation) {
+  const QString first = anchorText(session, annotation.anchors.front());
+  const QString last = anchorText(session, annotation.anchors.back());
+  return first == last ? first : tr("%1 – %2").arg(first, last);
+}
+
+std::optional<model::NodeId> structureOf(const model::Annotation& annotation) {
+  return structureAt(annotation.anchors.front());
+}
+
+QString offeredText(Session& session, model::NodeId structure, const std::string& language) {
+  const model::Node* node = session.scene().find(structure);
+  return node ? session.names().calledIn(node->name, language) : QString();
+}
+
+model::Annotation withText(model::Annotation annotation, const std::string& language,
+                           const QString& text) {
+  const std::string words = text.toStdString();
+  if (language.empty()) {
+    annotation.text = words;
+  } else if (words.empty()) {
+    annotation.texts.erase(language);
+  } else {
+    annotation.texts[language] = words;
+    if (annotation.text.empty())
+      annotation.text = words;
+  }
+  return annotation;
+}
+
+model::Annotation withFirstText(Session& session, model::Annotation annotation,
+                                const std::string& language, const QString& text) {
+  const std::optional<model::NodeId> structure = structureOf(annotation);
+  const model::Node* node = structure ? session.scene().find(*structure) : nullptr;
+  if (!node || text != offeredText(session, *structure, language))
+    return withText(std::move(annotation), language, text);
+  annotation.text = node->name;
+  for (const LabelLanguage& each : labelLanguages()) {
+    const std::string words = session.names().calledIn(node->name, each.tag).toStdString();
+    if (!each.tag.empty() && words != annotation.text)
+      annotation.texts[each.tag] = words;
+  }
+  return annotation;
+}
+
+}  // namespace sline::widgets

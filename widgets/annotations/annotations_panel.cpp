@@ -1,0 +1,430 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/annotations/annotations_panel.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QColorDialog>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QPainter>
+#include <QPlainTextEdit>
+#include <QScopedValueRollback>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QTreeView>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+
+#include "model/edit/annotations.h"
+#include "widgets/annotations/annotation_list.h"
+#include "widgets/annotations/annotation_texts.h"
+#include "widgets/annotations/label_look.h"
+
+namespace sline::widgets {
+
+namespace {
+
+using model::AnnotationKind;
+
+// What a row of the list of views stands for, besides their places.
+constexpr int allViews = -1;
+constexpr int asItIs = -2;
+
+const PreferenceRow& rowOf(const std::vector<PreferenceRow>& rows, const char* id) {
+  return *std::find_if(rows.begin(), rows.end(),
+                       [id](const PreferenceRow& row) { return row.id == QLatin1String(id); });
+}
+
+QComboBox* narrowBox(const char* name, const QString& says) {
+  auto* box = new QComboBox;
+  box->setObjectName(QLatin1String(name));
+  box->setAccessibleName(says);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(5);
+  return box;
+}
+
+QIcon swatch(const std::optional<Colour>& colour, const QPalette& palette) {
+  QPixmap pixmap(16, 16);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(palette.color(QPalette::ButtonText));
+  painter.setBrush(colour ? QColor(colour->red, colour->green, colour->blue)
+                          : palette.color(QPalette::ButtonText));
+  painter.drawEllipse(QRectF(2.5, 2.5, 11.0, 11.0));
+  return QIcon(pixmap);
+}
+
+}  // namespace
+
+AnnotationsPanel::AnnotationsPanel(Session& session, Preferences& preferences, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_preferences(preferences),
+      m_annotations(new AnnotationList(session, this)) {
+  setObjectName(QStringLiteral("annotations"));
+  makeList();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 8, 8, 8);
+  layout->setSpacing(6);
+  layout->addWidget(makeButtons());
+  layout->addWidget(m_list, 1);
+  layout->addWidget(makeDetails());
+  layout->addWidget(makeLook());
+  connect(&session, &Session::documentChanged, this, &AnnotationsPanel::showActive);
+  connect(&session, &Session::activeAnnotationChanged, this, &AnnotationsPanel::showActive);
+  connect(&session.names(), &ShownNames::changed, this, &AnnotationsPanel::followPreferences);
+  connect(&preferences, &Preferences::changed, this, &AnnotationsPanel::followPreferences);
+  followPreferences();
+}
+
+QWidget* AnnotationsPanel::makeButtons() {
+  m_remove = new QToolButton;
+  m_remove->setObjectName(QStringLiteral("annotationDelete"));
+  m_remove->setText(tr("Delete"));
+  m_remove->setToolTip(tr("Take this label away"));
+  connect(m_remove, &QToolButton::clicked, this, &AnnotationsPanel::remove);
+  auto* row = new QWidget;
+  m_buttons = new QHBoxLayout(row);
+  m_buttons->setContentsMargins(0, 0, 0, 0);
+  m_buttons->setSpacing(2);
+  m_buttons->addStretch(1);
+  m_buttons->addWidget(m_remove);
+  return row;
+}
+
+void AnnotationsPanel::addButtons(const std::vector<QAction*>& actions) {
+  int at = 0;
+  for (QAction* action : actions) {
+    auto* button = new QToolButton;
+    button->setObjectName(action->objectName() + QStringLiteral("Button"));
+    button->setDefaultAction(action);
+    button->setAccessibleName(action->text().remove(QLatin1Char('&')));
+    button->setIconSize({18, 18});
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    if (action->icon().isNull())
+      button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    m_buttons->insertWidget(at++, button);
+  }
+}
+
+QWidget* AnnotationsPanel::makeLook() {
+  const std::vector<PreferenceRow> rows = preferenceRows();
+  const auto choice = [this, &rows](const char* name, const char* id) {
+    const PreferenceRow& row = rowOf(rows, id);
+    QComboBox* box = narrowBox(name, row.text);
+    box->setToolTip(row.tip);
+    for (const ChoiceOf::Row& each : std::get<ChoiceOf>(row.kind).rows)
+      box->addItem(each.text, each.id);
+    connect(box, &QComboBox::activated, this,
+            [this, box, id = row.id](int at) { m_preferences.set(id, box->itemData(at)); });
+    return box;
+  };
+  m_mode = choice("annotationMode", labelModeKey);
+  m_language = choice("annotationLanguage", labelLanguageKey);
+  const PreferenceRow& points = rowOf(rows, labelPointsKey);
+  const auto& kind = std::get<WholeNumber>(points.kind);
+  m_points = new QSpinBox;
+  m_points->setObjectName(QStringLiteral("annotationPoints"));
+  m_points->setAccessibleName(points.text);
+  m_points->setToolTip(points.tip);
+  m_points->setRange(kind.low, kind.high);
+  m_points->setSuffix(QLatin1Char(' ') + kind.unit);
+  connect(m_points, &QSpinBox::valueChanged, this,
+          [this, id = points.id](int value) { m_preferences.set(id, value); });
+  auto* look = new QWidget;
+  auto* layout = new QHBoxLayout(look);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(m_mode, 3);
+  layout->addWidget(m_language, 4);
+  layout->addWidget(m_points, 2);
+  return look;
+}
+
+void AnnotationsPanel::makeList() {
+  m_list = new QTreeView;
+  m_list->setObjectName(QStringLiteral("annotationList"));
+  m_list->setAccessibleName(tr("Labels"));
+  m_list->setModel(m_annotations);
+  m_list->setRootIsDecorated(false);
+  m_list->setAllColumnsShowFocus(true);
+  m_list->setUniformRowHeights(true);
+  // As high as there is room, but asking for none of the other panels'.
+  m_list->setMinimumHeight(64);
+  m_list->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
+  m_list->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+  m_list->installEventFilter(this);
+  QHeaderView* columns = m_list->header();
+  columns->setStretchLastSection(false);
+  columns->setSectionsMovable(false);
+  columns->setSectionResizeMode(AnnotationList::number, QHeaderView::ResizeToContents);
+  columns->setSectionResizeMode(AnnotationList::text, QHeaderView::Stretch);
+  columns->setSectionResizeMode(AnnotationList::kind, QHeaderView::ResizeToContents);
+  columns->setSectionResizeMode(AnnotationList::place, QHeaderView::Stretch);
+  const auto activate = [this](const QModelIndex& now) {
+    const model::Annotation* annotation = m_annotations->at(now.row());
+    if (!m_following && annotation)
+      m_session.activateAnnotation(annotation->id);
+  };
+  connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this, activate);
+  connect(m_list, &QTreeView::clicked, this, activate);
+}
+
+void AnnotationsPanel::makeText() {
+  m_text = new QPlainTextEdit;
+  m_text->setObjectName(QStringLiteral("annotationText"));
+  m_text->setAccessibleName(tr("What the label says"));
+  m_text->setTabChangesFocus(true);
+  m_text->setFixedHeight(2 * fontMetrics().lineSpacing() + 14);
+  m_text->installEventFilter(this);
+  connect(m_text, &QPlainTextEdit::textChanged, this, &AnnotationsPanel::write);
+}
+
+void AnnotationsPanel::makeChoices() {
+  m_kind = narrowBox("annotationKind", tr("Kind of label"));
+  connect(m_kind, &QComboBox::activated, this, &AnnotationsPanel::kindChosen);
+  m_colour = new QToolButton;
+  m_colour->setObjectName(QStringLiteral("annotationColour"));
+  m_colour->setText(tr("Colour"));
+  m_colour->setToolTip(tr("Of the dot at its place"));
+  m_colour->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  m_colour->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(m_colour);
+  menu->setObjectName(QStringLiteral("annotationColourMenu"));
+  menu->addAction(tr("As the &Ink"), this,
+                  [this] { setColour(tr("Colour of a Label"), std::nullopt); });
+  menu->addAction(tr("&Colour…"), this, &AnnotationsPanel::chooseColour);
+  m_colour->setMenu(menu);
+  m_views = narrowBox("annotationViews", tr("Views that show it"));
+  m_views->setToolTip(tr("Which of the saved views show it"));
+  connect(m_views, &QComboBox::activated, this, &AnnotationsPanel::viewChosen);
+  m_locked = new QCheckBox(tr("Locked"));
+  m_locked->setObjectName(QStringLiteral("annotationLocked"));
+  m_locked->setToolTip(tr("The mouse does not move it"));
+  connect(m_locked, &QCheckBox::clicked, this, [this](bool on) {
+    if (const model::Annotation* there = active()) {
+      model::Annotation annotation = *there;
+      annotation.locked = on;
+      change(on ? tr("Lock Label") : tr("Unlock Label"), annotation);
+    }
+  });
+  m_release = new QToolButton;
+  m_release->setObjectName(QStringLiteral("annotationRelease"));
+  m_release->setText(tr("Place by Itself"));
+  m_release->setToolTip(tr("It finds its place again, after it was moved by hand"));
+  connect(m_release, &QToolButton::clicked, this, [this] {
+    if (const model::Annotation* there = active()) {
+      model::Annotation annotation = *there;
+      annotation.offset.reset();
+      change(tr("Place Label by Itself"), annotation);
+    }
+  });
+}
+
+QWidget* AnnotationsPanel::makeDetails() {
+  makeText();
+  makeChoices();
+  m_details = new QWidget;
+  auto* grid = new QGridLayout(m_details);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setVerticalSpacing(4);
+  grid->setColumnStretch(0, 3);
+  grid->setColumnStretch(1, 2);
+  grid->addWidget(m_text, 0, 0, 1, 3);
+  grid->addWidget(m_kind, 1, 0);
+  grid->addWidget(m_colour, 1, 1);
+  grid->addWidget(m_locked, 1, 2);
+  grid->addWidget(m_views, 2, 0);
+  grid->addWidget(m_release, 2, 1, 1, 2);
+  return m_details;
+}
+
+const model::Annotation* AnnotationsPanel::active() const {
+  return m_annotations->at(m_annotations->rowOf(m_session.activeAnnotation()));
+}
+
+void AnnotationsPanel::change(const QString& step, const model::Annotation& annotation,
+                              const QString& series) {
+  m_session.apply(step, model::withAnnotationChanged(m_session.scene(), annotation.id, annotation),
+                  series);
+}
+
+void AnnotationsPanel::remove() {
+  const int row = m_annotations->rowOf(m_session.activeAnnotation());
+  const model::Annotation* annotation = m_annotations->at(row);
+  if (!annotation)
+    return;
+  m_session.apply(tr("Delete Label"),
+                  model::withoutAnnotations(m_session.scene(), std::array{annotation->id}));
+  // The one that takes its place, so that a key held down deletes one after the other.
+  const model::Annotation* next = m_annotations->at(std::min(row, m_annotations->rowCount() - 1));
+  m_session.activateAnnotation(next ? std::optional(next->id) : std::nullopt);
+}
+
+bool AnnotationsPanel::eventFilter(QObject* watched, QEvent* event) {
+  const bool shortcut = event->type() == QEvent::ShortcutOverride;
+  if (!shortcut && event->type() != QEvent::KeyPress)
+    return QWidget::eventFilter(watched, event);
+  auto* key = static_cast<QKeyEvent*>(event);
+  const bool enter = key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter;
+  // Del removes structures elsewhere in the window.
+  if (watched == m_list && key->key() == Qt::Key_Delete) {
+    if (shortcut)
+      event->accept();
+    else
+      remove();
+    return true;
+  }
+  const model::Annotation* annotation = active();
+  if (watched == m_text && enter && !shortcut && annotation &&
+      annotation->kind != AnnotationKind::callout) {
+    m_list->setFocus();  // a label is one line
+    return true;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void AnnotationsPanel::write() {
+  const model::Annotation* there = active();
+  if (m_following || !there)
+    return;
+  QString text = m_text->toPlainText();
+  if (there->kind != AnnotationKind::callout)
+    text.replace(QLatin1Char('\n'), QLatin1Char(' '));  // pasted
+  change(tr("Change What a Label Says"), withText(*there, m_annotations->language(), text),
+         QStringLiteral("annotation-text-%1").arg(there->id.value));
+}
+
+void AnnotationsPanel::kindChosen(int row) {
+  if (const model::Annotation* there = active()) {
+    model::Annotation annotation = *there;
+    annotation.kind = AnnotationKind(m_kind->itemData(row).toInt());
+    change(tr("Kind of Label"), annotation);
+  }
+}
+
+void AnnotationsPanel::viewChosen(int row) {
+  const model::Annotation* there = active();
+  const int view = m_views->itemData(row).toInt();
+  if (!there || view == asItIs)
+    return;
+  m_session.apply(tr("Views of a Label"),
+                  model::withAnnotationShownIn(
+                      m_session.scene(), there->id,
+                      view == allViews ? std::nullopt : std::optional(std::size_t(view))));
+}
+
+void AnnotationsPanel::setColour(const QString& step, std::optional<Colour> colour) {
+  if (const model::Annotation* there = active()) {
+    model::Annotation annotation = *there;
+    annotation.colour = colour;
+    change(step, annotation);
+  }
+}
+
+void AnnotationsPanel::chooseColour() {
+  const model::Annotation* there = active();
+  if (!there)
+    return;
+  const Colour now = there->colour.value_or(Colour{});
+  auto* dialog = new QColorDialog(QColor(now.red, now.green, now.blue), this);
+  dialog->setObjectName(QStringLiteral("annotationColourDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  // While it is open each colour shows at once; accepting makes the one undo step.
+  connect(dialog, &QColorDialog::currentColorChanged, this,
+          [this, id = there->id](const QColor& c) {
+            const model::Scene& before = m_session.sceneBeforePreview();
+            const model::Annotation* was = model::findAnnotation(before, id);
+            if (!was)
+              return;
+            model::Annotation annotation = *was;
+            annotation.colour =
+                Colour{std::uint8_t(c.red()), std::uint8_t(c.green()), std::uint8_t(c.blue())};
+            m_session.preview(model::withAnnotationChanged(before, id, annotation).scene);
+          });
+  connect(dialog, &QColorDialog::accepted, this,
+          [this] { m_session.commitPreview(tr("Colour of a Label")); });
+  connect(dialog, &QColorDialog::rejected, this, [this] { m_session.cancelPreview(); });
+  dialog->open();
+}
+
+void AnnotationsPanel::followPreferences() {
+  m_annotations->setLanguage(labelStyle(m_preferences, m_session.names()).language);
+  const auto choose = [this](QComboBox& box, const char* id) {
+    box.setCurrentIndex(box.findData(m_preferences.choice(QLatin1String(id))));
+  };
+  choose(*m_mode, labelModeKey);
+  choose(*m_language, labelLanguageKey);
+  m_points->setValue(m_preferences.number(QLatin1String(labelPointsKey)));
+  showActive();
+}
+
+void AnnotationsPanel::listViews(const model::Annotation& annotation) {
+  const std::vector<model::View>& views = m_session.scene().views();
+  const std::vector<std::size_t> showing = model::viewsShowing(m_session.scene(), annotation.id);
+  m_views->clear();
+  m_views->addItem(tr("In all views"), allViews);
+  for (std::size_t i = 0; i < views.size(); ++i)
+    m_views->addItem(tr("Only in %1").arg(QString::fromStdString(views[i].name)), int(i));
+  int row = 0;
+  if (showing.size() == 1 && views.size() > 1)
+    row = 1 + int(showing.front());
+  else if (showing.size() != views.size()) {
+    m_views->addItem(
+        showing.empty() ? tr("In no view") : tr("In %n views", nullptr, int(showing.size())),
+        asItIs);
+    row = m_views->count() - 1;
+  }
+  m_views->setCurrentIndex(row);
+  m_views->setEnabled(!views.empty());
+}
+
+void AnnotationsPanel::showChoices(const model::Annotation& annotation) {
+  m_kind->clear();
+  const bool distance = annotation.kind == AnnotationKind::distance;
+  for (const AnnotationKind kind : {AnnotationKind::label, AnnotationKind::callout,
+                                    AnnotationKind::pin, AnnotationKind::distance})
+    if (distance == (kind == AnnotationKind::distance))
+      m_kind->addItem(kindText(kind), int(kind));
+  m_kind->setCurrentIndex(m_kind->findData(int(annotation.kind)));
+  m_kind->setEnabled(!distance);
+  m_colour->setIcon(swatch(annotation.colour, palette()));
+  m_locked->setChecked(annotation.locked);
+  m_release->setEnabled(annotation.offset.has_value());
+  listViews(annotation);
+}
+
+void AnnotationsPanel::showActive() {
+  const QScopedValueRollback following(m_following, true);
+  const int row = m_annotations->rowOf(m_session.activeAnnotation());
+  const model::Annotation* annotation = m_annotations->at(row);
+  if (row != m_list->currentIndex().row())
+    m_list->setCurrentIndex(m_annotations->index(row, AnnotationList::text));
+  m_remove->setEnabled(annotation);
+  m_details->setEnabled(annotation);
+  if (!annotation) {
+    m_text->clear();
+    m_text->setPlaceholderText(tr("Choose a label"));
+    return;
+  }
+  // What a language lacks is said in the scene's own.
+  const std::string& tag = m_annotations->language();
+  const auto own = annotation->texts.find(tag);
+  const QString text = QString::fromStdString(tag.empty()                      ? annotation->text
+                                              : own == annotation->texts.end() ? std::string()
+                                                                               : own->second);
+  m_text->setPlaceholderText(wordsIn(*annotation, tag).simplified());
+  if (m_text->toPlainText() != text)
+    m_text->setPlainText(text);
+  showChoices(*annotation);
+}
+
+}  // namespace sline::widgets

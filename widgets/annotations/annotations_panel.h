@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/preferences/preferences.h"
+#include "widgets/session/session.h"
+
+class QAction;
+class QCheckBox;
+class QComboBox;
+class QHBoxLayout;
+class QPlainTextEdit;
+class QSpinBox;
+class QToolButton;
+class QTreeView;
+
+namespace sline::widgets {
+
+class AnnotationList;
+
+/// All annotations in a list, below it what can be said of the active one, above it how labels are
+/// shown in the window, which is a preference.
+class AnnotationsPanel : public QWidget {
+  Q_OBJECT
+ public:
+  AnnotationsPanel(Session& session, Preferences& preferences, QWidget* parent = nullptr);
+  /// Buttons for what makes labels, before the one that deletes them.
+  void addButtons(const std::vector<QAction*>& actions);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  QWidget* makeButtons();
+  QWidget* makeLook();
+  void makeList();
+  QWidget* makeDetails();
+  void makeText();
+  void makeChoices();
+  const model::Annotation* active() const;
+  void change(const QString& step, const model::Annotation& annotation, const QString& series = {});
+  void remove();
+  void write();
+  void kindChosen(int row);
+  void viewChosen(int row);
+  void chooseColour();
+  void setColour(const QString& step, std::optional<Colour> colour);
+  void followPreferences();
+  void showActive();
+  void showChoices(const model::Annotation& annotation);
+  void listViews(const model::Annotation& annotation);
+
+  Session& m_session;
+  Preferences& m_preferences;
+  AnnotationList* m_annotations;
+  QHBoxLayout* m_buttons = nullptr;
+  QToolButton* m_remove = nullptr;
+  QComboBox* m_mode = nullptr;
+  QComboBox* m_language = nullptr;
+  QSpinBox* m_points = nullptr;
+  QTreeView* m_list = nullptr;
+  QWidget* m_details = nullptr;
+  QPlainTextEdit* m_text = nullptr;
+  QComboBox* m_kind = nullptr;
+  QToolButton* m_colour = nullptr;
+  QComboBox* m_views = nullptr;
+  QCheckBox* m_locked = nullptr;
+  QToolButton* m_release = nullptr;
+  bool m_following = false;  ///< the session, not the person
+};
+
+}  // namespace sline::widgets

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/annotations/label_look.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <array>
+
+namespace sline::widgets {
+
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("sline::widgets", text);
+}
+
+constexpr std::array<const char*, 4> modes{"off", "texts", "numbers", "blank"};
+
+}  // namespace
+
+std::vector<LabelLanguage> labelLanguages() {
+  return {{"", tr("The scene’s own")}, {"en", tr("English")}, {"de", tr("German")},
+          {"la", tr("Latin")},         {"nl", tr("Dutch")},   {"nb", tr("Norwegian")}};
+}
+
+std::string tagOf(std::optional<model::NameLanguage> language) {
+  static constexpr std::array<const char*, model::nameLanguages> tags{"en", "la", "de", "nl", "nb"};
+  return language ? tags[std::size_t(*language)] : "";
+}
+
+render::LabelStyle labelStyle(const Preferences& preferences, const ShownNames& names) {
+  const QString mode = preferences.choice(QLatin1String(labelModeKey));
+  const auto found = std::find_if(modes.begin(), modes.end(),
+                                  [&mode](const char* id) { return mode == QLatin1String(id); });
+  const QString language = preferences.choice(QLatin1String(labelLanguageKey));
+  render::LabelStyle style{.mode = render::LabelMode(found - modes.begin()),
+                           .points = float(preferences.number(QLatin1String(labelPointsKey))),
+                           .language = language.toStdString()};
+  if (language == QLatin1String("structures"))
+    style.language = tagOf(names.language());
+  else if (language == QLatin1String("scene"))
+    style.language.clear();
+  return style;
+}
+
+}  // namespace sline::widgets

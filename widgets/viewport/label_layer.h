@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Labels over the picture, and what can be taken hold of in them.
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/viewport/label_sheet.h"
+
+namespace sline::widgets {
+
+/// A label's text, or one of the places that it points at.
+struct LabelGrip {
+  model::AnnotationId id;
+  std::optional<std::size_t> place;
+  bool operator==(const LabelGrip&) const = default;
+};
+
+/// What of a sheet is at the pixel; places come before texts.
+std::optional<LabelGrip> gripAt(const LabelSheet& sheet, const glm::vec2& pixel);
+/// A label's text in the window's pixels; empty where it has none in the sheet.
+QRectF boxOf(const LabelSheet& sheet, model::AnnotationId id);
+
+class LabelLayer : public QWidget {
+  Q_OBJECT
+ public:
+  explicit LabelLayer(QWidget* picture);
+
+  /// The labels of the picture that is shown.
+  void show(LabelSheetPtr sheet);
+  /// Null where no labels are shown.
+  const LabelSheet* sheet() const { return m_sheet.get(); }
+
+  /// What is said of labels beside themselves.
+  struct Marks {
+    std::optional<model::AnnotationId> hovered;
+    std::optional<model::AnnotationId> active;
+    std::optional<glm::vec2> begun;  ///< a place of one that is being made
+    std::optional<glm::vec2> mouse;  ///< where the second would be, of a distance
+    bool operator==(const Marks&) const = default;
+  };
+  void mark(const Marks& marks);
+  const Marks& marks() const { return m_marks; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void showState();
+  void frame(QPainter& painter, model::AnnotationId id, bool active) const;
+
+  LabelSheetPtr m_sheet;
+  Marks m_marks;
+};
+
+}  // namespace sline::widgets

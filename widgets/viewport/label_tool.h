@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+
+#include "widgets/session/session.h"
+#include "widgets/viewport/label_layer.h"
+#include "widgets/viewport/tool.h"
+
+namespace sline::widgets {
+
+/// Moves labels: their texts anywhere, what they point at over surfaces; each drag is one undo
+/// step. A press on a label makes it the active one; those that are locked stay where they are.
+class LabelTool : public QObject, public Tool {
+  Q_OBJECT
+ public:
+  using Answer = std::function<void(const std::optional<model::Anchor>&)>;
+  /// Looks up the surface that is seen at a pixel; the answer comes later.
+  using Surface = std::function<void(const glm::vec2& pixel, const Answer& answer)>;
+  LabelTool(Session& session, const LabelLayer& layer, Surface surface, QObject* parent);
+
+  bool dragging() const { return m_grip.has_value(); }
+  std::optional<LabelGrip> gripAt(const glm::vec2& pixel) const;
+
+  bool press(const Pointer& pointer) override;
+  void move(const Pointer& pointer) override;
+  void release(const Pointer& pointer) override;
+  void cancel() override;
+
+ private:
+  const model::Annotation* before() const;
+  void moveText(const Pointer& pointer);
+  void movePlace(const Pointer& pointer);
+  void show(const model::Annotation& annotation);
+  void commit();
+
+  Session& m_session;
+  const LabelLayer& m_layer;
+  Surface m_surface;
+  std::optional<LabelGrip> m_grip;
+  glm::vec2 m_pressed{0.0f};
+  glm::vec2 m_offset{0.0f};  ///< of the text when the drag began, heights of the picture
+  int m_asked = 0;
+  int m_answered = 0;
+  bool m_ending = false;  ///< with the answer that is on its way
+};
+
+}  // namespace sline::widgets

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/viewport/picture_labels.h"
+
+#include <QKeyEvent>
+#include <algorithm>
+#include <array>
+
+#include "model/edit/annotations.h"
+#include "widgets/annotations/annotation_texts.h"
+#include "widgets/viewport/navigation.h"
+
+namespace sline::widgets {
+
+namespace {
+
+glm::vec2 vec(const QPointF& p) {
+  return {float(p.x()), float(p.y())};
+}
+
+QString stepOf(model::AnnotationKind kind) {
+  switch (kind) {
+    case model::AnnotationKind::callout:
+      return PictureLabels::tr("Add Callout");
+    case model::AnnotationKind::pin:
+      return PictureLabels::tr("Add Pin");
+    case model::AnnotationKind::distance:
+      return PictureLabels::tr("Add Distance");
+    default:
+      return PictureLabels::tr("Add Label");
+  }
+}
+
+}  // namespace
+
+PictureLabels::PictureLabels(Place place)
+    : QObject(&place.picture),
+      m_place(std::move(place)),
+      m_style{.mode = render::LabelMode::on},
+      m_layer(new LabelLayer(&m_place.picture)),
+      m_tool(new LabelTool(
+          m_place.session, *m_layer,
+          [this](const glm::vec2& pixel, const LabelTool::Answer& answer) {
+            Picker::Question question = m_place.question({double(pixel.x), double(pixel.y)});
+            question.anchored = true;
+            m_place.picker.ask(std::move(question),
+                               [answer](const Picks& picks) { answer(picks.anchor); });
+          },
+          this)),
+      m_editor(new LabelEditor(&m_place.picture)) {
+  connect(m_editor, &LabelEditor::accepted, this, &PictureLabels::accept);
+  connect(m_editor, &LabelEditor::cancelled, this, [this] {
+    m_written.reset();
+    showMarks();
+  });
+  Session& session = m_place.session;
+  connect(&session, &Session::documentChanged, this, &PictureLabels::documentChange);
+  connect(&session, &Session::activeAnnotationChanged, this, &PictureLabels::showMarks);
+  // Del and F2 are about what was chosen last.
+  connect(&session, &Session::selectionChanged, this,
+          [&session] { session.activateAnnotation(std::nullopt); });
+}
+
+void PictureLabels::setStyle(const render::LabelStyle& style) {
+  const bool dark = m_style.onDark;
+  m_style = style;
+  m_style.onDark = dark;
+  emit wishChanged();
+}
+
+void PictureLabels::setDark(bool dark) {
+  m_style.onDark = dark;
+}
+
+LabelWish PictureLabels::wish(bool moving) const {
+  constexpr float millimetresPerInch = 25.4f;
+  constexpr float letter = 28.0f;  // R, L and the like at the sides, with their margin: pixels
+  const QWidget& picture = m_place.picture;
+  LabelWish wish{.style = m_style,
+                 .size = {float(picture.width()), float(picture.height())},
+                 .pixelsPerMm = float(picture.logicalDpiY()) / millimetresPerInch,
+                 .ratio = picture.devicePixelRatioF(),
+                 .document = m_place.session.document().opening,
+                 .moving = moving};
+  wish.style.edges.left = wish.style.edges.right = letter / wish.pixelsPerMm;
+  return wish;
+}
+
+bool PictureLabels::waits() const {
+  return m_layer->sheet() && m_layer->sheet()->waits();
+}
+
+float PictureLabels::shareBeside(const model::Scene& scene) const {
+  constexpr float least = 0.5f;
+  if (m_style.mode == render::LabelMode::off)
+    return 1.0f;
+  const LabelWish now = wish();
+  const float width = now.size.x / now.pixelsPerMm;
+  return std::max(least, 1.0f - 2.0f * render::columnRoomMm(scene, m_style, width) / width);
+}
+
+void PictureLabels::took(const LabelSheetPtr& sheet, const model::Camera& camera) {
+  m_camera = camera;
+  m_ready = sheet != nullptr;
+  if (sheet)
+    m_layer->show(sheet);
+  else if (m_layer->sheet() && m_layer->sheet()->camera != camera)
+    m_layer->show(nullptr);
+  m_layer->setGeometry(m_place.picture.rect());
+  showMarks();
+}
+
+void PictureLabels::setShut(bool shut) {
+  m_shut = shut;
+  if (!shut)
+    return;
+  m_tool->cancel();
+  m_editor->finish();
+  make(std::nullopt);
+  hover(std::nullopt);
+}
+
+void PictureLabels::make(std::optional<model::AnnotationKind> kind) {
+  if (m_shut)
+    kind.reset();
+  m_begun.clear();
+  showMarks();
+  if (kind == m_making)
+    return;
+  m_making = kind;
+  emit makingChanged();
+}
+
+bool PictureLabels::click(const QPointF& at) {
+  if (!m_making || m_shut)
+    return false;
+  Picker::Question question = m_place.question(at);
+  question.anchored = true;
+  m_place.picker.ask(std::move(question), [this, at](const Picks& picks) { clicked(picks, at); });
+  return true;
+}
+
+void PictureLabels::clicked(const Picks& picks, const QPointF& at) {
+  if (!m_making || !picks.anchor)
+    return;
+  if (*m_making != model::AnnotationKind::distance) {
+    const QString name = offeredText(m_place.session, picks.seen->id, m_style.language);
+    begin({.kind = *m_making, .anchors = {*picks.anchor}}, name, at);
+    return;
+  }
+  m_begun.push_back(*picks.anchor);
+  if (m_begun.size() == model::anchorCount(model::AnnotationKind::distance))
+    add({.kind = model::AnnotationKind::distance, .anchors = std::exchange(m_begun, {})});
+  showMarks();
+}
+
+void PictureLabels::begin(model::Annotation annotation, const QString& offered, const QPointF& at) {
+  m_editor->finish();
+  constexpr int beside = 12;  // pixels: what is pointed at stays in sight
+  const bool lines = annotation.kind == model::AnnotationKind::callout;
+  m_new = annotation.id == model::AnnotationId{};
+  m_written = std::move(annotation);
+  m_editor->open(at.toPoint() + QPoint(m_new ? beside : 0, 0),
+                 {.text = offered, .lines = lines, .points = m_style.points});
+  showMarks();
+}
+
+void PictureLabels::edit(model::AnnotationId id) {
+  const model::Annotation* annotation = model::findAnnotation(m_place.session.scene(), id);
+  if (!annotation || m_shut)
+    return;
+  const QRectF box = m_layer->sheet() ? boxOf(*m_layer->sheet(), id) : QRectF();
+  begin(*annotation, wordsIn(*annotation, m_style.language),
+        box.isEmpty() ? QRectF(m_place.picture.rect()).center()
+                      : QPointF(box.left(), box.center().y()));
+}
+
+void PictureLabels::accept(const QString& text) {
+  if (!m_written)
+    return;
+  const model::Annotation written = *std::exchange(m_written, std::nullopt);
+  showMarks();
+  Session& session = m_place.session;
+  const bool wordless =
+      written.kind == model::AnnotationKind::pin || written.kind == model::AnnotationKind::distance;
+  if (text.isEmpty() && !wordless)
+    return;
+  if (m_new) {
+    add(withFirstText(session, written, m_style.language, text));
+    return;
+  }
+  const model::Annotation* now = model::findAnnotation(session.scene(), written.id);
+  if (now && text != wordsIn(*now, m_style.language))
+    session.apply(tr("Change What a Label Says"),
+                  model::withAnnotationChanged(session.scene(), written.id,
+                                               withText(*now, m_style.language, text)));
+}
+
+void PictureLabels::add(const model::Annotation& annotation) {
+  Session& session = m_place.session;
+  if (session.apply(stepOf(annotation.kind), model::withAnnotation(session.scene(), annotation)))
+    session.activateAnnotation(session.scene().annotations().back().id);
+}
+
+void PictureLabels::remove(model::AnnotationId id) {
+  Session& session = m_place.session;
+  session.apply(tr("Delete Label"), model::withoutAnnotations(session.scene(), std::array{id}));
+}
+
+bool PictureLabels::doubleClick(const QPointF& at) {
+  const std::optional<LabelGrip> grip = m_shut ? std::nullopt : m_tool->gripAt(vec(at));
+  if (!grip)
+    return false;
+  m_place.session.activateAnnotation(grip->id);
+  edit(grip->id);
+  return true;
+}
+
+bool PictureLabels::wants(const QKeyEvent& key) const {
+  const bool plain = key.modifiers() == Qt::NoModifier || key.modifiers() == Qt::KeypadModifier;
+  if (!plain || m_shut)
+    return false;
+  const bool active = m_place.session.activeAnnotation().has_value();
+  switch (key.key()) {
+    case Qt::Key_Delete:
+    case Qt::Key_F2:
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      return active;
+    case Qt::Key_Escape:
+      return active || m_making;
+    default:
+      return false;
+  }
+}
+
+bool PictureLabels::press(const QKeyEvent& key) {
+  if (!wants(key))
+    return false;
+  const std::optional<model::AnnotationId> active = m_place.session.activeAnnotation();
+  if (key.key() == Qt::Key_Escape) {
+    // One step back for each press.
+    if (!m_begun.empty())
+      make(m_making);
+    else if (m_making)
+      make(std::nullopt);
+    else
+      m_place.session.activateAnnotation(std::nullopt);
+  } else if (key.key() == Qt::Key_Delete) {
+    remove(*active);
+  } else {
+    edit(*active);
+  }
+  return true;
+}
+
+void PictureLabels::hover(const std::optional<QPointF>& at) {
+  m_mouse = at;
+  showMarks();
+}
+
+std::optional<Qt::CursorShape> PictureLabels::cursor() const {
+  const std::optional<model::AnnotationId>& over = m_layer->marks().hovered;
+  const model::Annotation* annotation =
+      over ? model::findAnnotation(m_place.session.scene(), *over) : nullptr;
+  if (annotation)
+    return annotation->locked ? Qt::PointingHandCursor : Qt::OpenHandCursor;
+  return m_making ? std::optional(Qt::CrossCursor) : std::nullopt;
+}
+
+std::optional<glm::vec2> PictureLabels::begunAt() const {
+  const bool typed = m_written && m_new;
+  if (m_begun.empty() && !typed)
+    return std::nullopt;
+  const auto place =
+      m_place.session.scene().placeOf(typed ? m_written->anchors.front() : m_begun.front());
+  return place ? pixelOf(m_camera, *place, wish().size) : std::nullopt;
+}
+
+void PictureLabels::showMarks() {
+  LabelLayer::Marks marks{.active = m_shut ? std::nullopt : m_place.session.activeAnnotation(),
+                          .begun = begunAt()};
+  if (m_mouse && !m_shut) {
+    if (const std::optional<LabelGrip> grip = m_tool->gripAt(vec(*m_mouse)))
+      marks.hovered = grip->id;
+    if (!m_begun.empty())
+      marks.mouse = vec(*m_mouse);
+  }
+  m_layer->mark(marks);
+}
+
+void PictureLabels::documentChange(const Document& before, const Document& now) {
+  if (before.opening != now.opening) {
+    m_written.reset();
+    m_editor->cancel();
+    m_tool->cancel();
+    make(std::nullopt);
+    m_layer->show(nullptr);
+  }
+  if (m_written && !m_new && !model::findAnnotation(now.scene, m_written->id)) {
+    m_written.reset();
+    m_editor->cancel();
+  }
+  std::erase_if(m_begun, [&now](const model::Anchor& anchor) {
+    return !now.scene.placeOf(anchor).has_value();
+  });
+  showMarks();
+}
+
+}  // namespace sline::widgets

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/window/label_actions.h"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
+#include <QStatusBar>
+#include <algorithm>
+#include <array>
+
+#include "model/edit/annotations.h"
+#include "render/labels/best_place.h"
+#include "widgets/annotations/annotation_texts.h"
+#include "widgets/annotations/annotations_panel.h"
+#include "widgets/annotations/label_look.h"
+#include "widgets/viewport/viewport.h"
+
+namespace sline::widgets {
+
+namespace {
+
+struct KindAction {
+  const char* id;
+  model::AnnotationKind kind;
+};
+constexpr std::array<KindAction, 4> kinds{{{"annotateLabel", model::AnnotationKind::label},
+                                           {"annotateCallout", model::AnnotationKind::callout},
+                                           {"annotatePin", model::AnnotationKind::pin},
+                                           {"annotateDistance", model::AnnotationKind::distance}}};
+
+QString hintOf(model::AnnotationKind kind) {
+  switch (kind) {
+    case model::AnnotationKind::distance:
+      return LabelActions::tr("Click on two places to measure between them; Esc ends this");
+    case model::AnnotationKind::pin:
+      return LabelActions::tr("Click on a place to mark it; Esc ends this");
+    case model::AnnotationKind::callout:
+      return LabelActions::tr(
+          "Click on a structure and type; Shift+Return begins a line, Esc ends this");
+    default:
+      return LabelActions::tr("Click on a structure and type; Esc ends this");
+  }
+}
+
+bool hasLabel(const model::Scene& scene, model::NodeId structure) {
+  const auto& all = scene.annotations();
+  return std::any_of(all.begin(), all.end(), [structure](const model::Annotation& annotation) {
+    return annotation.kind == model::AnnotationKind::label && structureOf(annotation) == structure;
+  });
+}
+
+/// In the background: sorting the meshes takes longer than a window may stand still.
+std::vector<model::Annotation> labelsFor(const model::Scene& scene, const NodeIds& structures,
+                                         const render::Screen& screen,
+                                         const std::stop_token& stop) {
+  std::vector<model::Annotation> found;
+  render::SightTrees trees;
+  for (const model::NodeId id : structures) {
+    if (stop.stop_requested())
+      break;
+    if (const auto best = render::bestPlaceOn(scene, id, screen, trees))
+      found.push_back({.anchors = {best->point}});
+  }
+  return found;
+}
+
+}  // namespace
+
+void addLabelsPanel(QMainWindow& window, Session& session, Preferences& preferences,
+                    const WindowActions& actions) {
+  auto* panel = new AnnotationsPanel(session, preferences);
+  std::vector<QAction*> makers;
+  for (const KindAction& row : kinds)
+    makers.push_back(&actions[QLatin1String(row.id)]);
+  makers.push_back(&actions[QStringLiteral("labelSelected")]);
+  panel->addButtons(makers);
+  auto* dock = new QDockWidget(LabelActions::tr("Labels"));
+  dock->setObjectName(QStringLiteral("annotationsPanel"));
+  dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+  dock->setWidget(panel);
+  window.addDockWidget(Qt::LeftDockWidgetArea, dock);
+  // Behind the structures: a list of labels is as long, and the right side has no height left.
+  auto* structures = window.findChild<QDockWidget*>(QStringLiteral("structuresPanel"));
+  window.tabifyDockWidget(structures, dock);
+  structures->raise();
+  QObject::connect(&actions[QStringLiteral("find")], &QAction::triggered, structures,
+                   [structures] { structures->raise(); });
+}
+
+LabelActions::LabelActions(const Parts& parts, QObject* parent)
+    : QObject(parent),
+      m_window(parts.window),
+      m_session(parts.session),
+      m_viewport(parts.viewport),
+      m_labels(parts.viewport.labels()),
+      m_preferences(parts.preferences),
+      m_actions(parts.actions) {
+  makeTools();
+  makeModes(parts.shown);
+  connect(&m_preferences, &Preferences::changed, this, &LabelActions::follow);
+  connect(&m_session.names(), &ShownNames::changed, this, &LabelActions::follow);
+  connect(&m_session, &Session::documentChanged, this, &LabelActions::showState);
+  connect(&m_session, &Session::selectionChanged, this, &LabelActions::showState);
+  connect(&m_session, &Session::activeAnnotationChanged, this, &LabelActions::showState);
+  follow();
+  showState();
+  showMaking();
+}
+
+void LabelActions::makeTools() {
+  for (const KindAction& row : kinds) {
+    QAction& action = m_actions[QLatin1String(row.id)];
+    action.setCheckable(true);
+    connect(&action, &QAction::triggered, this, [this, kind = row.kind](bool on) {
+      m_labels.make(on ? std::optional(kind) : std::nullopt);
+      m_viewport.setFocus(Qt::OtherFocusReason);
+      showMaking();
+    });
+  }
+  connect(&m_labels, &PictureLabels::makingChanged, this, &LabelActions::showMaking);
+  connect(&m_actions[QStringLiteral("labelSelected")], &QAction::triggered, this,
+          &LabelActions::labelSelected);
+  connect(&m_actions[QStringLiteral("labelEdit")], &QAction::triggered, this, [this] {
+    if (const auto active = m_session.activeAnnotation())
+      m_labels.edit(*active);
+  });
+  connect(&m_actions[QStringLiteral("labelDelete")], &QAction::triggered, this, [this] {
+    if (const auto active = m_session.activeAnnotation())
+      m_labels.remove(*active);
+  });
+}
+
+void LabelActions::makeModes(QMenu& menu) {
+  const std::vector<PreferenceRow> rows = preferenceRows();
+  const auto row = std::find_if(rows.begin(), rows.end(), [](const PreferenceRow& each) {
+    return each.id == QLatin1String(labelModeKey);
+  });
+  auto* group = new QActionGroup(&menu);
+  for (const ChoiceOf::Row& choice : std::get<ChoiceOf>(row->kind).rows) {
+    QAction* action = menu.addAction(choice.text);
+    action->setObjectName(QStringLiteral("labels-") + choice.id);
+    action->setCheckable(true);
+    group->addAction(action);
+    connect(action, &QAction::triggered, this,
+            [this, chosen = choice.id] { m_preferences.set(QLatin1String(labelModeKey), chosen); });
+  }
+  const auto show = [this, group] {
+    const QString chosen = m_preferences.choice(QLatin1String(labelModeKey));
+    for (QAction* action : group->actions())
+      action->setChecked(action->objectName() == QStringLiteral("labels-") + chosen);
+  };
+  connect(&m_preferences, &Preferences::changed, group, show);
+  show();
+}
+
+void LabelActions::follow() {
+  m_labels.setStyle(labelStyle(m_preferences, m_session.names()));
+}
+
+void LabelActions::showMaking() {
+  const std::optional<model::AnnotationKind> making = m_labels.making();
+  for (const KindAction& row : kinds)
+    m_actions[QLatin1String(row.id)].setChecked(making == row.kind);
+  if (making)
+    m_window.statusBar()->showMessage(hintOf(*making));
+  else
+    m_window.statusBar()->clearMessage();
+}
+
+void LabelActions::showState() {
+  const bool scene = !m_session.scene().nodes().empty();
+  for (const KindAction& row : kinds)
+    m_actions[QLatin1String(row.id)].setEnabled(scene);
+  const bool active = m_session.activeAnnotation().has_value();
+  m_actions[QStringLiteral("labelSelected")].setEnabled(!m_session.selection().empty());
+  m_actions[QStringLiteral("labelEdit")].setEnabled(active);
+  m_actions[QStringLiteral("labelDelete")].setEnabled(active);
+}
+
+void LabelActions::labelSelected() {
+  const model::Scene& scene = m_session.scene();
+  NodeIds structures;
+  for (const model::NodeId id : m_session.selection())
+    for (const model::NodeId structure : scene.structuresBelow(id))
+      if (!hasLabel(scene, structure) &&
+          std::find(structures.begin(), structures.end(), structure) == structures.end())
+        structures.push_back(structure);
+  const LabelWish wish = m_labels.wish();
+  const render::Screen screen(m_viewport.camera(), wish.size / wish.pixelsPerMm);
+  m_queue.add([this, scene, structures, screen, opening = m_session.document().opening](
+                  const std::stop_token& stop) -> BackgroundQueue::Sequel {
+    return [this, opening, found = labelsFor(scene, structures, screen, stop)] {
+      take(found, opening);
+    };
+  });
+}
+
+void LabelActions::take(const std::vector<model::Annotation>& found, int opening) {
+  constexpr int readable = 4000;  // milliseconds
+  if (opening != m_session.document().opening)
+    return;
+  const std::string tag = m_labels.style().language;
+  model::Edited all{m_session.scene(), false};
+  int count = 0;
+  for (const model::Annotation& place : found) {
+    const QString name = offeredText(m_session, *structureOf(place), tag);
+    model::Edited next =
+        model::withAnnotation(all.scene, withFirstText(m_session, place, tag, name));
+    count += next.changed ? 1 : 0;
+    all = {std::move(next.scene), all.changed || next.changed};
+  }
+  m_session.apply(tr("Add %n labels", nullptr, count), std::move(all));
+  m_window.statusBar()->showMessage(
+      count > 0 ? tr("%n labels added", nullptr, count)
+                : tr("What is selected has labels already, or is not in the picture"),
+      readable);
+}
+
+}  // namespace sline::widgets

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QObject>
+
+#include "widgets/preferences/preferences.h"
+#include "widgets/session/background_queue.h"
+#include "widgets/session/session.h"
+#include "widgets/window/window_actions.h"
+
+class QMainWindow;
+class QMenu;
+
+namespace sline::widgets {
+
+class PictureLabels;
+class Viewport;
+
+/// The list of labels, beside that of structures.
+void addLabelsPanel(QMainWindow& window, Session& session, Preferences& preferences,
+                    const WindowActions& actions);
+
+/// Labels in the window: what the actions do with them, and how the picture shows them, which the
+/// preferences say.
+class LabelActions : public QObject {
+  Q_OBJECT
+ public:
+  struct Parts {
+    QMainWindow& window;
+    Session& session;
+    Viewport& viewport;
+    Preferences& preferences;
+    const WindowActions& actions;
+    QMenu& shown;  ///< takes one entry for each way to show labels
+  };
+  LabelActions(const Parts& parts, QObject* parent);
+
+ private:
+  void makeModes(QMenu& menu);
+  void makeTools();
+  void follow();
+  void showMaking();
+  void showState();
+  /// Each of the selected structures that has no label gets one, where it is best seen.
+  void labelSelected();
+  void take(const std::vector<model::Annotation>& found, int opening);
+
+  QMainWindow& m_window;
+  Session& m_session;
+  Viewport& m_viewport;
+  PictureLabels& m_labels;
+  Preferences& m_preferences;
+  const WindowActions& m_actions;
+  BackgroundQueue m_queue;
+};
+
+}  // namespace sline::widgets
