@@ -30,6 +30,7 @@ void addReload(CLI::App& program, Exit& exit);
 void addView(CLI::App& program, Exit& exit);
 void addExport(CLI::App& program, Exit& exit);
 void addJobs(CLI::App& program, Exit& exit);
+void addProof(CLI::App& program, Exit& exit);
 void addDemo(CLI::App& program, Exit& exit);
 void addRamp(CLI::App& program, Exit& exit);
 void addSteadiness(CLI::App& program, Exit& exit);

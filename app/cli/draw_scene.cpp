@@ -26,12 +26,19 @@ Result<ArrangedScene> arrangedFor(const model::Scene& scene, const PictureOrder&
   return arrangedShown(asSaved(scene, order), order);
 }
 
+Result<ArrangedScene> arrangedOn(const glm::vec2& pageMm, const model::Scene& scene,
+                                 PictureOrder& order) {
+  const model::Scene shown = asSaved(scene, order);
+  if (const Status ready = prepareLabels(order.labels, shown, pageMm); !ready.ok())
+    return ready.error();
+  return arrangedShown(shown, order);
+}
+
 Exit drawScene(const model::Scene& scene, const PictureOrder& given, Progress& progress) {
-  const model::Scene shown = asSaved(scene, given);
   PictureOrder order = given;
-  if (const Status ready = prepareLabels(order.labels, shown, order.size.aspect()); !ready.ok())
-    return complain(ready.error(), Exit::failed);
-  const Result<ArrangedScene> arranged = arrangedShown(shown, order);
+  const float height = render::usualHeightMm;
+  const Result<ArrangedScene> arranged =
+      arrangedOn({height * order.size.aspect(), height}, scene, order);
   if (!arranged.ok())
     return complain(arranged.error(), Exit::wrongUse);
   const Status drawn = drawToFile(arranged->scene, arranged->camera, order, progress);

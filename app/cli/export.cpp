@@ -6,6 +6,7 @@
 #include "app/cli/command.h"
 #include "app/cli/draw_scene.h"
 #include "app/cli/picture_options.h"
+#include "app/cli/pixel_options.h"
 #include "render/export/formats/export_formats.h"
 #include "render/vectors/vector_drawing.h"
 
@@ -16,6 +17,7 @@ namespace {
 struct ExportFlags {
   InputFlags input;
   PictureFlags picture;
+  PixelFlags pixels;
   std::string sizeMm = "160x90";
   /// A target for each of the formats that are wanted.
   std::map<std::string, std::string> targets;
@@ -42,17 +44,25 @@ Result<glm::vec2> parsePage(std::string_view text) {
                .remedy = "Write width and height in millimetres, 10 to 5000 each, as in 160x90"};
 }
 
-Result<PictureOrder> understoodExport(const ExportFlags& flags, glm::vec2& page) {
+Result<render::ExportPage> understoodPage(const ExportFlags& flags) {
+  const Result<std::optional<render::ExportPage>> pixels = pageOf(flags.pixels);
+  if (!pixels.ok())
+    return pixels.error();
+  if (*pixels)
+    return **pixels;
+  const Result<glm::vec2> size = parsePage(flags.sizeMm);
+  if (!size.ok())
+    return size.error();
+  return render::ExportPage{.sizeMm = *size, .dpi = float(flags.pixels.dpi)};
+}
+
+Result<PictureOrder> understoodExport(const ExportFlags& flags, const render::ExportPage& page) {
   if (flags.targets.empty()) {
     std::string known;
     for (const render::ExportFormat& format : render::exportFormats())
       known += (known.empty() ? "Give --" : ", --") + std::string(format.id) + " FILE";
     return Error{.reason = "nothing says what to write", .remedy = known};
   }
-  const Result<glm::vec2> size = parsePage(flags.sizeMm);
-  if (!size.ok())
-    return size.error();
-  page = *size;
   Result<PictureOrder> order = understoodLook(flags.picture);
   if (!order.ok())
     return order;
@@ -60,19 +70,21 @@ Result<PictureOrder> understoodExport(const ExportFlags& flags, glm::vec2& page)
     return Error{.reason = "hatching as Sline's paper prints it is made of grey pixels, not lines",
                  .remedy = "Leave --hatching out, or draw a picture with `sline render`"};
   // The camera is fitted to the page's shape.
-  order->size = {int(std::lround(100.0f * page.x)), int(std::lround(100.0f * page.y))};
+  order->size = {int(std::lround(100.0f * page.sizeMm.x)),
+                 int(std::lround(100.0f * page.sizeMm.y))};
   return order;
 }
 
 render::ExportOrder exportOrder(const ArrangedScene& arranged, const PictureOrder& order,
-                                glm::vec2 page) {
+                                const render::ExportPage& page) {
   render::ExportOrder job;
   job.scene = arranged.scene;
   job.camera = arranged.camera;
-  job.viewName = order.camera ? std::string() : order.view;
-  job.page.sizeMm = page;
+  job.viewName = order.labels.viewName;
+  job.page = page;
   job.look = {order.background, order.light, order.keyLight};
   job.labels = order.labels.style;
+  job.marks = order.labels.marks;
   return job;
 }
 
@@ -80,8 +92,13 @@ Exit runExport(const ExportFlags& flags) {
   const Result<model::ImportOptions> options = importOptions(flags.input);
   if (!options.ok())
     return complain(options.error(), Exit::wrongUse);
-  glm::vec2 page(0.0f);
-  const Result<PictureOrder> order = understoodExport(flags, page);
+  const Result<render::ExportPage> page = understoodPage(flags);
+  if (!page.ok())
+    return complain(page.error(), Exit::wrongUse);
+  const Result<render::ExportPixels> pixels = understood(flags.pixels, flags.picture.blackAndWhite);
+  if (!pixels.ok())
+    return complain(pixels.error(), Exit::wrongUse);
+  Result<PictureOrder> order = understoodExport(flags, *page);
   if (!order.ok())
     return complain(order.error(), Exit::wrongUse);
 
@@ -89,12 +106,13 @@ Exit runExport(const ExportFlags& flags) {
   const Result<model::Imported> imported = readInputs(flags.input.inputs, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
-  const Result<ArrangedScene> arranged = arrangedFor(imported->scene, *order);
+  const Result<ArrangedScene> arranged = arrangedOn(page->sizeMm, imported->scene, *order);
   if (!arranged.ok())
     return complain(arranged.error(), Exit::wrongUse);
   if (arranged->scene.visibleBounds().empty())
     warn("no structure is visible: the drawing is empty");
-  const render::ExportOrder job = exportOrder(*arranged, *order, page);
+  render::ExportOrder job = exportOrder(*arranged, *order, *page);
+  job.pixels = *pixels;
   for (const render::ExportFormat& format : render::exportFormats()) {
     const auto target = flags.targets.find(format.id);
     if (target == flags.targets.end())
@@ -126,6 +144,7 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
   command.add_option("--size-mm", flags.sizeMm, "Width and height of the page in millimetres")
       ->type_name("WxH")
       ->capture_default_str();
+  addPixelOptions(command, flags.pixels);
   CLI::Option* view = command
                           .add_option("--view,--from", flags.picture.view,
                                       "A saved view of the scene, shown as it was saved; else "
@@ -136,6 +155,8 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
   addCameraOption(command, flags.picture, view);
   addDetailOptions(command, flags.picture);
   addLookOptions(command, flags.picture);
+  flags.picture.labels.marks = "on";
+  addLabelOptions(command, flags.picture.labels, "the page");
   addSectionOptions(command, flags.picture.sections);
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
@@ -143,7 +164,10 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
   command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
   command.footer(
       "Lines are as wide as in a picture of the same shape: a contour is 1/360 of the page's\n"
-      "height. Names of groups and structures are written into the file, nothing else is.\n\n"
+      "height, whatever its pixels. Vectors hold names of groups and structures; where the scene\n"
+      "came from, who drew it and when is in no file. Several kinds can be written at once.\n\n"
+      "  sline export pelvis.sline --png pelvis.png --size-mm 180x120 --dpi 300\n"
+      "  sline export pelvis.sline --tiff figure1.tiff --bw --bits 1 --dpi 600\n"
       "  sline export pelvis.sline --svg pelvis.svg --view anterior --size-mm 180x120\n"
       "  sline export abdomen/ --svg abdomen.svg --gamma 3 --background transparent");
 }
@@ -151,9 +175,9 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
 }  // namespace
 
 void addExport(CLI::App& program, Exit& exit) {
-  addCommand<ExportFlags>(program, exit,
-                          {"export", "Write vector drawings of meshes, folders and scenes"},
-                          declareExport, runExport);
+  addCommand<ExportFlags>(
+      program, exit, {"export", "Write pictures for print and vector drawings of what files hold"},
+      declareExport, runExport);
 }
 
 }  // namespace sline::cli

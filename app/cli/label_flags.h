@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The flags that write labels into pictures.
+// The flags that write labels and marks into pictures.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,7 @@
 
 #include "model/base/result.h"
 #include "model/scene/scene.h"
-#include "render/export/labelled_image.h"
+#include "render/export/marks/plate_image.h"
 
 namespace sline::cli {
 
@@ -16,21 +16,29 @@ struct LabelFlags {
   std::string mode = "off";
   std::string language;
   double points = 10.0;
+  std::string marks = "off";
 };
 
 /// Understood; what text needs is made before anything is drawn.
 struct LabelOrder {
   render::LabelStyle style{.mode = render::LabelMode::off, .language = {}};
+  render::ExportMarks marks = render::ExportMarks::none();
+  std::string viewName;  ///< of the camera; empty: none
   std::shared_ptr<const render::Typesetting> typesetting;
-  float anatomyShare = 1.0f;  ///< of the picture's width, for views that are fitted
+  glm::vec2 anatomyShare{1.0f};  ///< of the picture's sides, for views that are fitted
+
+  bool bare() const {
+    return style.mode == render::LabelMode::off && marks == render::ExportMarks::none();
+  }
 };
 
 /// An error is a wrong use.
 Result<LabelOrder> understood(const LabelFlags& flags);
-/// Makes the order ready for the scene, shown as it is drawn; `aspect` is width / height.
-Status prepareLabels(LabelOrder& order, const model::Scene& scene, float aspect);
-/// Draws them, prints the key of numbers and warns of labels for which there is no room.
+/// Makes the order ready for the scene, shown as it is drawn, on a page of that size.
+Status prepareLabels(LabelOrder& order, const model::Scene& scene, const glm::vec2& pageMm);
+/// Draws labels and marks, prints the key of numbers and warns of labels for which there is no
+/// room.
 void drawLabels(render::Image& image, const model::Scene& scene, const model::Camera& camera,
-                const LabelOrder& order);
+                const LabelOrder& order, render::Background background);
 
 }  // namespace sline::cli

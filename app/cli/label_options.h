@@ -7,8 +7,8 @@
 
 namespace sline::cli {
 
-/// Declares the flags of `LabelFlags` on a sub-command.
-inline void addLabelOptions(CLI::App& command, LabelFlags& flags) {
+/// Declares the flags of `LabelFlags` on a sub-command; `size` says what labels' points are of.
+inline void addLabelOptions(CLI::App& command, LabelFlags& flags, const std::string& size) {
   command
       .add_option("--labels", flags.mode,
                   "The scene's annotations in the picture: on with their texts, numbers with "
@@ -21,12 +21,16 @@ inline void addLabelOptions(CLI::App& command, LabelFlags& flags) {
                   "The language of labels, as in de or la; where one has no text in it, the "
                   "scene's own")
       ->type_name("TAG");
-  command
-      .add_option("--label-size", flags.points,
-                  "Of labels' letters, in points of a picture 190.5 mm (720 pixels at 96 per "
-                  "inch) high, whatever its size in pixels")
+  command.add_option("--label-size", flags.points, "Of labels' letters, in points of " + size)
       ->type_name("PT")
       ->check(CLI::Range(4.0, 48.0))
+      ->capture_default_str();
+  command
+      .add_option("--marks", flags.marks,
+                  "What stands at the picture's edges: on, off, or some of sides (R and L, and the "
+                  "other sides of the body), view (its name), scale (a bar) and sections (what "
+                  "they have taken away), as in sides,scale")
+      ->type_name("on|off|LIST")
       ->capture_default_str();
 }
 

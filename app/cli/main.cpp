@@ -33,6 +33,7 @@ int run(int argc, char** argv) {
   sline::cli::addRender(program, exit);
   sline::cli::addExport(program, exit);
   sline::cli::addJobs(program, exit);
+  sline::cli::addProof(program, exit);
   sline::cli::addLines(program, exit);
   sline::cli::addCurvature(program, exit);
   sline::cli::addInfo(program, exit);

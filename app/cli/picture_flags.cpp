@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/trigonometric.hpp>
 
 #include "app/cli/camera_file.h"
-#include "app/cli/image_file.h"
 #include "app/cli/names.h"
 #include "model/edit/style.h"
 #include "model/edit/views.h"
 #include "model/geometry/plane_section.h"
+#include "render/export/pixels/image_file.h"
 #include "render/gpu/headless/context.h"
 
 namespace sline::cli {
@@ -117,6 +118,14 @@ model::Camera fittedToVisible(const model::Scene& scene, const model::Camera& ca
   return model::fitted(camera, points, aspect);
 }
 
+/// The camera that sees so much of the picture's height, from the same place.
+model::Camera framed(model::Camera camera, float share) {
+  camera.heightMm *= share;
+  camera.fovyDegrees =
+      2.0f * glm::degrees(std::atan(share * std::tan(0.5f * glm::radians(camera.fovyDegrees))));
+  return camera;
+}
+
 Error unknownView(const model::Scene& scene, const std::string& view) {
   std::vector<std::string> names(model::anatomicalViewNames.begin(),
                                  model::anatomicalViewNames.end());
@@ -188,13 +197,14 @@ Status understoodLabels(const PictureFlags& flags, PictureOrder& order) {
     return labels.error();
   order.labels = *labels;
   order.labels.style.onDark = order.background == render::Background::dark;
+  order.labels.viewName = order.camera ? std::string() : order.view;
   return Unit{};
 }
 
 }  // namespace
 
 Result<PictureOrder> understood(const PictureFlags& flags) {
-  if (Status named = checkImageName(flags.output); !named.ok())
+  if (Status named = render::checkImageName(flags.output); !named.ok())
     return named.error();
   return understoodLook(flags);
 }
@@ -321,9 +331,10 @@ Result<model::Camera> cameraFor(const model::Scene& scene, const PictureOrder& o
   const auto view = model::anatomicalViewNamed(model::normalisedName(order.view));
   if (!view)
     return unknownView(scene, order.view);
-  const float aspect = order.labels.anatomyShare * order.size.aspect();
-  return fittedToVisible(scene, model::anatomicalCamera(*view, scene.visibleBounds(), aspect),
-                         aspect);
+  const glm::vec2 share = order.labels.anatomyShare;
+  const float aspect = order.size.aspect() * share.x / share.y;
+  const model::Camera camera = model::anatomicalCamera(*view, scene.visibleBounds(), aspect);
+  return framed(fittedToVisible(scene, framed(camera, share.y), aspect), 1.0f / share.y);
 }
 
 Status drawToFile(const model::Scene& scene, const model::Camera& camera, const PictureOrder& order,
@@ -351,9 +362,9 @@ Status drawToFile(const model::Scene& scene, const model::Camera& camera, const 
   if (!image.ok())
     return image.error();
   render::Image drawn = order.samples > 1 ? render::averaged(*image, order.samples) : *image;
-  drawLabels(drawn, scene, camera, order.labels);
+  drawLabels(drawn, scene, camera, order.labels, order.background);
   progress.show(0.9, "writing " + order.output);
-  return writeImage(drawn, order.output);
+  return render::writeImage(drawn, order.output);
 }
 
 }  // namespace sline::cli

@@ -128,7 +128,9 @@ inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
       ->required()
       ->type_name("FILE");
   addDrawingOptions(command, flags);
-  addLabelOptions(command, flags.labels);
+  addLabelOptions(command, flags.labels,
+                  "a picture 190.5 mm (720 pixels at 96 per inch) high, whatever its size in "
+                  "pixels");
 }
 
 }  // namespace sline::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // `sline ramp`: is the way from silhouette to shaded surface seamless?
 #include "render/measures/ramp.h"
+#include "render/export/pixels/image_file.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +9,6 @@
 #include <cstdio>
 #include <optional>
 
-#include "app/cli/image_file.h"
 #include "app/cli/json_values.h"
 #include "app/cli/measure_options.h"
 #include "render/measures/contact_sheet.h"
@@ -264,7 +264,7 @@ std::optional<Exit> measureAll(const MeasureOrder& order, const RampFlags& flags
 
 Exit runRamp(const RampFlags& flags) {
   if (!flags.sheet.empty())
-    if (const Status named = checkImageName(flags.sheet); !named.ok())
+    if (const Status named = render::checkImageName(flags.sheet); !named.ok())
       return complain(named.error(), Exit::wrongUse);
   Progress progress;
   bool wrongUse = false;
@@ -280,7 +280,7 @@ Exit runRamp(const RampFlags& flags) {
   if (const auto stopped = measureAll(*order, flags, progress, report))
     return *stopped;
   if (!flags.sheet.empty())
-    if (const Status written = writeImage(report.sheet, flags.sheet); !written.ok())
+    if (const Status written = render::writeImage(report.sheet, flags.sheet); !written.ok())
       return complain(written.error(), Exit::failed);
   if (flags.measure.json) {
     Json list = Json::array();

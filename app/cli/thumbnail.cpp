@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/thumbnail.h"
 
-#include "app/cli/image_file.h"
 #include "app/cli/progress.h"
+#include "render/export/pixels/image_file.h"
 #include "render/gpu/headless/context.h"
 #include "render/picture/picture.h"
 
@@ -25,7 +25,7 @@ Result<std::string> drawn(const model::Scene& scene) {
           : scene.views().front().camera;
   const Result<render::Image> image =
       (*picture)->render(scene, camera, {.width = samples * side, .height = samples * side});
-  return image.ok() ? pngBytes(render::averaged(*image, samples))
+  return image.ok() ? render::pngBytes(render::averaged(*image, samples))
                     : Result<std::string>(image.error());
 }
 }  // namespace

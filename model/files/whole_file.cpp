@@ -43,8 +43,6 @@ class Descriptor {
   }
   bool valid() const { return m_value >= 0; }
   int value() const { return m_value; }
-  /// False with errno where the system reports a late failure.
-  bool close() { return ::close(std::exchange(m_value, -1)) == 0; }
 
  private:
   int m_value;
@@ -99,21 +97,54 @@ Status writeBeside(const fs::path& named, const std::function<Status(const fs::p
   return error;
 }
 
+GrowingFile::GrowingFile(fs::path file, int descriptor)
+    : m_file(std::move(file)), m_descriptor(descriptor) {}
+
+GrowingFile::~GrowingFile() {
+  if (m_descriptor >= 0)
+    ::close(m_descriptor);
+}
+
+Result<std::unique_ptr<GrowingFile>> GrowingFile::create(const fs::path& file) {
+  const int descriptor = open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor < 0)
+    return notWritten(file, errno);
+  return std::unique_ptr<GrowingFile>(new GrowingFile(file, descriptor));
+}
+
+Status GrowingFile::add(std::string_view bytes) {
+  constexpr std::size_t atOnce = std::size_t(1) << 30;
+  m_size += bytes.size();
+  while (!bytes.empty()) {
+    const ssize_t step = ::write(m_descriptor, bytes.data(), std::min(bytes.size(), atOnce));
+    if (step < 0 && errno == EINTR)
+      continue;
+    if (step <= 0)
+      return notWritten(m_file, step == 0 ? EIO : errno);
+    bytes.remove_prefix(std::size_t(step));
+  }
+  return Unit{};
+}
+
+Status GrowingFile::replace(std::uint64_t offset, std::string_view bytes) {
+  if (pwrite(m_descriptor, bytes.data(), bytes.size(), off_t(offset)) != ssize_t(bytes.size()))
+    return notWritten(m_file, errno);
+  return Unit{};
+}
+
+Status GrowingFile::close() {
+  return ::close(std::exchange(m_descriptor, -1)) == 0 ? Status(Unit{})
+                                                       : Status(notWritten(m_file, errno));
+}
+
 Status writeText(const fs::path& file, std::string_view text) {
   return writeBeside(file, [&](const fs::path& target) -> Status {
-    constexpr std::size_t atOnce = std::size_t(1) << 30;
-    Descriptor descriptor(target, O_WRONLY | O_CREAT | O_TRUNC);
-    if (!descriptor.valid())
-      return notWritten(target, errno);
-    while (!text.empty()) {
-      const ssize_t step = ::write(descriptor.value(), text.data(), std::min(text.size(), atOnce));
-      if (step < 0 && errno == EINTR)
-        continue;
-      if (step <= 0)
-        return notWritten(target, step == 0 ? EIO : errno);
-      text.remove_prefix(std::size_t(step));
-    }
-    return descriptor.close() ? Status(Unit{}) : Status(notWritten(target, errno));
+    const Result<std::unique_ptr<GrowingFile>> growing = GrowingFile::create(target);
+    if (!growing.ok())
+      return growing.error();
+    if (Status written = (*growing)->add(text); !written.ok())
+      return written;
+    return (*growing)->close();
   });
 }
 

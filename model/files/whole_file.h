@@ -2,8 +2,10 @@
 // Files that appear whole or not at all.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -17,6 +19,29 @@ namespace sline::model {
 /// no plain file (a pipe, /dev/stdout) is written directly.
 Status writeBeside(const std::filesystem::path& file,
                    const std::function<Status(const std::filesystem::path&)>& write);
+
+/// A file that is written bit by bit; meant for what `writeBeside` gives to write.
+class GrowingFile {
+ public:
+  static Result<std::unique_ptr<GrowingFile>> create(const std::filesystem::path& file);
+  ~GrowingFile();
+  GrowingFile(const GrowingFile&) = delete;
+  GrowingFile& operator=(const GrowingFile&) = delete;
+
+  Status add(std::string_view bytes);
+  /// Bytes added so far.
+  std::uint64_t size() const { return m_size; }
+  /// Writes over what is there; fails for what is no plain file.
+  Status replace(std::uint64_t offset, std::string_view bytes);
+  /// Says, too, what the system reports late.
+  Status close();
+
+ private:
+  GrowingFile(std::filesystem::path file, int descriptor);
+  std::filesystem::path m_file;
+  int m_descriptor;
+  std::uint64_t m_size = 0;
+};
 
 /// Any bytes.
 Status writeText(const std::filesystem::path& file, std::string_view text);

@@ -32,6 +32,30 @@ Plane anatomicalPlane(AnatomicalView kept, float mm) {
   return plane;
 }
 
+std::optional<int> axisAcross(const Plane& plane) {
+  constexpr float parallel = 0.99999f;
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(plane.normal[axis]) > parallel)
+      return axis;
+  return std::nullopt;
+}
+
+std::optional<AnatomicalView> keptSide(const Plane& plane) {
+  using enum AnatomicalView;
+  const std::optional<int> axis = axisAcross(plane);
+  if (!axis)
+    return std::nullopt;
+  static constexpr std::array<AnatomicalView, 3> smaller{right, anterior, inferior};
+  static constexpr std::array<AnatomicalView, 3> larger{left, posterior, superior};
+  return (plane.normal[*axis] > 0.0f ? smaller : larger)[std::size_t(*axis)];
+}
+
+double positionOf(const Plane& plane) {
+  const std::optional<int> axis = axisAcross(plane);
+  const bool against = axis && plane.normal[*axis] < 0.0f;
+  return against ? -double(plane.offset) : double(plane.offset);
+}
+
 std::vector<Plane> planesOf(std::span<const Section> sections) {
   std::vector<Plane> planes;
   for (const Section& section : sections)

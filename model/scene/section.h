@@ -45,6 +45,14 @@ Plane anatomicalPlane(AnatomicalView kept, float mm);
 /// 0 for the sides of a sagittal plane, 1 of a coronal, 2 of an axial one: its axis of LPS.
 int axisOf(AnatomicalView side);
 
+/// 0, 1 or 2 where the plane stands across the x, y or z axis of LPS; absent for an oblique one.
+std::optional<int> axisAcross(const Plane& plane);
+/// The side that such a plane keeps; absent for an oblique one.
+std::optional<AnatomicalView> keptSide(const Plane& plane);
+/// Where a plane stands, in millimetres: along its axis of LPS (positive towards the left, the back
+/// and the head), an oblique one along its normal.
+double positionOf(const Plane& plane);
+
 /// The planes of the sections, in their order.
 std::vector<Plane> planesOf(std::span<const Section> sections);
 

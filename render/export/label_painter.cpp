@@ -1,193 +1,136 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/label_painter.h"
 
-#include <QPainterPath>
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 namespace sline::render {
 
 namespace {
 
 // Millimetres of the output.
-constexpr qreal leaderWidth = 0.2;
-constexpr qreal haloWidth = 0.5;  // on either side of letters
-constexpr qreal lineHalo = 0.35;  // and of lines
-constexpr qreal dotRadius = 0.5;
-constexpr qreal pinRadius = 0.8;
-
-QPointF point(const glm::vec2& p) {
-  return {qreal(p.x), qreal(p.y)};
-}
-QRectF rect(const LabelBox& box) {
-  return {point(box.low), point(box.high)};
-}
+constexpr float leaderWidth = 0.2f;
+constexpr float distanceWidth = 0.25f;
+constexpr float lineHalo = 0.35f;  // on either side of lines
+constexpr float dotHalo = 0.4f;    // around dots
+constexpr float dotRadius = 0.5f;
+constexpr float pinRadius = 0.8f;
 
 float widestText(float pictureWidthMm, const LabelStyle& style) {
   const float em = style.points * millimetresPerPoint;
   return std::max(6.0f * em, std::min(14.0f * em, 0.22f * pictureWidthMm));
 }
 
-/// Paints one plate; everything's halo first, so that none covers another's ink.
-class Painting {
+/// One plate's labels as shapes and text.
+class Setting {
  public:
-  Painting(QPainter& painter, const LabelPlate& plate)
-      : m_painter(painter),
-        m_plate(plate),
-        m_ink(plate.style.onDark ? QColor(240, 240, 240) : QColor(17, 17, 17)),
-        m_ground(plate.style.onDark ? QColor(28, 28, 30) : QColor(Qt::white)) {}
+  explicit Setting(const LabelPlate& plate)
+      : m_plate(plate), m_colours(letteringColours(plate.style.onDark)) {}
 
-  void paint() {
-    for (const bool halo : {true, false})
-      for (std::size_t i = 0; i < m_plate.labels.size(); ++i)
-        if (const PlacedLabel* placed = m_plate.layout.find(m_plate.labels[i].item.id)) {
-          paintLeader(*placed, halo);
-          paintPlaces(i, halo);
-          paintBox(i, *placed, halo);
-        }
+  Lettering make() {
+    Lettering lettering{.ground = m_colours.ground, .items = {}};
+    for (std::size_t i = 0; i < m_plate.labels.size(); ++i)
+      if (const PlacedLabel* placed = m_plate.layout.find(m_plate.labels[i].item.id)) {
+        m_item = {.name = nameOf(i), .shapes = {}, .text = {}};
+        addLeader(*placed);
+        addPlaces(i);
+        addBox(i, *placed);
+        lettering.items.push_back(std::move(m_item));
+      }
+    return lettering;
   }
 
  private:
-  QPen pen(qreal width, bool halo) const {
-    return {halo ? m_ground : m_ink, halo ? width + 2.0 * lineHalo : width, Qt::SolidLine,
-            halo ? Qt::RoundCap : Qt::FlatCap, Qt::RoundJoin};
+  /// A test's lines must not tell their answers.
+  std::string nameOf(std::size_t i) const {
+    return m_plate.style.mode == LabelMode::on ? m_plate.texts[i].lines.join(' ').toStdString()
+                                               : std::to_string(m_plate.labels[i].number);
   }
 
-  void paintLeader(const PlacedLabel& placed, bool halo) {
-    if (placed.leader.size() < 2)
-      return;
-    QPen line = pen(leaderWidth, halo);
-    if (placed.hidden && !halo)
-      line.setDashPattern({5.0, 4.0});
-    m_painter.setPen(line);
-    m_painter.setBrush(Qt::NoBrush);
-    QPolygonF points;
-    for (const glm::vec2& p : placed.leader)
-      points.push_back(point(p));
-    m_painter.drawPolyline(points);
+  LetteringShape& add(Path path, float pen, float halo = lineHalo) {
+    return m_item.shapes.emplace_back(
+        LetteringShape{.path = std::move(path), .pen = pen, .ink = m_colours.ink, .halo = halo});
   }
 
-  void paintPlaces(std::size_t i, bool halo) {
+  void addLeader(const PlacedLabel& placed) {
+    if (placed.leader.size() >= 2)
+      add(polyline(placed.leader), leaderWidth).dashed = placed.hidden;
+  }
+
+  void addPlaces(std::size_t i) {
     const LabelItem& item = m_plate.labels[i].item;
     if (item.kind == model::AnnotationKind::distance) {
-      paintDistance(item, halo);
+      addDistance(item);
       return;
     }
-    const qreal radius = item.kind == model::AnnotationKind::pin ? pinRadius : dotRadius;
-    for (const glm::vec2& place : item.places)
-      paintDot(point(place), radius, i, halo);
-  }
-
-  void paintDot(const QPointF& place, qreal radius, std::size_t i, bool halo) {
-    const std::optional<Colour>& own = m_plate.labels[i].colour;
-    const QColor colour = own ? QColor(own->red, own->green, own->blue) : m_ink;
-    if (halo) {
-      m_painter.setPen(Qt::NoPen);
-      m_painter.setBrush(m_ground);
-      m_painter.drawEllipse(place, radius + 0.4, radius + 0.4);
-      return;
+    const float radius = item.kind == model::AnnotationKind::pin ? pinRadius : dotRadius;
+    const Colour colour = m_plate.labels[i].colour.value_or(m_colours.ink);
+    for (const glm::vec2& place : item.places) {
+      const float pen = item.hidden ? leaderWidth : 0.0f;
+      LetteringShape& dot = add(circle(place, radius), pen, dotHalo - 0.5f * pen);
+      dot.ink = colour;
+      dot.fill = item.hidden ? m_colours.ground : colour;
     }
-    const bool hidden = m_plate.labels[i].item.hidden;
-    m_painter.setPen(hidden ? QPen(colour, leaderWidth) : QPen(Qt::NoPen));
-    m_painter.setBrush(hidden ? m_ground : colour);
-    m_painter.drawEllipse(place, radius, radius);
   }
 
   /// A line with a bar across at either end.
-  void paintDistance(const LabelItem& item, bool halo) {
+  void addDistance(const LabelItem& item) {
     if (item.places.size() != 2)
       return;
-    QPen line = pen(1.25 * leaderWidth, halo);
-    m_painter.setPen(line);
-    const QLineF way(point(item.places[0]), point(item.places[1]));
-    const QPointF across =
-        way.length() > 0.0 ? (way.normalVector().unitVector().p2() - way.p1()) : QPointF(0.0, 1.0);
-    for (const QPointF& end : {way.p1(), way.p2()})
-      m_painter.drawLine(end - 1.2 * across, end + 1.2 * across);
-    if (item.hidden && !halo)
-      line.setDashPattern({5.0, 4.0});
-    m_painter.setPen(line);
-    m_painter.drawLine(way);
+    const glm::vec2 way = item.places[1] - item.places[0];
+    const float length = glm::length(way);
+    const glm::vec2 across =
+        1.2f * (length > 0.0f ? glm::vec2(way.y, -way.x) / length : glm::vec2(0.0f, 1.0f));
+    for (const glm::vec2& end : item.places)
+      add(polyline({end - across, end + across}), distanceWidth);
+    add(polyline(item.places), distanceWidth).dashed = item.hidden;
   }
 
-  void paintBox(std::size_t i, const PlacedLabel& placed, bool halo) {
-    if (m_plate.style.mode == LabelMode::numbers)
-      paintBadge(placed, halo);
-    else if (m_plate.labels[i].item.kind == model::AnnotationKind::callout)
-      paintFrame(placed, halo);
-    if (m_plate.style.mode == LabelMode::blank)
-      paintBlank(i, placed, halo);
-    else
-      paintText(i, placed, halo);
-  }
-
-  void paintBadge(const PlacedLabel& placed, bool halo) {
-    const QRectF box = rect(placed.box);
-    m_painter.setPen(pen(leaderWidth, halo));
-    m_painter.setBrush(m_ground);
-    m_painter.drawRoundedRect(box, 0.5 * box.height(), 0.5 * box.height());
-  }
-
-  void paintFrame(const PlacedLabel& placed, bool halo) {
-    m_painter.setPen(pen(leaderWidth, halo));
-    m_painter.setBrush(m_ground);
-    m_painter.drawRoundedRect(rect(placed.box), 0.6, 0.6);
-  }
-
-  /// A line to write on, which goes on from the leader; a callout's frame is enough.
-  void paintBlank(std::size_t i, const PlacedLabel& placed, bool halo) {
-    if (m_plate.labels[i].item.kind == model::AnnotationKind::callout)
-      return;
-    const QRectF box = rect(placed.box);
-    m_painter.setPen(pen(leaderWidth, halo));
-    m_painter.drawLine(QPointF(box.left(), box.center().y()),
-                       QPointF(box.right(), box.center().y()));
+  void addBox(std::size_t i, const PlacedLabel& placed) {
+    const LabelBox& box = placed.box;
+    const bool callout = m_plate.labels[i].item.kind == model::AnnotationKind::callout;
+    const bool badge = m_plate.style.mode == LabelMode::numbers;
+    if (badge || callout)
+      add(roundedBox(box.low, box.high, badge ? 0.5f * box.size().y : 0.6f), leaderWidth).fill =
+          m_colours.ground;
+    if (m_plate.style.mode != LabelMode::blank)
+      addText(i, placed);
+    else if (!callout)  // a line to write on, which goes on from the leader
+      add(polyline({{box.low.x, box.middle().y}, {box.high.x, box.middle().y}}), leaderWidth);
   }
 
   /// Towards the place: in the left column to the right, in the right one and beside to the left.
-  Qt::Alignment alignmentOf(std::size_t i, const PlacedLabel& placed) const {
+  TextAnchor anchorOf(std::size_t i, const PlacedLabel& placed) const {
     if (m_plate.style.mode == LabelMode::numbers)
-      return Qt::AlignHCenter;
+      return TextAnchor::middle;
     const float place = m_plate.labels[i].item.places.front().x;
     if (placed.post == LabelPost::left ||
         (placed.post == LabelPost::beside && placed.box.high.x < place))
-      return Qt::AlignRight;
-    return Qt::AlignLeft;
+      return TextAnchor::end;
+    return TextAnchor::start;
   }
 
-  void paintText(std::size_t i, const PlacedLabel& placed, bool halo) {
+  void addText(std::size_t i, const PlacedLabel& placed) {
     const LabelText& text = m_plate.texts[i];
-    const QFont font = labelFont();
-    const QFontMetricsF metrics(font);
-    const qreal scale = qreal(m_plate.style.points * millimetresPerPoint) / labelFontPixels;
-    const qreal height = qreal(lineHeightMm(m_plate.style));
-    const glm::vec2 padding = paddingOf(m_plate.labels[i].item.kind, m_plate.style);
-    const QRectF box = rect(placed.box).adjusted(qreal(padding.x), 0.0, -qreal(padding.x), 0.0);
-    const Qt::Alignment alignment = alignmentOf(i, placed);
-    qreal top = box.center().y() - 0.5 * height * qreal(text.lines.size());
-    QPainterPath letters;
-    for (const QString& line : text.lines) {
-      const qreal spare = box.width() - scale * metrics.horizontalAdvance(line);
-      const qreal left = box.left() + (alignment == Qt::AlignRight     ? spare
-                                       : alignment == Qt::AlignHCenter ? 0.5 * spare
-                                                                       : 0.0);
-      // Capitals stand in the middle of their line.
-      const qreal baseline = top + 0.5 * height + 0.5 * scale * metrics.capHeight();
-      QPainterPath path;
-      path.addText(0.0, 0.0, font, line);
-      letters.addPath(QTransform(scale, 0.0, 0.0, scale, left, baseline).map(path));
-      top += height;
-    }
-    letters.setFillRule(Qt::WindingFill);
-    if (halo)
-      m_painter.strokePath(letters, pen(2.0 * (haloWidth - lineHalo), true));
-    else
-      m_painter.fillPath(letters, m_ink);
+    const float height = lineHeightMm(m_plate.style);
+    const float padding = paddingOf(m_plate.labels[i].item.kind, m_plate.style).x;
+    const TextAnchor anchor = anchorOf(i, placed);
+    const float x = anchor == TextAnchor::end      ? placed.box.high.x - padding
+                    : anchor == TextAnchor::middle ? placed.box.middle().x
+                                                   : placed.box.low.x + padding;
+    // Capitals stand in the middle of their line.
+    const float first = placed.box.middle().y - 0.5f * height * float(text.lines.size() - 1);
+    m_item.text = LetteringText{.lines = text.lines,
+                                .at = {x, first + 0.5f * capHeightMm(m_plate.style.points)},
+                                .leading = height,
+                                .points = m_plate.style.points,
+                                .anchor = anchor,
+                                .ink = m_colours.ink};
   }
 
-  QPainter& m_painter;
   const LabelPlate& m_plate;
-  QColor m_ink;
-  QColor m_ground;
+  LetteringColours m_colours;
+  LetteringItem m_item;
 };
 
 }  // namespace
@@ -199,7 +142,7 @@ LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const Lab
                    .texts = {},
                    .layout = {}};
   LabelRequest request{.items = {},
-                       .space = {screen.size()},
+                       .space = {screen.size(), 0.0f, style.edges},
                        .obstacles = {},
                        .towardsEye = model::cameraFrame(screen.camera()).back};
   for (ShownLabel& label : plate.labels) {
@@ -213,11 +156,12 @@ LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const Lab
   return plate;
 }
 
+Lettering letteringOf(const LabelPlate& plate) {
+  return Setting(plate).make();
+}
+
 void paintLabels(QPainter& painter, const LabelPlate& plate) {
-  painter.save();
-  painter.setRenderHint(QPainter::Antialiasing);
-  Painting(painter, plate).paint();
-  painter.restore();
+  paintLettering(painter, letteringOf(plate));
 }
 
 float columnRoomMm(const model::Scene& scene, const LabelStyle& style, float pictureWidthMm) {

@@ -5,6 +5,7 @@
 #include <QPainter>
 
 #include "render/export/label_texts.h"
+#include "render/export/lettering.h"
 #include "render/labels/layout.h"
 
 namespace sline::render {
@@ -22,9 +23,11 @@ struct LabelPlate {
 LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const LabelStyle& style,
                       SightTrees& trees, const LabelLayout* before = nullptr);
 
-/// The painter's unit must be a millimetre, from the picture's upper left corner. Lines and letters
-/// have a halo, so that they can be read on a drawing; a place that something hides is an open dot
-/// at a dashed leader.
+/// As shapes and text, an item for each label that has a place. A place that something hides is an
+/// open dot at a dashed leader.
+Lettering letteringOf(const LabelPlate& plate);
+
+/// The painter's unit must be a millimetre, from the picture's upper left corner.
 void paintLabels(QPainter& painter, const LabelPlate& plate);
 
 /// What columns of labels need on either side, for a camera that leaves them room. Millimetres;

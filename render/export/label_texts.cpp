@@ -73,7 +73,20 @@ QFont labelFont() {
   font.setPixelSize(labelFontPixels);
   font.setHintingPreference(QFont::PreferNoHinting);
   font.setKerning(true);
+  // Spaced letters, however little, are never joined: in text that is copied from a page "fi" must
+  // not be one letter.
+  font.setLetterSpacing(QFont::AbsoluteSpacing, 0.02);
   return font;
+}
+
+float textWidthMm(const QString& text, float points) {
+  return float(QFontMetricsF(labelFont()).horizontalAdvance(text)) * points * millimetresPerPoint /
+         float(labelFontPixels);
+}
+
+float capHeightMm(float points) {
+  return float(QFontMetricsF(labelFont()).capHeight()) * points * millimetresPerPoint /
+         float(labelFontPixels);
 }
 
 float lineHeightMm(const LabelStyle& style) {

@@ -20,6 +20,11 @@ struct LabelText {
   glm::vec2 box{0.0f};  ///< millimetres, with padding
 };
 
+/// Of that text in that size, millimetres.
+float textWidthMm(const QString& text, float points);
+/// Of capitals, millimetres.
+float capHeightMm(float points);
+
 /// Around the text within its box, millimetres.
 glm::vec2 paddingOf(model::AnnotationKind kind, const LabelStyle& style);
 float lineHeightMm(const LabelStyle& style);

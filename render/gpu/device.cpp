@@ -188,6 +188,13 @@ void Device::read(const Target& target, const Rect& area, std::span<std::byte> r
   glReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
 }
 
+void Device::read(const Target& target, const Rect& area, std::span<std::uint16_t> rgba) {
+  assert(rgba.size() >= std::size_t(area.width) * area.height * 4);
+  glBindFramebuffer(GL_FRAMEBUFFER, target.handle());
+  glPixelStorei(GL_PACK_ALIGNMENT, 2);
+  glReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_SHORT, rgba.data());
+}
+
 void Device::finish() {
   glFinish();
 }

@@ -62,6 +62,8 @@ class Device {
   void copyColour(const Target& from, const Rect& area, const Target& to, const Rect& place);
   /// 8-bit RGBA rows from the bottom, tightly packed, of the first colour texture.
   void read(const Target& target, const Rect& area, std::span<std::byte> rgba);
+  /// The same with 16 bits a channel, whatever the texture has. Not in ES.
+  void read(const Target& target, const Rect& area, std::span<std::uint16_t> rgba);
   /// Waits until everything asked for is done.
   void finish();
 

@@ -18,6 +18,8 @@ Layout layout(TextureFormat format) {
   switch (format) {
     case TextureFormat::rgba8:
       return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE};
+    case TextureFormat::rgba16:
+      return {GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT};
     case TextureFormat::r8:
       return {GL_R8, GL_RED, GL_UNSIGNED_BYTE};
     case TextureFormat::rgba32i:
@@ -34,6 +36,8 @@ int pixelSize(TextureFormat format) {
     case TextureFormat::rgba8:
     case TextureFormat::depth32f:
       return 4;
+    case TextureFormat::rgba16:
+      return 8;
     case TextureFormat::r8:
       return 1;
     case TextureFormat::rgba32i:

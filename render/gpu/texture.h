@@ -8,7 +8,8 @@
 
 namespace sline::render::gpu {
 
-enum class TextureFormat { rgba8, r8, rgba32i, depth32f };
+/// `rgba16` is OpenGL's alone: ES 3.0 does not promise it.
+enum class TextureFormat { rgba8, rgba16, r8, rgba32i, depth32f };
 
 struct TextureSize {
   int width = 0;

@@ -69,14 +69,20 @@ Leader leaderTo(const LabelBox& box, const glm::vec2& place) {
   return {place, *nearest};
 }
 
+/// Where boxes may stand.
+LabelBox frameOf(const LabelSpace& space) {
+  const auto room = [](float edge) { return std::max(edge, edgePadding); };
+  return {{room(space.edges.left) - space.sideMargin, room(space.edges.top)},
+          {space.size.x - room(space.edges.right) + space.sideMargin,
+           space.size.y - room(space.edges.bottom)}};
+}
+
 class Layouter {
  public:
   Layouter(const LabelRequest& request, const LabelLayout* before)
       : m_request(request),
         m_before(before),
-        m_frame{{edgePadding - request.space.sideMargin, edgePadding},
-                {request.space.size.x - edgePadding + request.space.sideMargin,
-                 request.space.size.y - edgePadding}},
+        m_frame(frameOf(request.space)),
         m_fates(request.items.size()),
         m_placed(request.items.size()) {}
 

@@ -32,6 +32,7 @@ struct LabelItem {
 struct LabelSpace {
   glm::vec2 size{0.0f};
   float sideMargin = 0.0f;  ///< beyond the left and right side, where boxes may stand too
+  EdgeRoom edges;           ///< where no box stands
 };
 
 struct LabelRequest {

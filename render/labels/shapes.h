@@ -20,6 +20,15 @@ struct LabelBox {
   bool operator==(const LabelBox&) const = default;
 };
 
+/// What is kept free at each edge of the output.
+struct EdgeRoom {
+  float left = 0.0f;
+  float top = 0.0f;
+  float right = 0.0f;
+  float bottom = 0.0f;
+  bool operator==(const EdgeRoom&) const = default;
+};
+
 /// From the place in the anatomy to the box.
 using Leader = std::vector<glm::vec2>;
 

@@ -71,7 +71,7 @@ Status Atlas::allocate() {
                            const char* name) {
     texture = std::make_unique<gpu::Texture>(format, m_wanted, name);
   };
-  make(m_colours, gpu::TextureFormat::rgba8, "fills");
+  make(m_colours, m_limits.deep ? gpu::TextureFormat::rgba16 : gpu::TextureFormat::rgba8, "fills");
   make(m_inks, gpu::TextureFormat::r8, "ink");
   make(m_surfaceDepths, gpu::TextureFormat::depth32f, "surface depth");
   make(m_layerDepths, gpu::TextureFormat::depth32f, "layer depth");

@@ -14,6 +14,7 @@ namespace sline::render {
 struct AtlasLimits {
   int side = 0;            ///< largest width and height
   std::size_t pixels = 0;  ///< largest area
+  bool deep = false;       ///< colours of 16 bits a channel
 };
 
 class Atlas {

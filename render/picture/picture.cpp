@@ -18,12 +18,15 @@ struct Canvas {
   std::unique_ptr<gpu::Texture> depth;
   std::unique_ptr<gpu::Target> target;
 
+  bool deep = false;
+
   Status resize(gpu::TextureSize size, bool withDepth) {
     if (target && target->size() == size && target->hasDepth() == withDepth)
       return Unit{};
     target.reset();
     depth.reset();
-    colour = std::make_unique<gpu::Texture>(gpu::TextureFormat::rgba8, size, "picture");
+    colour = std::make_unique<gpu::Texture>(
+        deep ? gpu::TextureFormat::rgba16 : gpu::TextureFormat::rgba8, size, "picture");
     if (withDepth)
       depth = std::make_unique<gpu::Texture>(gpu::TextureFormat::depth32f, size, "picture depth");
     auto made = gpu::Target::create({{colour.get()}, depth.get()}, "picture");
@@ -51,6 +54,47 @@ void copyRegion(const std::vector<std::byte>& pixels, const gpu::Rect& region, I
   }
 }
 
+/// The region's pixels as a piece of a picture `height` pixels high.
+PicturePiece pieceOf(gpu::Device& device, const gpu::Target& target, const gpu::Rect& region,
+                     int height) {
+  PicturePiece piece{.left = region.x,
+                     .top = height - region.top(),
+                     .width = region.width,
+                     .height = region.height,
+                     .rgba = {}};
+  const std::size_t row = std::size_t(region.width) * 4;
+  piece.rgba.resize(row * std::size_t(region.height));
+  const gpu::Rect all{0, 0, region.width, region.height};
+  if (device.dialect() == gpu::Dialect::desktop330) {
+    device.read(target, all, std::span(piece.rgba));
+  } else {
+    std::vector<std::byte> bytes(piece.rgba.size());
+    device.read(target, all, bytes);
+    std::transform(bytes.begin(), bytes.end(), piece.rgba.begin(), [](std::byte value) {
+      return std::uint16_t(257 * std::to_integer<int>(value));
+    });
+  }
+  for (int y = 0; 2 * y < region.height - 1; ++y)
+    std::swap_ranges(piece.rgba.begin() + std::ptrdiff_t(row) * y,
+                     piece.rgba.begin() + std::ptrdiff_t(row) * (y + 1),
+                     piece.rgba.begin() + std::ptrdiff_t(row) * (region.height - 1 - y));
+  return piece;
+}
+
+/// The region in two, at a multiple of `grid`.
+std::pair<gpu::Rect, gpu::Rect> halves(const gpu::Rect& region, int grid) {
+  gpu::Rect first = region;
+  gpu::Rect second = region;
+  if (region.width >= region.height) {
+    first.width = region.width / 2 / grid * grid;
+    second = {first.right(), region.y, region.width - first.width, region.height};
+  } else {
+    first.height = region.height / 2 / grid * grid;
+    second = {region.x, first.top(), region.width, region.height - first.height};
+  }
+  return {first, second};
+}
+
 /// Draws pictures, and keeps of one what serves the next.
 struct Easel {
   std::unique_ptr<LayerPainter> painter;
@@ -61,6 +105,7 @@ struct Easel {
 struct Output {
   Image* image = nullptr;
   const gpu::Target* target = nullptr;
+  const PicturePieces* pieces = nullptr;
   const std::atomic<bool>* unwanted = nullptr;
   bool aside = false;  ///< not one of those that are drawn again and again
 };
@@ -167,17 +212,9 @@ Status Picture::Data::paint(const PictureInput& input, const gpu::Rect& region,
                        "the structures of this scene do not fit into the memory set aside "
                        "for a picture, not even piece by piece",
                    .remedy = "Hide some structures"};
-    gpu::Rect first = region;
-    gpu::Rect second = region;
-    if (region.width >= region.height) {
-      first.width = region.width / 2;
-      second = {first.right(), region.y, region.width - first.width, region.height};
-    } else {
-      first.height = region.height / 2;
-      second = {region.x, first.top(), region.width, region.height - first.height};
-    }
+    const auto [first, second] = halves(region, output.pieces ? output.pieces->grid : 1);
     for (const gpu::Rect& half : {first, second})
-      if (Status s = paint(input, half, stopwatch, output); !s)
+      if (Status s = paint(input, half, stopwatch, output); !s || givenUp)
         return s;
     return Unit{};
   }
@@ -189,6 +226,11 @@ Status Picture::Data::paint(const PictureInput& input, const gpu::Rect& region,
     device->read(*canvas.target, {0, 0, region.width, region.height}, pixels);
     copyRegion(pixels, region, *output.image);
     stopwatch.pass(*device, "read");
+  }
+  if (output.pieces) {
+    PicturePiece piece = pieceOf(*device, *canvas.target, region, int(input.view.size().y));
+    stopwatch.pass(*device, "read");
+    givenUp = !output.pieces->take(std::move(piece));
   }
   return Unit{};
 }
@@ -213,17 +255,22 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
   Stopwatch stopwatch;
   const PictureView view(camera, bounds, settings.width, settings.height);
   std::map<model::NodeId, StructureLines> lines;
-  const bool whole = std::max(settings.width, settings.height) <= regionSide();
+  const bool whole = !output.pieces && std::max(settings.width, settings.height) <= regionSide();
   layersDrawn = 0;
-  Status done = paint({.view = view,
-                       .shown = visible,
-                       .background = settings.background,
-                       .light = settings.light.value_or(own.towards),
-                       .keyLight = settings.keyLight.value_or(own.shades),
-                       .parts = settings.parts,
-                       .lines = whole ? nullptr : &lines,
-                       .unwanted = output.unwanted},
-                      view.whole(), stopwatch, output);
+  const PictureInput input{.view = view,
+                           .shown = visible,
+                           .background = settings.background,
+                           .light = settings.light.value_or(own.towards),
+                           .keyLight = settings.keyLight.value_or(own.shades),
+                           .parts = settings.parts,
+                           .lines = whole ? nullptr : &lines,
+                           .unwanted = output.unwanted};
+  Status done = Unit{};
+  const int band = output.pieces ? output.pieces->bandRows : settings.height;
+  for (int top = settings.height; top > 0 && done.ok() && !givenUp; top -= band) {
+    const int rows = std::min(band, top);
+    done = paint(input, {0, top - rows, settings.width, rows}, stopwatch, output);
+  }
   if (!output.aside) {
     timings = stopwatch.done();
     timings.layersDrawn = layersDrawn;
@@ -238,12 +285,14 @@ Result<std::unique_ptr<Picture>> Picture::create(const PictureOptions& options) 
   std::unique_ptr<Picture> picture(new Picture);
   Data& data = *picture->m_data;
   data.options = options;
+  data.main.canvas.deep = options.deep;
   auto device = gpu::Device::create();
   if (!device)
     return device.error();
   data.device = std::move(*device);
-  auto painter = LayerPainter::create(
-      *data.device, {.side = data.device->limits().textureSide, .pixels = options.atlasPixels});
+  auto painter = LayerPainter::create(*data.device, {.side = data.device->limits().textureSide,
+                                                     .pixels = options.atlasPixels,
+                                                     .deep = options.deep});
   if (!painter)
     return painter.error();
   data.main.painter = std::move(*painter);
@@ -267,6 +316,17 @@ Result<Image> Picture::render(const model::Scene& scene, const model::Camera& ca
   if (Status s = m_data->picture(scene, camera, settings, {.image = &image}); !s)
     return s.error();
   return image;
+}
+
+Result<bool> Picture::renderPieces(const model::Scene& scene, const model::Camera& camera,
+                                   const PictureSettings& settings, const PicturePieces& pieces) {
+  if (Status s = checkRequest(camera, settings); !s)
+    return s.error();
+  assert(pieces.grid > 0 && settings.width % pieces.grid == 0 &&
+         settings.height % pieces.grid == 0 && pieces.bandRows % pieces.grid == 0);
+  if (Status s = m_data->picture(scene, camera, settings, {.pieces = &pieces}); !s)
+    return s.error();
+  return !m_data->givenUp;
 }
 
 Status Picture::draw(const model::Scene& scene, const model::Camera& camera,

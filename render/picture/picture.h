@@ -5,6 +5,8 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -66,6 +68,29 @@ struct PictureTimings {
 struct PictureOptions {
   int maximumSide = 0;                   ///< of a piece, in pixels; 0: what the driver can do
   std::size_t atlasPixels = 20'000'000;  ///< of all layers together, 13 bytes each
+  /// Colours of 16 bits a channel on the way (17 bytes then); needs OpenGL, ES does not do.
+  bool deep = false;
+};
+
+/// A part of a picture as it was drawn; lengths in pixels, from the picture's upper left corner.
+struct PicturePiece {
+  int left = 0;
+  int top = 0;
+  int width = 0;
+  int height = 0;
+  /// sRGB with alpha multiplied in, 16 bits a channel, rows from the top. Without
+  /// `PictureOptions::deep` these are 8 bits each, spread.
+  std::vector<std::uint16_t> rgba;
+};
+
+/// How a picture is drawn piece by piece: in bands from the top down, each of one piece or more.
+struct PicturePieces {
+  int bandRows = 1024;
+  /// Pieces begin and end at multiples of it, from the upper left corner; of which width, height
+  /// and band must be multiples, too.
+  int grid = 1;
+  /// Gets each piece once; false: nobody wants the others.
+  std::function<bool(PicturePiece&&)> take;
 };
 
 class Picture {
@@ -83,6 +108,11 @@ class Picture {
   /// tiles without seams.
   Result<Image> render(const model::Scene& scene, const model::Camera& camera,
                        const PictureSettings& settings);
+  /// Draws piece by piece, so that a picture of any size needs little memory. Surfaces are prepared
+  /// and lines found once for all pieces, and no seam shows between them. False where `take` wanted
+  /// no more.
+  Result<bool> renderPieces(const model::Scene& scene, const model::Camera& camera,
+                            const PictureSettings& settings, const PicturePieces& pieces);
   /// Draws without reading back, and waits for the GPU (the benchmark's frame).
   Status draw(const model::Scene& scene, const model::Camera& camera,
               const PictureSettings& settings);

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "tests/gui/window_fixture.h"
-#include "widgets/viewport/orientation_letters.h"
+#include "render/export/marks/orientation_letters.h"
 
 namespace sline::test {
 

@@ -139,7 +139,7 @@ class ViewportSectionsTest : public QObject {
     for (int i = 0; i < 5; ++i)
       QTest::keyClick(&position, Qt::Key_Up);
     QCOMPARE(position.value(), from + 5.0);
-    QCOMPARE(widgets::positionOf(f.session.scene().sections()[1].plane), from + 5.0);
+    QCOMPARE(model::positionOf(f.session.scene().sections()[1].plane), from + 5.0);
     QCOMPARE(f.session.history().count(), 3);
     QVERIFY(list.model()->index(1, 1).data().toString().contains("mm"));
 

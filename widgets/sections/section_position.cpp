@@ -8,20 +8,6 @@
 
 namespace sline::widgets {
 
-std::optional<int> axisAcross(const model::Plane& plane) {
-  constexpr float parallel = 0.99999f;
-  for (int axis = 0; axis < 3; ++axis)
-    if (std::abs(plane.normal[axis]) > parallel)
-      return axis;
-  return std::nullopt;
-}
-
-double positionOf(const model::Plane& plane) {
-  const std::optional<int> axis = axisAcross(plane);
-  const bool against = axis && plane.normal[*axis] < 0.0f;
-  return against ? -double(plane.offset) : double(plane.offset);
-}
-
 model::Plane movedTo(model::Plane plane, double position) {
   const std::optional<int> axis = axisAcross(plane);
   const bool against = axis && plane.normal[*axis] < 0.0f;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/viewport/orientation_letters.h"
+#include "render/export/marks/orientation_letters.h"
 
 namespace sline::widgets {
 
@@ -80,7 +80,7 @@ void PictureMarks::place(const model::Camera& camera, const glm::vec3& pivot, bo
   placeLetters(camera);
   m_cube->setCamera(camera);
   placeCorner(*m_cube, Qt::TopRightCorner);
-  m_scaleBar->show(scaleBar(camera, pivot, m_picture.height(), ScaleBarMark::most));
+  m_scaleBar->show(render::scaleLength(camera, pivot, m_picture.height(), ScaleBarMark::most));
   placeCorner(*m_scaleBar, Qt::BottomLeftCorner);
   placeCorner(*m_time, Qt::BottomRightCorner);
   m_section->setGeometry(m_picture.rect());
@@ -88,7 +88,7 @@ void PictureMarks::place(const model::Camera& camera, const glm::vec3& pivot, bo
 }
 
 void PictureMarks::placeLetters(const model::Camera& camera) {
-  const EdgeLetters letters = edgeLetters(camera);
+  const render::EdgeLetters letters = render::edgeLetters(camera);
   const std::array<const std::string*, 4> texts{&letters.left, &letters.right, &letters.top,
                                                 &letters.bottom};
   const QPoint middle = m_picture.rect().center();

@@ -8,8 +8,8 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 
+#include "render/export/marks/scale_length.h"
 #include "widgets/viewport/navigation.h"
-#include "widgets/viewport/scale_bar.h"
 
 namespace sline::widgets {
 
@@ -234,7 +234,8 @@ model::Plane SectionDrag::at(const glm::vec2& pixel, bool snap) const {
   model::Plane plane = frame.plane;
   if (m_start.grip == SectionGrip::slide) {
     double offset = double(plane.offset) + slideAt(pixel);
-    const double step = roundStep(0.02 * std::max(1e-3, double(frame.highest - frame.lowest)));
+    const double step =
+        render::roundStep(0.02 * std::max(1e-3, double(frame.highest - frame.lowest)));
     if (snap)
       offset = step * std::round(offset / step);
     // A plane that was outside already is not pulled in by the first touch.

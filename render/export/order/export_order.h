@@ -29,6 +29,18 @@ struct ExportLook {
   std::optional<bool> keyLight;    ///< likewise
 };
 
+/// Pictures made of pixels.
+struct ExportPixels {
+  /// Of a channel in PNG and TIFF: 8 or 16; 1 means black and white alone.
+  int bits = 8;
+  bool grey = false;
+  /// For print: each pixel of PNG and TIFF is ink or paper, no grey at all. The scene should be of
+  /// ink alone (`model::withInkAlone`).
+  bool pureInk = false;
+  int samples = 0;  ///< across a pixel; 0: as many as its size allows
+};
+inline constexpr int largestPixelSide = 20'000;
+
 /// What stands at the edge of a picture, so that it can be read without the program.
 struct ExportMarks {
   bool sides = true;         ///< R and L, and the other directions of an anatomical view
@@ -50,6 +62,7 @@ struct ExportOrder {
   ExportLook look;
   LabelStyle labels{.mode = LabelMode::off, .language = {}};
   ExportMarks marks;
+  ExportPixels pixels;
 };
 
 /// Told what part of the whole is behind it and what is being done; false: nobody wants the file

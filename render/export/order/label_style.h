@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "render/labels/shapes.h"
+
 namespace sline::render {
 
 /// `numbers`: numbered badges, for a key beside the picture; `blank`: lines to write on.
@@ -20,6 +22,7 @@ struct LabelStyle {
   float points = 10.0f;  ///< of the text
   std::string language;  ///< BCP 47 tag; of texts and numbers
   bool onDark = false;   ///< light ink, dark halo
+  EdgeRoom edges;        ///< where no text stands: other marks do
 };
 
 }  // namespace sline::render

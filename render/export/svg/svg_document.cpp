@@ -6,32 +6,14 @@
 #include <cmath>
 #include <map>
 
+#include "render/export/svg/svg_lettering.h"
 #include "render/export/svg/svg_path.h"
+#include "render/export/svg/svg_values.h"
 #include "render/export/svg/xml_text.h"
 
 namespace sline::render {
 
 namespace {
-
-std::string number(double value, int decimals) {
-  std::string text;
-  appendNumber(text, value, decimals);
-  return text;
-}
-
-std::string hex(const Colour& colour) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string text = "#";
-  for (const std::uint8_t channel : {colour.red, colour.green, colour.blue}) {
-    text += digits[channel >> 4];
-    text += digits[channel & 15];
-  }
-  return text;
-}
-
-std::string opacityAttribute(float opacity) {
-  return opacity < 0.999f ? " opacity=\"" + number(double(opacity), 3) + "\"" : std::string();
-}
 
 std::string_view nameOf(LineKind kind) {
   constexpr std::array<std::string_view, 4> names{"Hatching", "Suggestive contours", "Contours",
@@ -52,9 +34,11 @@ struct Branch {
 
 class Document {
  public:
-  Document(const VectorDrawing& drawing, const model::Scene& scene)
+  Document(const VectorDrawing& drawing, const model::Scene& scene,
+           std::span<const SvgWriting> writings)
       : m_drawing(drawing),
         m_scene(scene),
+        m_writings(writings),
         // Steps of a hundredth of a usual pen's width or less.
         m_decimals(
             std::clamp(int(std::ceil(-std::log10(drawing.sizeMm.y / 720.0f / 50.0f))), 2, 4)) {}
@@ -74,6 +58,8 @@ class Document {
     if (std::any_of(m_drawing.structures.begin(), m_drawing.structures.end(), hasFills))
       addFills();
     addLines();
+    for (const SvgWriting& writing : m_writings)
+      appendLettering(m_text, writing, m_decimals);
     m_text += "</svg>\n";
     return std::move(m_text);
   }
@@ -167,6 +153,7 @@ class Document {
 
   const VectorDrawing& m_drawing;
   const model::Scene& m_scene;
+  std::span<const SvgWriting> m_writings;
   int m_decimals;
   std::map<model::NodeId, Branch> m_branches;
   std::string m_text;
@@ -174,8 +161,9 @@ class Document {
 
 }  // namespace
 
-std::string svgDocument(const VectorDrawing& drawing, const model::Scene& scene) {
-  return Document(drawing, scene).make();
+std::string svgDocument(const VectorDrawing& drawing, const model::Scene& scene,
+                        std::span<const SvgWriting> writings) {
+  return Document(drawing, scene, writings).make();
 }
 
 }  // namespace sline::render

@@ -2,6 +2,7 @@
 #include "render/export/svg/svg_file.h"
 
 #include "model/files/whole_file.h"
+#include "render/export/marks/figure_plate.h"
 #include "render/export/svg/svg_document.h"
 #include "render/vectors/vector_drawing.h"
 
@@ -25,7 +26,12 @@ Status writeSvg(const ExportOrder& order, const std::filesystem::path& target,
   tell(0.9, "writing the file");
   if (!wanted)
     return givenUp(target);
-  return model::writeText(target, svgDocument(*drawing, order.scene));
+  std::vector<SvgWriting> writings;
+  const FigurePlate plate = figurePlate(order);
+  if (plate.labels)
+    writings.push_back({"labels", "Labels", letteringOf(*plate.labels)});
+  writings.push_back({"marks", "Marks", plate.marks.lettering});
+  return model::writeText(target, svgDocument(*drawing, order.scene, writings));
 }
 
 }  // namespace sline::render

@@ -6,7 +6,7 @@
 
 #include "widgets/viewport/navigation.h"
 #include "widgets/viewport/orientation_cube.h"
-#include "widgets/viewport/orientation_letters.h"
+#include "render/export/marks/orientation_letters.h"
 
 using namespace sline;
 using namespace sline::widgets;
@@ -71,11 +71,11 @@ class OrientationCubeTest : public QObject {
     // side to the front that stands at the picture's right edge.
     QVERIFY(*cubePartAt(faces, {2, 3}) == CubePart(sideOf(letter)));
     const CubePart edge = *cubePartAt(faces, {27, 0});
-    const char right = edgeLetters(camera).right.front();
+    const char right = render::edgeLetters(camera).right.front();
     QVERIFY(edge == CubePart(sideOf(letter) + sideOf(right)));
     const model::Camera again =
         turnedTo(camera, {}, glm::vec3(faces[0].part), upwardsFrom(faces[0].part));
-    QVERIFY(edgeLetters(again) == edgeLetters(camera));
+    QVERIFY(render::edgeLetters(again) == render::edgeLetters(camera));
   }
 
   /// Right-handed for every camera: letters are never seen from behind, and stand in the direction

@@ -2,15 +2,15 @@
 #include <QTest>
 #include <glm/geometric.hpp>
 
-#include "widgets/viewport/navigation.h"
-#include "widgets/viewport/scale_bar.h"
+#include "render/export/marks/scale_length.h"
+#include "render/labels/screen.h"
 
 Q_DECLARE_METATYPE(glm::vec3)
 
 using namespace sline;
-using namespace sline::widgets;
+using namespace sline::render;
 
-class ScaleBarTest : public QObject {
+class ScaleLengthTest : public QObject {
   Q_OBJECT
  private slots:
   void steps_data() {
@@ -50,15 +50,16 @@ class ScaleBarTest : public QObject {
     model::Camera camera = model::anatomicalCamera(model::AnatomicalView::anterior, {}, 1.0f);
     camera.projection = model::Projection(projection);
     const glm::vec2 size(900.0f, 700.0f);
-    const auto bar = scaleBar(camera, pivot, size.y, 140.0);
-    QVERIFY(bar && bar->pixels <= 140.0 && bar->pixels > 140.0 / 2.6);
+    const auto bar = scaleLength(camera, pivot, size.y, 140.0);
+    QVERIFY(bar && bar->drawn <= 140.0 && bar->drawn > 140.0 / 2.6);
     const glm::vec3 end = pivot + float(bar->millimetres) * model::cameraFrame(camera).right;
-    const float drawn = glm::length(*pixelOf(camera, end, size) - *pixelOf(camera, pivot, size));
-    QVERIFY2(std::abs(double(drawn) - bar->pixels) < 0.1, qPrintable(QString::number(drawn)));
+    const Screen screen(camera, size);
+    const float drawn = glm::length(*screen.place(end) - *screen.place(pivot));
+    QVERIFY2(std::abs(double(drawn) - bar->drawn) < 0.1, qPrintable(QString::number(drawn)));
   }
   void noneBehindTheEye() {
     const model::Camera camera;
-    QVERIFY(!scaleBar(camera, {0, -2000, 0}, 700.0, 140.0));
+    QVERIFY(!scaleLength(camera, {0, -2000, 0}, 700.0, 140.0));
   }
 
   void texts_data() {
@@ -85,5 +86,5 @@ class ScaleBarTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ScaleBarTest)
-#include "scale_bar_test.moc"
+QTEST_APPLESS_MAIN(ScaleLengthTest)
+#include "scale_length_test.moc"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/image_file.h"
+#include "render/export/pixels/image_file.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -8,11 +8,11 @@
 #include <QTest>
 #include <cmath>
 
-namespace sline::cli {
+namespace sline::render {
 namespace {
 
 /// 3 × 2: opaque red, half green, clear; half white, opaque black, opaque grey.
-render::Image sample() {
+Image sample() {
   return {3, 2, {255, 0,   0,   255, 0, 200, 0, 128, 0,   0,   0,   0,
                  255, 255, 255, 128, 0, 0,   0, 255, 128, 128, 128, 255}};
 }
@@ -82,7 +82,7 @@ void ImageFileTest::keepsStraightAlpha() {
   QCOMPARE(h.channels, 4);
   QVERIFY(!h.half);
   QVERIFY(!h.hasPrivateData);
-  const render::Image image = sample();
+  const Image image = sample();
   for (int i = 0; i < 24; ++i)
     QVERIFY(close(h.values[std::size_t(i)], float(image.rgba[std::size_t(i)]) / 255.0f, 0.001f));
 }
@@ -104,7 +104,7 @@ void ImageFileTest::exrIsLinearAndAssociated() {
 
 void ImageFileTest::jpegStandsOnWhite() {
   const QTemporaryDir folder;
-  render::Image image{32, 32, std::vector<std::uint8_t>(32 * 32 * 4, 0)};  // all clear
+  Image image{32, 32, std::vector<std::uint8_t>(32 * 32 * 4, 0)};  // all clear
   QVERIFY(writeImage(image, folder.filePath("a.jpg").toStdString()).ok());
   Held h = held(folder.filePath("a.jpg"));
   QCOMPARE(h.channels, 3);
@@ -118,7 +118,7 @@ void ImageFileTest::jpegStandsOnWhite() {
 
 void ImageFileTest::opaquePicturesHaveNoAlpha() {
   const QTemporaryDir folder;
-  const render::Image image{16, 16, std::vector<std::uint8_t>(16 * 16 * 4, 255)};
+  const Image image{16, 16, std::vector<std::uint8_t>(16 * 16 * 4, 255)};
   for (const char* name : {"a.png", "a.tiff", "a.exr"}) {
     QVERIFY(writeImage(image, folder.filePath(name).toStdString()).ok());
     QCOMPARE(held(folder.filePath(name)).channels, 3);
@@ -153,7 +153,7 @@ void ImageFileTest::oldFileSurvivesFailure() {
   QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden), QStringList());
 }
 
-}  // namespace sline::cli
+}  // namespace sline::render
 
-QTEST_APPLESS_MAIN(sline::cli::ImageFileTest)
+QTEST_APPLESS_MAIN(sline::render::ImageFileTest)
 #include "image_file_test.moc"

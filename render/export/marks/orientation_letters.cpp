@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/viewport/orientation_letters.h"
+#include "render/export/marks/orientation_letters.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/vec3.hpp>
 
-namespace sline::widgets {
+namespace sline::render {
 
 namespace {
 
@@ -36,4 +36,4 @@ EdgeLetters edgeLetters(const model::Camera& camera) {
           .bottom = sidesTowards(-frame.up)};
 }
 
-}  // namespace sline::widgets
+}  // namespace sline::render

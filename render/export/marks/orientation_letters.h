@@ -6,7 +6,7 @@
 
 #include "model/scene/camera.h"
 
-namespace sline::widgets {
+namespace sline::render {
 
 /// The sides of the body towards the picture's left, right, upper and lower edge, as radiologists
 /// mark them: "R", or where a view is oblique the nearest first: "RA".
@@ -19,4 +19,4 @@ struct EdgeLetters {
 };
 EdgeLetters edgeLetters(const model::Camera& camera);
 
-}  // namespace sline::widgets
+}  // namespace sline::render

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pixel files through OpenImageIO.
+// Finished images as files.
 #pragma once
 
 #include <filesystem>
 #include <string>
 
 #include "model/base/result.h"
+#include "render/export/pixels/row_file.h"
 #include "render/picture/image.h"
 
-namespace sline::cli {
+namespace sline::render {
 
 /// Fails for an extension that no picture can be written to; the error lists those that can.
 Status checkImageName(const std::filesystem::path& file);
@@ -17,9 +18,13 @@ Status checkImageName(const std::filesystem::path& file);
 /// alpha, marked as such), exr (half floats in linear light, alpha multiplied in, as OpenEXR
 /// wants), jpg (no alpha: on white). Where every pixel is opaque no alpha is written. The file
 /// appears whole or not at all, and carries no path, user or date.
-Status writeImage(const render::Image& image, const std::filesystem::path& file);
+Status writeImage(const Image& image, const std::filesystem::path& file);
 
 /// The same as the bytes of a PNG file.
-Result<std::string> pngBytes(const render::Image& image);
+Result<std::string> pngBytes(const Image& image);
 
-}  // namespace sline::cli
+/// A file of rows at a place that is written to directly; see `model::writeBeside`.
+Result<std::unique_ptr<RowFile>> rowFile(PixelKind kind, const PixelLayout& layout,
+                                         const std::filesystem::path& file);
+
+}  // namespace sline::render

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QTest>
+#include <glm/gtc/matrix_transform.hpp>
 
-#include "widgets/viewport/navigation.h"
-#include "widgets/viewport/orientation_letters.h"
+#include "model/scene/camera.h"
+#include "render/export/marks/orientation_letters.h"
 
 using namespace sline;
-using namespace sline::widgets;
+using namespace sline::render;
 
 class OrientationLettersTest : public QObject {
   Q_OBJECT
@@ -25,7 +26,7 @@ class OrientationLettersTest : public QObject {
     row("right", right, 0.0f, "P A S I");
     row("superior", superior, 0.0f, "L R A P");
     row("inferior", inferior, 0.0f, "R L A P");
-    // The near side goes right: more of the patient's right comes into sight.
+    // The eye goes to the patient's right, so that more of it comes into sight.
     row("oblique", anterior, 40.0f, "RP LA S I");
     row("hardly oblique", anterior, 10.0f, "R L S I");
   }
@@ -33,8 +34,10 @@ class OrientationLettersTest : public QObject {
     QFETCH(int, view);
     QFETCH(float, turn);
     QFETCH(QString, letters);
-    const model::Camera camera = orbited(
-        model::anatomicalCamera(model::AnatomicalView(view), {}, 1.0f), glm::vec3(0.0f), turn, 0);
+    model::Camera camera = model::anatomicalCamera(model::AnatomicalView(view), {}, 1.0f);
+    camera.eye =
+        glm::vec3(glm::rotate(glm::mat4(1.0f), glm::radians(-turn), glm::vec3(0.0f, 0.0f, 1.0f)) *
+                  glm::vec4(camera.eye, 1.0f));
     const EdgeLetters found = edgeLetters(camera);
     QCOMPARE(QString::fromStdString(found.left + " " + found.right + " " + found.top + " " +
                                     found.bottom),

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: Apache-2.0
+// `sline proof`: what of a picture would be lost in print, and what would help.
+#include <algorithm>
+#include <filesystem>
+#include <iomanip>
+#include <sstream>
+
+#include "app/cli/command.h"
+#include "app/cli/draw_scene.h"
+#include "app/cli/json_values.h"
+#include "app/cli/picture_options.h"
+#include "app/cli/thumbnail.h"
+#include "model/edit/views.h"
+#include "model/files/scene_file.h"
+#include "render/export/pixels/image_file.h"
+#include "render/export/proof/print_proof.h"
+#include "render/gpu/headless/context.h"
+
+namespace sline::cli {
+
+namespace {
+
+struct ProofFlags {
+  InputFlags input;
+  PictureFlags picture;
+  bool json = false;
+  bool all = false;
+  double threshold = 10.0;
+  std::string folder;
+  bool apply = false;
+  std::string output;
+};
+
+std::string nameOf(const model::Scene& scene, model::NodeId id) {
+  const model::Node* node = scene.find(id);
+  std::string name = node ? node->name : std::string();
+  // Names come from files: what would move the terminal's cursor is left out.
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }, ' ');
+  return name;
+}
+
+std::string hex(const Colour& colour) {
+  std::ostringstream text;
+  text << '#' << std::hex << std::setfill('0');
+  for (const int value : {int(colour.red), int(colour.green), int(colour.blue)})
+    text << std::setw(2) << value;
+  return text.str();
+}
+
+std::string rounded(double value) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << value;
+  return text.str();
+}
+
+render::ExportOrder exportOrder(const ArrangedScene& arranged, const PictureOrder& order) {
+  constexpr float pixelMm = 25.4f / 96.0f;
+  render::ExportOrder job;
+  job.scene = arranged.scene;
+  job.camera = arranged.camera;
+  job.page = {.sizeMm = pixelMm * glm::vec2(float(order.size.width), float(order.size.height)),
+              .dpi = 96.0f};
+  job.look = {order.background, order.light, order.keyLight};
+  return job;
+}
+
+Json pairJson(const model::Scene& scene, const render::ProofPair& pair,
+              const render::ProofSettings& settings) {
+  Json json{{"a", nameOf(scene, pair.a)},
+            {"b", nameOf(scene, pair.b)},
+            {"border", jsonNumber(float(pair.border))},
+            {"similar_gamma", pair.similarGamma}};
+  json["difference"] = Json::object();
+  json["alike"] = Json::array();
+  for (const render::Vision vision : render::visions) {
+    json["difference"][render::nameOf(vision)] =
+        jsonNumber(float(pair.difference[std::size_t(vision)]));
+    if (pair.alike(vision, settings))
+      json["alike"].push_back(render::nameOf(vision));
+  }
+  return json;
+}
+
+Json pairsJson(const model::Scene& scene, const std::vector<render::ProofPair>& pairs,
+               const render::ProofSettings& settings) {
+  Json json = Json::array();
+  for (const render::ProofPair& pair : pairs)
+    json.push_back(pairJson(scene, pair, settings));
+  return json;
+}
+
+void printJson(const model::Scene& scene, const render::PrintProof& proof,
+               const render::ProofSettings& settings) {
+  Json root{{"least_difference", settings.leastDifference},
+            {"least_gamma_step", jsonNumber(settings.leastGammaStep)}};
+  root["neighbours"] = pairsJson(scene, proof.neighbours, settings);
+  root["proposals"] = Json::array();
+  for (const render::ProofProposal& proposal : proof.proposals) {
+    Json json{{"structure", nameOf(scene, proposal.node)}};
+    if (proposal.colour)
+      json["colour"] = hex(*proposal.colour);
+    if (proposal.gamma)
+      json["gamma"] = jsonNumber(proposal.gamma->value());
+    root["proposals"].push_back(std::move(json));
+  }
+  root["afterwards"] = pairsJson(scene, proof.afterwards, settings);
+  std::cout << jsonText(root, 2) << '\n';
+}
+
+/// "grey 3.1, deuteranopia 6.2": where they look alike, and how far apart they are there.
+std::string whereAlike(const render::ProofPair& pair, const render::ProofSettings& settings) {
+  std::string text;
+  for (const render::Vision vision : render::visions)
+    if (pair.alike(vision, settings))
+      text += (text.empty() ? "" : ", ") + std::string(render::nameOf(vision)) + ' ' +
+              rounded(pair.difference[std::size_t(vision)]);
+  return text;
+}
+
+/// Those that are lost in print, or those that look alike on the screen, too.
+std::size_t printPairs(const model::Scene& scene, const std::vector<render::ProofPair>& pairs,
+                       const render::ProofSettings& settings, bool onScreen) {
+  std::size_t count = 0;
+  for (const render::ProofPair& pair : pairs) {
+    if (!pair.alikeAnywhere(settings) || pair.alikeOnScreen(settings) != onScreen)
+      continue;
+    ++count;
+    std::cout << "  " << nameOf(scene, pair.a) << " | " << nameOf(scene, pair.b) << ": "
+              << whereAlike(pair, settings);
+    if (!onScreen)
+      std::cout << " (on the screen " << rounded(pair.difference.front()) << ')';
+    std::cout << '\n';
+  }
+  return count;
+}
+
+void printProposals(const model::Scene& scene, const render::PrintProof& proof,
+                    const render::ProofSettings& settings) {
+  if (!proof.proposals.empty())
+    std::cout << "What would help, measured in the picture:\n";
+  for (const render::ProofProposal& proposal : proof.proposals) {
+    std::cout << "  " << nameOf(scene, proposal.node) << ": ";
+    if (proposal.colour)
+      std::cout << "colour " << hex(*proposal.colour);
+    if (proposal.gamma)
+      std::cout << (proposal.colour ? ", " : "") << "gamma " << rounded(proposal.gamma->value());
+    std::cout << '\n';
+  }
+  const auto left = std::count_if(
+      proof.afterwards.begin(), proof.afterwards.end(), [&](const render::ProofPair& pair) {
+        return pair.alikeAnywhere(settings) && (settings.all || !pair.alikeOnScreen(settings));
+      });
+  if (left > 0)
+    std::cout << "No change was found for " << left << (left == 1 ? " pair" : " pairs") << '\n';
+}
+
+void printText(const model::Scene& scene, const render::PrintProof& proof,
+               const render::ProofSettings& settings) {
+  std::cout << proof.neighbours.size()
+            << " pairs of neighbours; told apart are those whose colours "
+            << "differ by " << rounded(settings.leastDifference)
+            << " (CIEDE2000), or their gamma by " << rounded(settings.leastGammaStep) << '\n';
+  const auto screen =
+      std::count_if(proof.neighbours.begin(), proof.neighbours.end(),
+                    [&](const render::ProofPair& pair) { return pair.alikeOnScreen(settings); });
+  std::cout << "Not told apart in print or by all eyes:\n";
+  if (printPairs(scene, proof.neighbours, settings, false) == 0)
+    std::cout << "  none\n";
+  if (screen > 0 && settings.all) {
+    std::cout << "Alike on the screen, too:\n";
+    printPairs(scene, proof.neighbours, settings, true);
+  } else if (screen > 0) {
+    std::cout << screen << (screen == 1 ? " pair looks" : " pairs look")
+              << " alike on the screen, too, which may be meant; --all lists and mends these\n";
+  }
+  printProposals(scene, proof, settings);
+}
+
+/// The picture as each kind of eye sees it, a file for each.
+Status writeVisions(const render::ExportOrder& job, const PictureOrder& order,
+                    const std::filesystem::path& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure)
+    return Error{.file = folder.string(),
+                 .reason = "the folder cannot be made: " + failure.message(),
+                 .remedy = "Choose a place that you may write to"};
+  const auto context = render::gpu::HeadlessContext::create();
+  if (!context.ok())
+    return context.error();
+  const auto picture = render::Picture::create();
+  if (!picture.ok())
+    return picture.error();
+  const Result<render::Image> drawn =
+      (*picture)->render(job.scene, job.camera,
+                         {.width = order.samples * order.size.width,
+                          .height = order.samples * order.size.height,
+                          .background = order.background,
+                          .light = order.light,
+                          .keyLight = order.keyLight});
+  if (!drawn.ok())
+    return drawn.error();
+  const render::Image image = render::averaged(*drawn, order.samples);
+  for (const render::Vision vision : render::visions)
+    if (const Status written =
+            render::writeImage(render::seen(image, vision),
+                               folder / ("proof_" + std::string(render::nameOf(vision)) + ".png"));
+        !written.ok())
+      return written;
+  return Unit{};
+}
+
+/// The scene with the proposals: in the saved view that was looked at, else as its own styles.
+Status writeCopy(const model::Imported& imported, const ProofFlags& flags,
+                 const render::PrintProof& proof) {
+  model::SceneDocument document{.scene = render::withProposals(imported.scene, proof.proposals),
+                                .others = imported.others};
+  const auto& views = imported.scene.views();
+  const model::View* saved =
+      flags.picture.cameraFile.empty() ? savedView(imported.scene, flags.picture.view) : nullptr;
+  if (saved) {
+    const model::Scene shown =
+        render::withProposals(model::shown(imported.scene, *saved).scene, proof.proposals);
+    document.scene = model::withViewUpdated(document.scene, std::size_t(saved - views.data()),
+                                            model::viewOf(shown, saved->camera, saved->name))
+                         .scene;
+  }
+  document.thumbnail = thumbnailOf(document.scene);
+  return model::writeSceneFile(flags.output, document);
+}
+
+Status wellAsked(const ProofFlags& flags) {
+  if (flags.apply != !flags.output.empty())
+    return Error{.reason = flags.apply ? "--apply needs a file to write the changed scene to"
+                                       : "-o writes the changed scene, which --apply makes",
+                 .remedy = "Give both: --apply -o FILE.sline"};
+  if (flags.apply && !model::isSceneFile(flags.output))
+    return Error{.file = flags.output,
+                 .reason = "a scene file's name ends with " + std::string(model::sceneExtension),
+                 .remedy = "Give such a name"};
+  return Unit{};
+}
+
+Exit runProof(const ProofFlags& flags) {
+  if (const Status asked = wellAsked(flags); !asked.ok())
+    return complain(asked.error(), Exit::wrongUse);
+  const Result<model::ImportOptions> options = importOptions(flags.input);
+  if (!options.ok())
+    return complain(options.error(), Exit::wrongUse);
+  const Result<PictureOrder> order = understoodLook(flags.picture);
+  if (!order.ok())
+    return complain(order.error(), Exit::wrongUse);
+  Progress progress;
+  const Result<model::Imported> imported = readInputs(flags.input.inputs, *options, progress);
+  if (!imported.ok())
+    return complain(imported.error(), Exit::failed);
+  const Result<ArrangedScene> arranged = arrangedFor(imported->scene, *order);
+  if (!arranged.ok())
+    return complain(arranged.error(), Exit::wrongUse);
+  const render::ExportOrder job = exportOrder(*arranged, *order);
+  const render::ProofSettings settings{.leastDifference = flags.threshold, .all = flags.all};
+  const Result<render::PrintProof> proof =
+      render::printProof(job, settings, [&progress](double share, std::string_view what) {
+        progress.show(share, what);
+        return true;
+      });
+  progress.wipe();
+  if (!proof.ok())
+    return complain(proof.error(), Exit::failed);
+  if (!flags.folder.empty())
+    if (const Status written = writeVisions(job, *order, flags.folder); !written.ok())
+      return complain(written.error(), Exit::failed);
+  if (flags.apply)
+    if (const Status written = writeCopy(*imported, flags, *proof); !written.ok())
+      return complain(written.error(), Exit::failed);
+  if (flags.json)
+    printJson(job.scene, *proof, settings);
+  else
+    printText(job.scene, *proof, settings);
+  return std::cout.flush() ? Exit::done : Exit::failed;
+}
+
+void declareProof(CLI::App& command, ProofFlags& flags) {
+  command.add_option("INPUT", flags.input.inputs, inputHelp)->required();
+  command.add_flag("--json", flags.json, "For programs: one JSON object on standard output");
+  command.add_option("--out", flags.folder, "Writes the picture there as each kind of eye sees it")
+      ->type_name("FOLDER");
+  command.add_flag("--apply", flags.apply, "Writes the scene with what is proposed to the file -o");
+  command.add_option("-o,--output", flags.output, "The changed scene")->type_name("FILE.sline");
+  command.add_flag("--all", flags.all,
+                   "Lists and mends what looks alike on the screen, too, which may be meant");
+  command
+      .add_option("--threshold", flags.threshold,
+                  "The least difference of two colours that tells areas apart, CIEDE2000")
+      ->type_name("N")
+      ->check(CLI::Range(1.0, 100.0))
+      ->capture_default_str();
+  addDrawingOptions(command, flags.picture);
+  command.add_option("--smooth", flags.input.smooth, smoothHelp)
+      ->type_name("auto|off|N")
+      ->default_str("auto");
+  command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
+  command.footer(
+      "Compares the mean colours of structures that lie side by side in the picture, in grey and\n"
+      "with protanopia, deuteranopia and tritanopia (Machado, Oliveira and Fernandes 2009). What\n"
+      "is proposed was drawn and measured the same way.\n\n"
+      "  sline proof pelvis.sline --view anterior\n"
+      "  sline proof abdomen.sline --view \"Urinary System\" --out proofs\n"
+      "  sline proof pelvis.sline --apply -o pelvis_print.sline");
+}
+
+}  // namespace
+
+void addProof(CLI::App& program, Exit& exit) {
+  addCommand<ProofFlags>(program, exit,
+                         {"proof", "Find what cannot be told apart in print or by all eyes"},
+                         declareProof, runProof);
+}
+
+}  // namespace sline::cli

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/lettering.h"
+
+#include <QFontMetricsF>
+#include <algorithm>
+
+#include "render/export/label_texts.h"
+
+namespace sline::render {
+
+namespace {
+
+/// Of a quarter of a circle as one Bézier: control points lie that far along the tangents.
+constexpr float quarter = 0.5522847f;
+
+QPointF point(const glm::vec2& p) {
+  return {qreal(p.x), qreal(p.y)};
+}
+
+QPen pen(const LetteringShape& shape, const Colour& colour, float width, bool halo) {
+  QPen made(painterColour(colour), qreal(width), Qt::SolidLine, halo ? Qt::RoundCap : Qt::FlatCap,
+            Qt::RoundJoin);
+  if (shape.dashed && !halo)
+    made.setDashPattern({qreal(dashPens), qreal(gapPens)});
+  return made;
+}
+
+void paintHalo(QPainter& painter, const LetteringItem& item, const Colour& ground) {
+  for (const LetteringShape& shape : item.shapes) {
+    if (shape.halo <= 0.0f)
+      continue;
+    painter.setPen(pen(shape, ground, shape.pen + 2.0f * shape.halo, true));
+    painter.setBrush(shape.fill ? QBrush(painterColour(ground)) : QBrush(Qt::NoBrush));
+    painter.drawPath(painterPath(shape.path));
+  }
+  if (item.text)
+    painter.strokePath(outlineOf(*item.text), QPen(painterColour(ground), qreal(2.0f * textHalo),
+                                                   Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+}
+
+void paintInk(QPainter& painter, const LetteringItem& item) {
+  for (const LetteringShape& shape : item.shapes) {
+    painter.setPen(shape.pen > 0.0f ? pen(shape, shape.ink, shape.pen, false) : QPen(Qt::NoPen));
+    painter.setBrush(shape.fill ? QBrush(painterColour(*shape.fill)) : QBrush(Qt::NoBrush));
+    painter.drawPath(painterPath(shape.path));
+  }
+  if (item.text)
+    painter.fillPath(outlineOf(*item.text), painterColour(item.text->ink));
+}
+
+}  // namespace
+
+LetteringColours letteringColours(bool onDark) {
+  return onDark ? LetteringColours{{240, 240, 240}, {28, 28, 30}}
+                : LetteringColours{{17, 17, 17}, {255, 255, 255}};
+}
+
+QColor painterColour(const Colour& colour) {
+  return {colour.red, colour.green, colour.blue};
+}
+
+Path polyline(const std::vector<glm::vec2>& points) {
+  if (points.empty())
+    return {};
+  Curve curve{.start = points.front(), .pieces = {}, .closed = false};
+  for (std::size_t i = 1; i < points.size(); ++i)
+    curve.pieces.push_back({points[i - 1], points[i], points[i]});
+  return {curve};
+}
+
+Path circle(const glm::vec2& middle, float radius) {
+  return roundedBox(middle - radius, middle + radius, radius);
+}
+
+Path roundedBox(const glm::vec2& low, const glm::vec2& high, float radius) {
+  const float r = std::min({radius, 0.5f * (high.x - low.x), 0.5f * (high.y - low.y)});
+  const float k = (1.0f - quarter) * r;  // of a control point from the corner
+  Curve curve{.start = {low.x + r, low.y}, .pieces = {}, .closed = true};
+  glm::vec2 last = curve.start;
+  const auto line = [&](const glm::vec2& end) {
+    if (end != last)
+      curve.pieces.push_back({last, end, end});
+    last = end;
+  };
+  const auto bend = [&](const glm::vec2& a, const glm::vec2& b, const glm::vec2& end) {
+    curve.pieces.push_back({a, b, end});
+    last = end;
+  };
+  line({high.x - r, low.y});
+  bend({high.x - k, low.y}, {high.x, low.y + k}, {high.x, low.y + r});
+  line({high.x, high.y - r});
+  bend({high.x, high.y - k}, {high.x - k, high.y}, {high.x - r, high.y});
+  line({low.x + r, high.y});
+  bend({low.x + k, high.y}, {low.x, high.y - k}, {low.x, high.y - r});
+  line({low.x, low.y + r});
+  bend({low.x, low.y + k}, {low.x + k, low.y}, {low.x + r, low.y});
+  return {curve};
+}
+
+QPainterPath painterPath(const Path& path) {
+  QPainterPath made;
+  for (const Curve& curve : path) {
+    made.moveTo(point(curve.start));
+    for (const Cubic& piece : curve.pieces)
+      made.cubicTo(point(piece.control1), point(piece.control2), point(piece.end));
+    if (curve.closed)
+      made.closeSubpath();
+  }
+  return made;
+}
+
+QPainterPath outlineOf(const LetteringText& text) {
+  const QFont font = labelFont();
+  const QFontMetricsF metrics(font);
+  const qreal scale = qreal(text.points * millimetresPerPoint) / labelFontPixels;
+  QPainterPath letters;
+  qreal baseline = qreal(text.at.y);
+  for (const QString& line : text.lines) {
+    const qreal width = scale * metrics.horizontalAdvance(line);
+    const qreal left = qreal(text.at.x) - (text.anchor == TextAnchor::end      ? width
+                                           : text.anchor == TextAnchor::middle ? 0.5 * width
+                                                                               : 0.0);
+    QPainterPath path;
+    path.addText(0.0, 0.0, font, line);
+    letters.addPath(QTransform(scale, 0.0, 0.0, scale, left, baseline).map(path));
+    baseline += qreal(text.leading);
+  }
+  letters.setFillRule(Qt::WindingFill);
+  return letters;
+}
+
+void paintLettering(QPainter& painter, const Lettering& lettering) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (const LetteringItem& item : lettering.items)
+    paintHalo(painter, item, lettering.ground);
+  for (const LetteringItem& item : lettering.items)
+    paintInk(painter, item);
+  painter.restore();
+}
+
+}  // namespace sline::render

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// All that is written over a figure: its labels and, at its edges, its marks.
+#pragma once
+
+#include "render/export/label_painter.h"
+#include "render/export/marks/marks.h"
+
+namespace sline::render {
+
+struct FigurePlate {
+  std::optional<LabelPlate> labels;  ///< where the order wants some
+  Marks marks;
+};
+
+/// For the order's camera and page, labels beside the marks; `before` is the labels' layout in the
+/// picture before it, for a camera that turns.
+FigurePlate figurePlate(const ExportOrder& order, SightTrees& trees,
+                        const LabelLayout* before = nullptr);
+FigurePlate figurePlate(const ExportOrder& order);
+
+/// The painter's unit must be a millimetre, from the picture's upper left corner.
+void paintPlate(QPainter& painter, const FigurePlate& plate);
+
+}  // namespace sline::render

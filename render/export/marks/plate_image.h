@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Labels and marks for programs without Qt's headers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/export/order/export_order.h"
+#include "render/export/typesetting.h"
+#include "render/picture/image.h"
+
+namespace sline::render {
+
+struct LabelReport {
+  struct Line {
+    int number = 0;
+    std::string text;
+  };
+  std::vector<Line> key;             ///< of all labels in the picture, by number
+  std::vector<std::string> leftOut;  ///< texts for which there was no room
+};
+
+/// Draws labels and marks over the picture that was drawn of the order's scene; the page's height
+/// is the picture's.
+LabelReport drawPlate(Image& image, const ExportOrder& order, const Typesetting& typesetting);
+
+/// The share of the page's width and height that columns of labels and marks leave to the anatomy,
+/// 0 … 1: for a camera that is to be fitted, whose direction is the order's.
+glm::vec2 shareBesidePlate(const ExportOrder& order, const Typesetting& typesetting);
+
+}  // namespace sline::render

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+namespace sline::render {
+
+/// An ICC profile (version 2.1) of sRGB, IEC 61966-2-1.
+std::string srgbProfile();
+/// The same for pictures in grey: sRGB's tone curve.
+std::string greyProfile();
+
+/// From 0 … 1 to 0 … 1, IEC 61966-2-1.
+float toLinearLight(float srgb);
+float fromLinearLight(float light);
+
+}  // namespace sline::render

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/pixels/page_overlay.h"
+
+#include <QImage>
+#include <QPainter>
+
+#include "render/export/marks/figure_plate.h"
+#include "render/export/typesetting.h"
+
+namespace sline::render {
+
+struct PageOverlay::Data {
+  std::unique_ptr<Typesetting> typesetting;
+  std::optional<FigurePlate> plate;
+  qreal pixelsPerMm = 1.0;
+};
+
+PageOverlay::PageOverlay() : m_data(std::make_unique<Data>()) {}
+PageOverlay::~PageOverlay() = default;
+
+Result<std::unique_ptr<PageOverlay>> PageOverlay::create(const ExportOrder& order,
+                                                         glm::ivec2 pixels) {
+  std::unique_ptr<PageOverlay> overlay(new PageOverlay);
+  if (order.labels.mode == LabelMode::off && order.marks == ExportMarks::none())
+    return overlay;
+  Result<std::unique_ptr<Typesetting>> made = Typesetting::create();
+  if (!made.ok())
+    return made.error();
+  Data& data = *overlay->m_data;
+  data.typesetting = std::move(*made);
+  data.pixelsPerMm = qreal(pixels.y) / qreal(order.page.sizeMm.y);
+  data.plate = figurePlate(order);
+  return overlay;
+}
+
+void PageOverlay::paint(PixelRows& rows, int top) const {
+  if (!m_data->plate)
+    return;
+  QImage canvas(reinterpret_cast<uchar*>(rows.rgba.data()), rows.width, rows.height,
+                qsizetype(8) * rows.width, QImage::Format_RGBA64_Premultiplied);
+  QPainter painter(&canvas);
+  painter.translate(0.0, -qreal(top));
+  painter.scale(m_data->pixelsPerMm, m_data->pixelsPerMm);
+  paintPlate(painter, *m_data->plate);
+}
+
+}  // namespace sline::render

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/pixels/pixel_files.h"
+
+#include <algorithm>
+#include <string>
+
+#include "model/files/whole_file.h"
+#include "render/export/pixels/image_file.h"
+#include "render/export/pixels/page_bands.h"
+
+namespace sline::render {
+
+namespace {
+
+bool holdsInkAlone(PixelKind kind) {
+  return kind == PixelKind::png || kind == PixelKind::tiff;
+}
+
+PixelLayout layoutOf(const ExportOrder& order, PixelKind kind, glm::ivec2 size) {
+  const ExportPixels& pixels = order.pixels;
+  PixelLayout layout{.width = size.x, .height = size.y, .dpi = order.page.dpi};
+  const bool ink = holdsInkAlone(kind) && (pixels.pureInk || pixels.bits == 1);
+  const bool alpha = kind != PixelKind::jpeg && !(ink && pixels.bits == 1) &&
+                     order.look.background == Background::transparent;
+  layout.channels = (pixels.grey || ink ? 1 : 3) + (alpha ? 1 : 0);
+  if (kind == PixelKind::exr)
+    layout.bits = 32;
+  else if (holdsInkAlone(kind))
+    layout.bits = ink ? std::min(pixels.bits, 8) : pixels.bits;
+  return layout;
+}
+
+Status checkOrder(const ExportOrder& order, glm::ivec2 size, const std::filesystem::path& target) {
+  const int bits = order.pixels.bits;
+  if (std::max(size.x, size.y) > largestPixelSide)
+    return Error{.file = target.string(),
+                 .reason = "a picture of " + std::to_string(size.x) + "×" + std::to_string(size.y) +
+                           " pixels is too large",
+                 .remedy = "Choose fewer dots per inch or a smaller page; a side may have " +
+                           std::to_string(largestPixelSide) + " pixels"};
+  if (bits != 1 && bits != 8 && bits != 16)
+    return Error{.file = target.string(),
+                 .reason = "no picture has " + std::to_string(bits) + " bits a channel",
+                 .remedy = "Give 1, 8 or 16"};
+  return Unit{};
+}
+
+Status writePixels(PixelKind kind, const ExportOrder& order, const std::filesystem::path& target,
+                   const ExportProgress& progress) {
+  const glm::ivec2 size = pixelsOf(order.page);
+  if (Status sound = checkOrder(order, size, target); !sound.ok())
+    return sound;
+  const PixelLayout layout = layoutOf(order, kind, size);
+  const bool ink = holdsInkAlone(kind) && (order.pixels.pureInk || order.pixels.bits == 1);
+  const PageBands bands{
+      .size = size, .samples = usualSamples(size, order.pixels), .deep = layout.bits > 8};
+  return model::writeBeside(target, [&](const std::filesystem::path& beside) -> Status {
+    const Result<std::unique_ptr<RowFile>> file = rowFile(kind, layout, beside);
+    if (!file.ok())
+      return file.error();
+    const Status drawn = drawBands(
+        order, bands, [&](PixelRows&& rows) { return (*file)->add(packed(rows, layout, ink)); },
+        progress);
+    if (!drawn.ok())
+      return drawn;
+    if (progress && !progress(0.97, "writing the file"))
+      return givenUp(target);
+    return (*file)->finish();
+  });
+}
+
+}  // namespace
+
+Status writePng(const ExportOrder& order, const std::filesystem::path& target,
+                const ExportProgress& progress) {
+  return writePixels(PixelKind::png, order, target, progress);
+}
+
+Status writeTiff(const ExportOrder& order, const std::filesystem::path& target,
+                 const ExportProgress& progress) {
+  return writePixels(PixelKind::tiff, order, target, progress);
+}
+
+Status writeExr(const ExportOrder& order, const std::filesystem::path& target,
+                const ExportProgress& progress) {
+  return writePixels(PixelKind::exr, order, target, progress);
+}
+
+Status writeJpeg(const ExportOrder& order, const std::filesystem::path& target,
+                 const ExportProgress& progress) {
+  return writePixels(PixelKind::jpeg, order, target, progress);
+}
+
+}  // namespace sline::render

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files of pictures that are written row by row, from the top down.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "model/base/result.h"
+
+namespace sline::render {
+
+enum class PixelKind { png, tiff, exr, jpeg };
+
+/// What a file's pixels are.
+struct PixelLayout {
+  int width = 0;
+  int height = 0;
+  int channels = 3;  ///< 1 grey, 2 grey and alpha, 3 colour, 4 colour and alpha
+  /// Of a channel: 1, 8 or 16; 32: floats in linear light with alpha multiplied in, else sRGB and
+  /// straight alpha.
+  int bits = 8;
+  float dpi = 0.0f;  ///< 0: not said
+
+  bool hasAlpha() const { return channels % 2 == 0; }
+  bool isGrey() const { return channels < 3; }
+  /// Rows begin at whole bytes.
+  std::size_t rowBytes() const {
+    return (std::size_t(width) * std::size_t(channels) * std::size_t(bits) + 7) / 8;
+  }
+};
+
+class RowFile {
+ public:
+  virtual ~RowFile() = default;
+  /// The next rows, as many as there are: tightly packed, in the machine's byte order, single bits
+  /// from the highest down with 1 for white.
+  virtual Status add(std::span<const std::byte> rows) = 0;
+  /// When all rows were added.
+  virtual Status finish() = 0;
+};
+
+/// Takes a file's bytes as they are made.
+using ByteSink = std::function<Status(std::string_view)>;
+
+/// PNG: 1, 8 or 16 bits.
+std::unique_ptr<RowFile> pngRows(const PixelLayout& layout, ByteSink sink);
+/// TIFF: 1, 8 or 16 bits; BigTIFF where the plain kind would be too short.
+Result<std::unique_ptr<RowFile>> tiffRows(const PixelLayout& layout,
+                                          const std::filesystem::path& file);
+/// EXR (32 bits in, halves in the file) and JPEG (8 bits, no alpha).
+Result<std::unique_ptr<RowFile>> imageLibraryRows(PixelKind kind, const PixelLayout& layout,
+                                                  const std::filesystem::path& file);
+
+}  // namespace sline::render

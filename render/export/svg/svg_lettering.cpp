@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/svg/svg_lettering.h"
+
+#include "render/export/label_texts.h"
+#include "render/export/svg/svg_path.h"
+#include "render/export/svg/svg_values.h"
+#include "render/export/svg/xml_text.h"
+
+namespace sline::render {
+
+namespace {
+
+/// The font in which positions are true first, then those of its widths.
+constexpr const char* families = "DejaVu Sans, Bitstream Vera Sans, Verdana, sans-serif";
+
+Path pathOf(const QPainterPath& outline) {
+  Path path;
+  const auto at = [&outline](int i) {
+    const QPainterPath::Element e = outline.elementAt(i);
+    return glm::vec2(float(e.x), float(e.y));
+  };
+  glm::vec2 last(0.0f);
+  for (int i = 0; i < outline.elementCount(); ++i) {
+    switch (outline.elementAt(i).type) {
+      case QPainterPath::MoveToElement:
+        path.push_back({.start = at(i), .pieces = {}, .closed = true});
+        break;
+      case QPainterPath::LineToElement:
+        path.back().pieces.push_back({last, at(i), at(i)});
+        break;
+      case QPainterPath::CurveToElement:
+        path.back().pieces.push_back({at(i), at(i + 1), at(i + 2)});
+        i += 2;
+        break;
+      case QPainterPath::CurveToDataElement:
+        break;
+    }
+    last = at(i);
+  }
+  return path;
+}
+
+class Layer {
+ public:
+  Layer(std::string& text, int decimals) : m_text(text), m_decimals(decimals) {}
+
+  void add(const SvgWriting& writing) {
+    m_text += "<g id=\"" + writing.id + "\" inkscape:label=\"" + xmlText(writing.name) +
+              "\" inkscape:groupmode=\"layer\" stroke-linejoin=\"round\" font-family=\"" +
+              std::string(families) + "\">\n";
+    m_text += "<g inkscape:label=\"Halos\" fill=\"none\" stroke-linecap=\"round\" stroke=\"" +
+              hex(writing.lettering.ground) + "\">\n";
+    for (const LetteringItem& item : writing.lettering.items)
+      addHalo(item, writing.lettering.ground);
+    m_text += "</g>\n";
+    for (const LetteringItem& item : writing.lettering.items)
+      addItem(item);
+    m_text += "</g>\n";
+  }
+
+ private:
+  void addHalo(const LetteringItem& item, const Colour& ground) {
+    for (const LetteringShape& shape : item.shapes)
+      if (shape.halo > 0.0f)
+        addPath(shape.path, shape.pen + 2.0f * shape.halo,
+                shape.fill ? " fill=\"" + hex(ground) + "\"" : std::string());
+    if (item.text)
+      addPath(pathOf(outlineOf(*item.text)), 2.0f * textHalo, {});
+  }
+
+  void addItem(const LetteringItem& item) {
+    m_text += "<g inkscape:label=\"" + xmlText(item.name) + "\">\n";
+    for (const LetteringShape& shape : item.shapes)
+      addShape(shape);
+    if (item.text)
+      addText(*item.text);
+    m_text += "</g>\n";
+  }
+
+  void addPath(const Path& path, float pen, const std::string& more) {
+    const std::string d = svgPath(path, m_decimals);
+    if (d.empty())
+      return;
+    m_text += "<path";
+    if (pen > 0.0f)
+      m_text += " stroke-width=\"" + number(double(pen), m_decimals + 1) + "\"";
+    m_text += more + " d=\"" + d + "\"/>\n";
+  }
+
+  void addShape(const LetteringShape& shape) {
+    std::string more = " fill=\"" + (shape.fill ? hex(*shape.fill) : "none") + "\"";
+    if (shape.pen > 0.0f)
+      more += " stroke=\"" + hex(shape.ink) + "\"";
+    if (shape.pen > 0.0f && shape.dashed)
+      more += " stroke-dasharray=\"" + number(double(dashPens * shape.pen), m_decimals) + " " +
+              number(double(gapPens * shape.pen), m_decimals) + "\"";
+    addPath(shape.path, shape.pen, more);
+  }
+
+  void addText(const LetteringText& text) {
+    constexpr std::array<const char*, 3> anchors{"start", "middle", "end"};
+    const std::string x = number(double(text.at.x), m_decimals);
+    const auto y = [&](qsizetype line) {
+      return number(double(text.at.y + float(line) * text.leading), m_decimals);
+    };
+    m_text += "<text font-size=\"" + number(double(text.points * millimetresPerPoint), 4) +
+              "\" text-anchor=\"" + anchors[std::size_t(text.anchor)] + "\" fill=\"" +
+              hex(text.ink) + "\"";
+    if (text.lines.size() == 1) {
+      m_text += " x=\"" + x + "\" y=\"" + y(0) + "\">" + xmlText(text.lines[0].toStdString()) +
+                "</text>\n";
+      return;
+    }
+    m_text += ">";
+    for (qsizetype i = 0; i < text.lines.size(); ++i)
+      m_text += "<tspan x=\"" + x + "\" y=\"" + y(i) + "\">" +
+                xmlText(text.lines[i].toStdString()) + "</tspan>";
+    m_text += "</text>\n";
+  }
+
+  std::string& m_text;
+  int m_decimals;
+};
+
+}  // namespace
+
+void appendLettering(std::string& text, const SvgWriting& writing, int decimals) {
+  if (!writing.lettering.items.empty())
+    Layer(text, decimals).add(writing);
+}
+
+}  // namespace sline::render

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Labels and marks in SVG: real text, so that it can be found, edited and translated.
+#pragma once
+
+#include <string>
+
+#include "render/export/lettering.h"
+
+namespace sline::render {
+
+/// A layer of its own above the drawing.
+struct SvgWriting {
+  std::string id;    ///< "labels"
+  std::string name;  ///< "Labels"
+  Lettering lettering;
+};
+
+/// Appends the layer: a group of halos, which are paths, so that no reader paints them over
+/// letters, and above them a group for each label or mark. Nothing for an empty list.
+void appendLettering(std::string& text, const SvgWriting& writing, int decimals);
+
+}  // namespace sline::render

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QDir>
+#include <QFile>
+#include <QImage>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/cli/sline_process.h"
+#include "tests/support/shapes.h"
+
+namespace sline::test {
+
+class ExportPicturesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void sizes_data();
+  void sizes();
+  void severalKindsAtOnce();
+  void blackAndWhiteIsPure();
+  void wrongUse_data();
+  void wrongUse();
+  void badTargets();
+
+ private:
+  QTemporaryDir m_folder;
+  QString m_sample = writeSample(m_folder.path());
+};
+
+void ExportPicturesTest::sizes_data() {
+  QTest::addColumn<QStringList>("flags");
+  QTest::addColumn<QSize>("size");
+  QTest::addColumn<double>("dpi");
+  QTest::newRow("as usual") << QStringList{} << QSize(1890, 1063) << 300.0;
+  QTest::newRow("millimetres") << QStringList{"--size-mm", "50.8x25.4", "--dpi", "150"}
+                               << QSize(300, 150) << 150.0;
+  QTest::newRow("pixels") << QStringList{"--size-px", "321x123", "--dpi", "96"} << QSize(321, 123)
+                          << 96.0;
+  QTest::newRow("few pixels") << QStringList{"--size-px", "16x16", "--dpi", "1200"} << QSize(16, 16)
+                              << 1200.0;
+}
+
+void ExportPicturesTest::sizes() {
+  QFETCH(QStringList, flags);
+  QFETCH(QSize, size);
+  QFETCH(double, dpi);
+  const QString file = m_folder.filePath("sized.png");
+  const Finished finished = runSline(QStringList{"export", m_sample, "--png", file} + flags);
+  QVERIFY2(finished.code == 0, finished.err.constData());
+  const QImage image(file);
+  QCOMPARE(image.size(), size);
+  QVERIFY(std::abs(image.dotsPerMeterX() * 0.0254 - dpi) < 0.1);
+}
+
+void ExportPicturesTest::severalKindsAtOnce() {
+  QStringList flags{"export", m_sample, "--size-mm",    "40x30",      "--dpi",
+                    "72",     "--grey", "--background", "transparent"};
+  QStringList files;
+  for (const char* kind : {"png", "tiff", "jpeg", "exr", "svg"}) {
+    files << m_folder.filePath(QString("Bäcken 盆.") + kind);
+    flags << QString("--") + kind << files.back();
+  }
+  const Finished finished = runSline(flags);
+  QVERIFY2(finished.code == 0, finished.err.constData());
+  for (const QString& file : files)
+    QVERIFY2(QFile(file).size() > 500, qPrintable(file));
+  QVERIFY(QImage(files[0]).hasAlphaChannel());
+}
+
+void ExportPicturesTest::blackAndWhiteIsPure() {
+  const QString file = m_folder.filePath("ink.png");
+  for (const char* bits : {"1", "8"}) {
+    const Finished finished =
+        runSline({"export", m_sample, "--png", file, "--size-mm", "60x40", "--bw", "--bits", bits});
+    QVERIFY2(finished.code == 0, finished.err.constData());
+    const QImage image = QImage(file).convertToFormat(QImage::Format_Grayscale8);
+    int black = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) {
+        const int value = image.constScanLine(y)[x];
+        QVERIFY(value == 0 || value == 255);
+        black += value == 0;
+      }
+    QVERIFY(black > 1000);
+  }
+}
+
+void ExportPicturesTest::wrongUse_data() {
+  QTest::addColumn<QStringList>("flags");
+  QTest::addColumn<QByteArray>("says");
+  QTest::newRow("odd depth") << QStringList{"--bits", "12"} << QByteArray("8 or 16");
+  QTest::newRow("grey bits") << QStringList{"--bits", "1"} << QByteArray("--bw");
+  QTest::newRow("two sizes") << QStringList{"--size-px", "20x20", "--size-mm", "20x20"}
+                             << QByteArray("--size-mm");
+  QTest::newRow("too many pixels") << QStringList{"--size-px", "20001x20"} << QByteArray("20000");
+  QTest::newRow("no dots") << QStringList{"--dpi", "0"} << QByteArray("--dpi");
+  QTest::newRow("many samples") << QStringList{"--samples", "9"} << QByteArray("1 to 4");
+}
+
+void ExportPicturesTest::wrongUse() {
+  QFETCH(QStringList, flags);
+  QFETCH(QByteArray, says);
+  const QString file = m_folder.filePath("wrong.png");
+  const Finished finished = runSline(QStringList{"export", m_sample, "--png", file} + flags);
+  QCOMPARE(finished.code, 2);
+  QVERIFY2(finished.err.contains(says), finished.err.constData());
+  QVERIFY(!QFile::exists(file));
+}
+
+void ExportPicturesTest::badTargets() {
+  const QStringList before = QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden);
+  for (const char* kind : {"png", "tiff", "jpeg", "exr"}) {
+    const Finished finished = runSline({"export", m_sample, QString("--") + kind,
+                                        m_folder.filePath("nowhere/a"), "--size-px", "64x64"});
+    QCOMPARE(finished.code, 1);
+    QVERIFY(finished.err.contains("nowhere"));
+  }
+  // A page that has too many pixels is found when it is drawn.
+  const Finished finished =
+      runSline({"export", m_sample, "--png", m_folder.filePath("a.png"), "--size-mm", "2000x2000"});
+  QCOMPARE(finished.code, 1);
+  QVERIFY(finished.err.contains("20000"));
+  QCOMPARE(QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden), before);
+}
+
+}  // namespace sline::test
+
+QTEST_GUILESS_MAIN(sline::test::ExportPicturesTest)
+#include "export_pictures_test.moc"

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/pixels/page_bands.h"
+
+#include <QFile>
+#include <QTest>
+#include <cmath>
+
+#include "model/edit/style.h"
+#include "model/import/import.h"
+#include "tests/render/export/pixels/ordered_scene.h"
+
+namespace sline::test {
+
+namespace {
+
+/// The whole picture, collected from its bands; empty where that failed.
+render::PixelRows drawn(const render::ExportOrder& order, render::PageBands bands) {
+  bands.size = pixelsOf(order.page);
+  render::PixelRows all{.width = bands.size.x, .height = 0, .rgba = {}};
+  const Status done =
+      render::drawBands(order, bands,
+                        [&all](render::PixelRows&& rows) -> Status {
+                          all.height += rows.height;
+                          all.rgba.insert(all.rgba.end(), rows.rgba.begin(), rows.rgba.end());
+                          return Unit{};
+                        },
+                        {});
+  if (!done.ok()) {
+    qWarning("%s", done.error().text().c_str());
+    return {};
+  }
+  return all;
+}
+
+struct Apart {
+  double largest = 0.0;  ///< of 255
+  double share = 0.0;    ///< of pixels that are more than 1/255 apart
+  double mean = 0.0;     ///< of 255
+};
+
+Apart apart(const render::PixelRows& a, const render::PixelRows& b) {
+  Apart found;
+  const std::size_t pixels = a.rgba.size() / 4;
+  for (std::size_t p = 0; p < pixels; ++p) {
+    double most = 0.0;
+    for (std::size_t c = 4 * p; c < 4 * p + 4; ++c) {
+      most = std::max(most, std::abs(double(a.rgba[c]) - double(b.rgba[c])) / 257.0);
+      found.mean += std::abs(double(a.rgba[c]) - double(b.rgba[c])) / 257.0;
+    }
+    found.largest = std::max(found.largest, most);
+    found.share += most > 1.0;
+  }
+  found.share /= double(pixels);
+  found.mean /= double(4 * pixels);
+  return found;
+}
+
+/// Every side × side pixels as one.
+render::PixelRows averagedRows(const render::PixelRows& rows, int side) {
+  render::PicturePiece piece{.left = 0,
+                             .top = 0,
+                             .width = rows.width / side * side,
+                             .height = rows.height / side * side,
+                             .rgba = {}};
+  for (int y = 0; y < piece.height; ++y)
+    piece.rgba.insert(piece.rgba.end(), rows.rgba.begin() + std::ptrdiff_t(y) * rows.width * 4,
+                      rows.rgba.begin() + (std::ptrdiff_t(y) * rows.width + piece.width) * 4);
+  render::PixelRows result{.width = piece.width / side, .height = piece.height / side, .rgba = {}};
+  result.rgba.resize(std::size_t(result.width) * std::size_t(result.height) * 4);
+  putAverages(piece, side, 0, result);
+  return result;
+}
+
+/// Every manner of drawing, some of it half clear, cut open, with a label and marks.
+render::ExportOrder anatomyOrder(const model::Scene& imported) {
+  render::ExportOrder order;
+  order.scene = imported;
+  std::size_t number = 0;
+  std::vector<model::NodeId> ids;
+  for (const model::Node& node : imported.nodes())
+    if (!node.isGroup())
+      ids.push_back(node.id);
+  for (const model::NodeId id : ids) {
+    model::Style style = gammaStyle(0.4f + 0.55f * float(number % 9));
+    style.fill = number % 4 == 0 ? model::Fill::paper : model::Fill::none;
+    if (number % 5 == 1)
+      style.opacity = Opacity::clamped(0.5f);
+    order.scene = model::withStyle(order.scene, std::span(&id, 1), style).scene;
+    ++number;
+  }
+  cut(order.scene, model::AnatomicalView::posterior, imported.visibleBounds().centre().y,
+      ids[ids.size() / 2]);
+  model::Annotation label;
+  label.anchors = {model::SurfacePoint{ids.front(), 0, {0.3f, 0.3f}}};
+  label.text = "the first of all";
+  order.scene.appendAnnotation(label);
+  order.page = {.sizeMm = {240.0f, 180.0f}, .dpi = 100.0f};
+  order.camera = model::anatomicalCamera(model::AnatomicalView::anterior,
+                                         order.scene.visibleBounds(), 240.0f / 180.0f);
+  order.labels.mode = render::LabelMode::on;
+  return order;
+}
+
+}  // namespace
+
+class PageBandsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase();
+  void noSeams_data();
+  void noSeams();
+  void noSeamsInAnatomy_data();
+  void noSeamsInAnatomy();
+  void printSizeDecides();
+  void averagesHoldMore();
+  void samplesStayDrawable();
+  void failedBandStops();
+};
+
+void PageBandsTest::initTestCase() {
+  if (const Studio studio = openStudio(); !studio.picture)
+    QSKIP(studio.absent.c_str());
+}
+
+void PageBandsTest::noSeams_data() {
+  QTest::addColumn<int>("samples");
+  QTest::addColumn<int>("background");
+  QTest::newRow("one sample") << 1 << int(render::Background::white);
+  QTest::newRow("several samples") << 3 << int(render::Background::dark);
+  QTest::newRow("transparent") << 2 << int(render::Background::transparent);
+}
+
+void PageBandsTest::noSeams() {
+  QFETCH(int, samples);
+  QFETCH(int, background);
+  render::ExportOrder order = orderedPicture();
+  order.look.background = render::Background(background);
+  const render::PixelRows whole = drawn(order, {.samples = samples, .bandSamples = 1 << 30});
+  QVERIFY(whole.height > 300);
+  // Bands of 23 and of a single row of samples' squares: many seams, at odd places.
+  for (const int rows : {23, 61}) {
+    const render::PixelRows bands =
+        drawn(order, {.samples = samples, .bandSamples = rows * samples * samples * whole.width});
+    QCOMPARE(bands.height, whole.height);
+    const Apart found = apart(whole, bands);
+    QVERIFY2(found.share <= 1e-4,
+             qPrintable(QString("%1 of the pixels, up to %2").arg(found.share).arg(found.largest)));
+  }
+}
+
+void PageBandsTest::noSeamsInAnatomy_data() {
+  QTest::addColumn<QString>("input");
+  QTest::newRow("pelvis") << QStringLiteral(SLINE_TEST_DATA "/pelvis/bodyparts3d");
+  QTest::newRow("abdomen") << QStringLiteral(
+      SLINE_TEST_DATA "/abdomen/AbdominalAtlas-2015Sept-Slicer4-4Version.mrml");
+}
+
+void PageBandsTest::noSeamsInAnatomy() {
+  QFETCH(QString, input);
+  if (!QFile::exists(input))
+    QSKIP("no anatomy to draw");
+  const std::array<std::filesystem::path, 1> inputs{input.toStdString()};
+  const Result<model::Imported> imported = model::importInputs(inputs, {}, {});
+  QVERIFY(imported.ok());
+  const render::ExportOrder order = anatomyOrder(imported->scene);
+  const render::PixelRows whole = drawn(order, {.samples = 1, .bandSamples = 1 << 30});
+  const render::PixelRows bands = drawn(order, {.samples = 1, .bandSamples = 57 * whole.width});
+  const Apart found = apart(whole, bands);
+  QVERIFY2(found.share <= 1e-4,
+           qPrintable(QString("%1 of the pixels, up to %2").arg(found.share).arg(found.largest)));
+}
+
+void PageBandsTest::printSizeDecides() {
+  render::ExportOrder order = orderedPicture();
+  const render::PixelRows coarse = drawn(order, {.samples = 3, .deep = true});
+  order.page.dpi = 300.0f;
+  const render::PixelRows fine = averagedRows(drawn(order, {.samples = 1, .deep = true}), 3);
+  // 120 mm are 472 pixels at 100 per inch and 1417 at 300.
+  QCOMPARE(coarse.width, fine.width);
+  render::PixelRows cut = coarse;
+  cut.height = std::min(coarse.height, fine.height);
+  cut.rgba.resize(std::size_t(cut.width) * std::size_t(cut.height) * 4);
+  render::PixelRows other = fine;
+  other.rgba.resize(cut.rgba.size());
+  const Apart found = apart(cut, other);
+  double ink = 0.0;
+  double otherInk = 0.0;
+  for (std::size_t i = 0; i < cut.rgba.size(); i += 4) {
+    ink += 65535.0 - cut.rgba[i];
+    otherInk += 65535.0 - other.rgba[i];
+  }
+  QVERIFY2(std::abs(ink / otherInk - 1.0) < 0.02, qPrintable(QString::number(ink / otherInk)));
+  QVERIFY2(found.mean < 2.0, qPrintable(QString::number(found.mean)));
+}
+
+void PageBandsTest::averagesHoldMore() {
+  // Two grey samples and two a step brighter: half a step between, which 8 bits cannot say.
+  const std::uint16_t low = 257 * 100;
+  const std::uint16_t high = 257 * 101;
+  render::PicturePiece piece{
+      .left = 0, .top = 0, .width = 2, .height = 2, .rgba = std::vector<std::uint16_t>(16, low)};
+  std::fill_n(piece.rgba.begin() + 4, 8, high);
+  render::PixelRows rows{.width = 1, .height = 1, .rgba = std::vector<std::uint16_t>(4)};
+  putAverages(piece, 2, 0, rows);
+  QCOMPARE(int(rows.rgba[0]), (low + high + 1) / 2);
+}
+
+void PageBandsTest::samplesStayDrawable() {
+  QCOMPARE(render::usualSamples({1000, 1000}, {}), 2);
+  QCOMPARE(render::usualSamples({1000, 1000}, {.bits = 16}), 4);
+  QCOMPARE(render::usualSamples({7016, 9933}, {}), 1);
+  QCOMPARE(render::usualSamples({7016, 9933}, {.pureInk = true}), 2);
+  QCOMPARE(render::usualSamples({7016, 9933}, {.samples = 3}), 3);
+  // No more than a picture can have.
+  for (const int asked : {0, 4})
+    QVERIFY(20000 * render::usualSamples({20000, 100}, {.bits = 16, .samples = asked}) <= 65535);
+}
+
+void PageBandsTest::failedBandStops() {
+  const render::ExportOrder order = orderedPicture();
+  int asked = 0;
+  const Status done = render::drawBands(
+      order, {.size = pixelsOf(order.page), .samples = 1, .bandSamples = 20 * 472},
+      [&asked](render::PixelRows&&) -> Status {
+        ++asked;
+        return Error{.reason = "no paper"};
+      },
+      {});
+  QVERIFY(!done.ok());
+  QCOMPARE(done.error().reason, std::string("no paper"));
+  QCOMPARE(asked, 1);
+}
+
+}  // namespace sline::test
+
+QTEST_APPLESS_MAIN(sline::test::PageBandsTest)
+#include "page_bands_test.moc"
