@@ -20,7 +20,14 @@ packages=(
   # small libraries
   libtbb-dev libglm-dev nlohmann-json3-dev libcli11-dev libpugixml-dev libzip-dev
   zlib1g-dev libbz2-dev
+  # films; ffmpeg is a program that writes some where it is installed
+  libwebp-dev libgif-dev ffmpeg
+  # Anki's packages
+  libsqlite3-dev
 )
+
+# For Khronos's glTF validator; whoever has npm from elsewhere keeps it.
+command -v npm >/dev/null || packages+=(nodejs npm)
 
 missing=()
 for package in "${packages[@]}"; do

@@ -3,8 +3,10 @@
 #include <charconv>
 #include <map>
 
+#include "app/cli/anki_options.h"
 #include "app/cli/command.h"
 #include "app/cli/draw_scene.h"
+#include "app/cli/film_options.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/pixel_options.h"
 #include "render/export/formats/export_formats.h"
@@ -18,6 +20,8 @@ struct ExportFlags {
   InputFlags input;
   PictureFlags picture;
   PixelFlags pixels;
+  FilmFlags film;
+  render::AnkiOptions anki;
   std::string sizeMm = "160x90";
   /// A target for each of the formats that are wanted.
   std::map<std::string, std::string> targets;
@@ -88,7 +92,10 @@ render::ExportOrder exportOrder(const ArrangedScene& arranged, const PictureOrde
   return job;
 }
 
-Exit runExport(const ExportFlags& flags) {
+Exit runExport(const ExportFlags& typed) {
+  ExportFlags flags = typed;
+  if (const Status film = addFilmTarget(typed.film, flags.targets); !film.ok())
+    return complain(film.error(), Exit::wrongUse);
   const Result<model::ImportOptions> options = importOptions(flags.input);
   if (!options.ok())
     return complain(options.error(), Exit::wrongUse);
@@ -111,8 +118,13 @@ Exit runExport(const ExportFlags& flags) {
     return complain(arranged.error(), Exit::wrongUse);
   if (arranged->scene.visibleBounds().empty())
     warn("no structure is visible: the drawing is empty");
+  const Result<render::FilmOptions> film = understood(flags.film, arranged->scene);
+  if (!film.ok())
+    return complain(film.error(), Exit::wrongUse);
   render::ExportOrder job = exportOrder(*arranged, *order, *page);
   job.pixels = *pixels;
+  job.film = *film;
+  job.anki = flags.anki;
   for (const render::ExportFormat& format : render::exportFormats()) {
     const auto target = flags.targets.find(format.id);
     if (target == flags.targets.end())
@@ -158,6 +170,8 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
   flags.picture.labels.marks = "on";
   addLabelOptions(command, flags.picture.labels, "the page");
   addSectionOptions(command, flags.picture.sections);
+  addFilmOptions(command, flags.film);
+  addAnkiOptions(command, flags.anki);
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
       ->default_str("auto");

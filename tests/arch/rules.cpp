@@ -65,6 +65,10 @@ const std::vector<Room>& rooms() {
       {"render/export/order", {"model/base", "model/scene", "render/labels", "render/picture"}},
       {"render/export/marks",
        {"model/base", "model/scene", "render/export", "render/labels", "render/picture"}},
+      {"render/export/anki", {"model/base", "model/files", "model/scene", "render"}},
+      {"render/export/gltf",
+       {"model/base", "model/files", "model/geometry", "model/scene", "render/export/order"}},
+      {"render/export/motion", {"model", "render"}},
       {"render/export/svg",
        {"model/base", "model/files", "model/scene", "render/export", "render/vectors"}},
       {"render/export/pixels",
@@ -129,7 +133,11 @@ const std::vector<Library>& libraries() {
       {"zlib, bzip2",
        std::regex("(zlib|bzlib)\\.h"),
        {"model/import", "render/export/pixels", "tests"}},
-      {"nlohmann-json", std::regex("nlohmann/.*"), {"app", "model/files", "model/import", "tests"}},
+      {"sqlite3", std::regex("sqlite3\\.h"), {"render/export/anki", "tests"}},
+      {"libwebp, giflib", std::regex("webp/.*|gif_lib\\.h"), {"render/export/motion", "tests"}},
+      {"nlohmann-json",
+       std::regex("nlohmann/.*"),
+       {"app", "model/files", "model/import", "render/export/anki", "render/export/gltf", "tests"}},
   };
   return table;
 }

@@ -45,6 +45,8 @@ class ExportTest : public QObject {
   void badTargets_data();
   void badTargets();
   void tellsNothingElse();
+  void films();
+  void surfacesAndCards();
 
  private:
   /// Exports the sample; empty where that failed.
@@ -167,6 +169,54 @@ void ExportTest::tellsNothingElse() {
   const QString again = planted.filePath("again.svg");
   QCOMPARE(runSline({"export", source, "--svg", again}).code, 0);
   QCOMPARE(contents(again), svg);
+}
+
+void ExportTest::films() {
+  const QStringList small{"--film-height", "36", "--seconds", "0.2", "--fps", "10"};
+  const QStringList flags = QStringList{"export", m_sample} + small;
+  const QString webp = m_folder.filePath("film.WEBP");
+  QCOMPARE(runSline(flags + QStringList{"--video", webp}).code, 0);
+  QVERIFY(contents(webp).startsWith("RIFF"));
+  const QString gif = m_folder.filePath("film.gif");
+  const QString frames = m_folder.filePath("frames");
+  QCOMPARE(runSline(flags + QStringList{"--video", gif, "--frames", frames, "--motion",
+                                        "gamma-sweep", "--sweep", "kidney"})
+               .code,
+           0);
+  QVERIFY(contents(gif).startsWith("GIF89a"));
+  QCOMPARE(QDir(frames).entryList(QDir::Files), QStringList({"frame_0001.png", "frame_0002.png"}));
+  for (const auto& [wrong, says] :
+       {std::pair<QStringList, QByteArray>({"--video", m_folder.filePath("film.avi")}, "mp4, webp"),
+        {{"--video", webp, "--motion", "dance"}, "gamma-sweep"},
+        {{"--video", webp, "--motion", "gamma-sweep", "--sweep", "heart"}, "heart"},
+        {{"--video", webp, "--sweep", "kidney"}, "gamma-sweep"},
+        {{"--video", webp, "--hold", "long"}, "seconds"}}) {
+    const Finished finished = runSline(flags + wrong);
+    QCOMPARE(finished.code, 2);
+    QVERIFY2(finished.err.contains(says), finished.err.constData());
+  }
+  const Finished tour = runSline(flags + QStringList{"--video", webp, "--motion", "tour"});
+  QCOMPARE(tour.code, 1);
+  QVERIFY2(tour.err.contains("no saved views"), tour.err.constData());
+}
+
+void ExportTest::surfacesAndCards() {
+  const QString glb = m_folder.filePath("sample.glb");
+  QCOMPARE(runSline({"export", m_sample, "--glb", glb}).code, 0);
+  QVERIFY(contents(glb).startsWith("glTF"));
+  QVERIFY(contents(glb).contains("renal vein"));
+  QVERIFY(!contents(glb).contains(".obj"));
+  const QString scene = m_folder.filePath("labelled.sline");
+  QCOMPARE(runSline({"import", m_sample, "-o", scene}).code, 0);
+  QCOMPARE(runSline({"annotate", scene, "--on", "kidney", "--on", "renal vein"}).code, 0);
+  const QString deck = m_folder.filePath("deck");
+  QCOMPARE(
+      runSline({"export", scene, "--anki", deck, "--deck", "Niere", "--size-mm", "40x30"}).code, 0);
+  QVERIFY(contents(deck + "/deck.txt").contains("#deck:Niere"));
+  QCOMPARE(QDir(deck).entryList({"*.png"}).size(), 4);
+  const Finished bare = runSline({"export", m_sample, "--anki", m_folder.filePath("none.apkg")});
+  QCOMPARE(bare.code, 1);
+  QVERIFY2(bare.err.contains("no labels"), bare.err.constData());
 }
 
 }  // namespace sline::test

@@ -39,9 +39,10 @@ QString read(const QString& path) {
 
 std::vector<QString> helpPageIds() {
   std::vector<QString> ids;
-  for (const char* id : {"start", "tree", "gamma", "focus", "sections", "picture", "views",
-                         "export_dialog", "export", "files", "import", "keys", "label_volumes",
-                         "dicom", "slicer", "molecules", "annotate", "vectors", "scene_file"})
+  for (const char* id :
+       {"start",         "tree",      "gamma",    "focus",   "sections", "picture",       "views",
+        "export_dialog", "export",    "files",    "import",  "keys",     "label_volumes", "dicom",
+        "slicer",        "molecules", "annotate", "vectors", "films",    "scene_file"})
     ids.push_back(QLatin1String(id));
   return ids;
 }

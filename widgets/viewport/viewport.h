@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "model/edit/blend.h"
+#include "model/scene/camera_flight.h"
 #include "widgets/session/session.h"
-#include "widgets/viewport/camera_flight.h"
 #include "widgets/viewport/camera_tool.h"
 #include "widgets/viewport/motion_quality.h"
 #include "widgets/viewport/picker.h"
@@ -168,7 +168,7 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   QPointF m_pressed;
   bool m_dragged = false;  ///< the mouse went far enough that the release is no click
   model::Camera m_beforeTurn;
-  std::optional<CameraFlight> m_flight;
+  std::optional<model::CameraFlight> m_flight;
   std::optional<model::SceneBlend> m_blend;  ///< of the flight, where looks change in it
   std::optional<model::Scene> m_instead;
   QElapsedTimer m_flown;

@@ -4,6 +4,9 @@
 #include <array>
 
 #include "render/export/pixels/pixel_files.h"
+#include "render/export/anki/anki_file.h"
+#include "render/export/gltf/gltf_file.h"
+#include "render/export/motion/film_file.h"
 #include "render/export/svg/svg_file.h"
 
 namespace sline::render {
@@ -26,6 +29,25 @@ std::span<const ExportFormat> exportFormats() {
                    "Vectors for Inkscape, Illustrator and print: lines and hatching as smooth "
                    "paths, hidden ones removed, a named group for each structure",
                    "svg", writeSvg},
+      ExportFormat{"glb", "glTF (GLB)",
+                   "Surfaces for Blender, PowerPoint, web pages and headsets: groups, names and "
+                   "colours, annotations, cameras of the saved views",
+                   "glb", writeGltf},
+      ExportFormat{"mp4", "MP4 film",
+                   "A film for slides and web pages, where the program ffmpeg is installed", "mp4",
+                   writeMp4},
+      ExportFormat{"webp", "Animated WebP", "A film that browsers show as a picture", "webp",
+                   writeWebp},
+      ExportFormat{"gif", "Animated GIF",
+                   "A film that every program shows, of at most 255 colours: small ones", "gif",
+                   writeGif},
+      ExportFormat{"frames", "Frames of a film",
+                   "A new folder of numbered PNG pictures, for programs that cut films", "",
+                   writeFrames},
+      ExportFormat{"anki", "Anki deck",
+                   "Cards that ask for the labels of the picture: a package for Anki (.apkg), or "
+                   "text and pictures in a ZIP (.zip) or a new folder",
+                   "apkg", writeAnki},
   };
   return formats;
 }

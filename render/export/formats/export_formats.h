@@ -14,7 +14,7 @@ struct ExportFormat {
   const char* id;         ///< its flag without the dashes, its extension unless there are more
   const char* title;      ///< "Scalable Vector Graphics"
   const char* help;       ///< one sentence: what it is for, what it contains
-  const char* extension;  ///< of a file whose name has none
+  const char* extension;  ///< of a file whose name has none; empty: it is a folder
   /// Writes the whole file or, with an error, none. Runs on any thread; makes the OpenGL context
   /// that it needs.
   Status (*write)(const ExportOrder& order, const std::filesystem::path& target,

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "model/base/result.h"
 #include "model/scene/scene.h"
@@ -52,6 +53,27 @@ struct ExportMarks {
   bool operator==(const ExportMarks&) const = default;
 };
 
+/// What moves in a film: the camera once around the scene; from saved view to saved view; Γ from 0
+/// to 5.
+enum class Motion { turntable, tour, gammaSweep };
+
+/// For kinds of files whose pictures move.
+struct FilmOptions {
+  Motion motion = Motion::turntable;
+  double seconds = 8.0;  ///< of the whole film
+  int framesPerSecond = 25;
+  int height = 720;  ///< pixels; the page's shape gives the width
+  /// Seconds of rest at each view, or at either end of Γ; absent: 2/5 or 1/6 of the film together.
+  std::optional<double> hold;
+  std::vector<model::NodeId> swept;  ///< whose Γ changes; none: everything's
+};
+
+/// For decks of cards that ask for labels.
+struct AnkiOptions {
+  std::string deck;          ///< its name; empty: the view's, or "Anatomy"
+  bool othersShown = false;  ///< a card shows the other labels, too
+};
+
 /// All that a file of any kind is made from. The scene is as it is to be drawn: a saved view, a
 /// focus or sections that were asked for are in it already.
 struct ExportOrder {
@@ -63,6 +85,8 @@ struct ExportOrder {
   LabelStyle labels{.mode = LabelMode::off, .language = {}};
   ExportMarks marks;
   ExportPixels pixels;
+  FilmOptions film;
+  AnkiOptions anki;
 };
 
 /// Told what part of the whole is behind it and what is being done; false: nobody wants the file

@@ -3,7 +3,7 @@
 #include <QTest>
 #include <glm/geometric.hpp>
 
-#include "widgets/viewport/camera_flight.h"
+#include "model/scene/camera_flight.h"
 #include "widgets/viewport/navigation.h"
 
 using namespace sline;
@@ -182,7 +182,7 @@ class NavigationTest : public QObject {
   void flightsEndWhereTheyShould() {
     const model::Camera from = camera();
     const model::Camera to = turnedTo(zoomed(from, {10, 0, 0}, 2.0f), {}, {1, 0, 0}, {0, 0, 1});
-    const CameraFlight flight(from, to);
+    const model::CameraFlight flight(from, to);
     QVERIFY(flight.at(0.0) == from);
     QVERIFY(flight.at(1.0) == to);
     QVERIFY(flight.at(7.0) == to);

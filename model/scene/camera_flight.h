@@ -3,19 +3,19 @@
 
 #include "model/scene/camera.h"
 
-namespace sline::widgets {
+namespace sline::model {
 
 /// A short way from one camera to another: it turns by the shortest arc, and what it looks at
 /// grows or shrinks evenly.
 class CameraFlight {
  public:
-  CameraFlight(const model::Camera& from, const model::Camera& to) : m_from(from), m_to(to) {}
+  CameraFlight(const Camera& from, const Camera& to) : m_from(from), m_to(to) {}
   /// `part` of the time, 0 … 1; slow at both ends, and exactly the last camera at the end.
-  model::Camera at(double part) const;
+  Camera at(double part) const;
 
  private:
-  model::Camera m_from;
-  model::Camera m_to;
+  Camera m_from;
+  Camera m_to;
 };
 
-}  // namespace sline::widgets
+}  // namespace sline::model

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/viewport/camera_flight.h"
+#include "model/scene/camera_flight.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-namespace sline::widgets {
+namespace sline::model {
 
 namespace {
 
-glm::dquat turnOf(const model::Camera& camera) {
-  const model::CameraFrame frame = model::cameraFrame(camera);
+glm::dquat turnOf(const Camera& camera) {
+  const CameraFrame frame = cameraFrame(camera);
   return glm::normalize(glm::quat_cast(
       glm::dmat3(glm::dvec3(frame.right), glm::dvec3(frame.up), glm::dvec3(frame.back))));
 }
@@ -21,7 +21,7 @@ double between(double a, double b, double part) {
 
 }  // namespace
 
-model::Camera CameraFlight::at(double part) const {
+Camera CameraFlight::at(double part) const {
   if (part >= 1.0)
     return m_to;
   if (part <= 0.0)
@@ -30,7 +30,7 @@ model::Camera CameraFlight::at(double part) const {
   const glm::dquat turn = glm::slerp(turnOf(m_from), turnOf(m_to), eased);
   const double distance = between(double(glm::length(m_from.eye - m_from.target)),
                                   double(glm::length(m_to.eye - m_to.target)), eased);
-  model::Camera camera = m_to;
+  Camera camera = m_to;
   camera.target = glm::mix(m_from.target, m_to.target, float(eased));
   camera.eye = glm::vec3(glm::dvec3(camera.target) + distance * (turn * glm::dvec3(0, 0, 1)));
   camera.up = glm::vec3(turn * glm::dvec3(0, 1, 0));
@@ -39,4 +39,4 @@ model::Camera CameraFlight::at(double part) const {
   return camera;
 }
 
-}  // namespace sline::widgets
+}  // namespace sline::model

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/anki/anki_cards.h"
+
+#include <QImage>
+#include <QPainterPath>
+#include <algorithm>
+#include <cstring>
+
+#include "render/export/marks/figure_plate.h"
+#include "render/export/png_image.h"
+#include "render/export/typesetting.h"
+#include "render/gpu/headless/context.h"
+
+namespace sline::render {
+
+namespace {
+
+/// Pixels: no screen for cards shows more, and collections travel over the net.
+constexpr int widestCard = 1600;
+
+/// Without a word on it, as pictures are drawn: averaged where pixels are not fine enough.
+Result<Image> groundOf(const ExportOrder& order) {
+  const auto context = gpu::HeadlessContext::create();
+  if (!context.ok())
+    return context.error();
+  const auto picture = Picture::create();
+  if (!picture.ok())
+    return picture.error();
+  glm::ivec2 size = pixelsOf(order.page);
+  if (size.x > widestCard)
+    size = glm::max(size * widestCard / size.x, glm::ivec2(1));
+  constexpr std::int64_t fine = 8'000'000;
+  const int samples = std::int64_t(size.x) * size.y > fine ? 1 : 2;
+  const Result<Image> drawn = (*picture)->render(order.scene, order.camera,
+                                                 {.width = samples * size.x,
+                                                  .height = samples * size.y,
+                                                  .background = order.look.background,
+                                                  .light = order.look.light,
+                                                  .keyLight = order.look.keyLight});
+  if (!drawn.ok() || samples == 1)
+    return drawn;
+  return averaged(*drawn, samples);
+}
+
+/// The plate with those labels alone.
+LabelPlate onlyThose(const LabelPlate& plate, std::size_t asked, bool others) {
+  LabelPlate some{.style = plate.style, .labels = {}, .texts = {}, .layout = plate.layout};
+  for (std::size_t i = 0; i < plate.labels.size(); ++i)
+    if (others || i == asked) {
+      some.labels.push_back(plate.labels[i]);
+      some.texts.push_back(plate.texts[i]);
+    }
+  return some;
+}
+
+/// Paints cards over the same ground.
+class Cards {
+ public:
+  Cards(const ExportOrder& order, const Image& ground, const FigurePlate& plate)
+      : m_order(order),
+        m_ground(QImage(ground.rgba.data(), ground.width, ground.height,
+                        qsizetype(4) * ground.width, QImage::Format_RGBA8888)
+                     .convertToFormat(QImage::Format_RGBA8888_Premultiplied)),
+        m_plate(*plate.labels),
+        m_marks(plate.marks) {}
+
+  Result<std::string> answer(std::size_t i) const {
+    return painted(onlyThose(m_plate, i, m_order.anki.othersShown), nullptr);
+  }
+
+  /// The text's place is told by the leader alone: a box as long as the text would tell much.
+  Result<std::string> question(std::size_t i) const {
+    LabelPlate plate = m_plate;
+    plate.texts[i].lines.clear();
+    plate.labels[i].item.kind = plate.labels[i].item.kind == model::AnnotationKind::callout
+                                    ? model::AnnotationKind::label
+                                    : plate.labels[i].item.kind;
+    const PlacedLabel* placed = plate.layout.find(plate.labels[i].item.id);
+    const LabelBox box = boxFor(*placed, plate.labels[i].item.places.front());
+    return painted(onlyThose(plate, i, m_order.anki.othersShown), &box);
+  }
+
+ private:
+  /// At that side of the label's own box that faces the place.
+  LabelBox boxFor(const PlacedLabel& placed, const glm::vec2& place) const {
+    const float height = 1.3f * lineHeightMm(m_plate.style);
+    const float width = 2.0f * height;
+    const float middle = placed.box.middle().y;
+    const bool before = placed.post == LabelPost::left ||
+                        (placed.post != LabelPost::right && placed.box.middle().x < place.x);
+    const float left = before ? placed.box.high.x - width : placed.box.low.x;
+    return {{left, middle - 0.5f * height}, {left + width, middle + 0.5f * height}};
+  }
+
+  void paintBox(QPainter& painter, const LabelBox& box) const {
+    constexpr qreal line = 0.25;
+    const QColor ink(17, 17, 17);
+    const QRectF place(QPointF(qreal(box.low.x), qreal(box.low.y)),
+                       QPointF(qreal(box.high.x), qreal(box.high.y)));
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(ink, line));
+    painter.setBrush(QColor(255, 222, 120));
+    painter.drawRoundedRect(place, 0.8, 0.8);
+    const QFont font = labelFont();
+    const QFontMetricsF metrics(font);
+    const qreal scale =
+        1.15 * qreal(m_plate.style.points * millimetresPerPoint) / qreal(labelFontPixels);
+    QPainterPath letter;
+    letter.addText(0.0, 0.0, font, QStringLiteral("?"));
+    const QPointF middle = letter.boundingRect().center();
+    painter.fillPath(QTransform(scale, 0.0, 0.0, scale, place.center().x() - scale * middle.x(),
+                                place.center().y() - scale * middle.y())
+                         .map(letter),
+                     ink);
+  }
+
+  Result<std::string> painted(const LabelPlate& plate, const LabelBox* asked) const {
+    QImage canvas = m_ground;
+    {
+      QPainter painter(&canvas);
+      painter.scale(qreal(canvas.width()) / qreal(m_order.page.sizeMm.x),
+                    qreal(canvas.height()) / qreal(m_order.page.sizeMm.y));
+      paintLabels(painter, plate);
+      paintMarks(painter, m_marks);
+      if (asked)
+        paintBox(painter, *asked);
+    }
+    const QImage drawn = canvas.convertToFormat(QImage::Format_RGBA8888);
+    Image image{.width = drawn.width(), .height = drawn.height(), .rgba = {}};
+    const std::size_t row = std::size_t(4) * std::size_t(drawn.width());
+    image.rgba.resize(row * std::size_t(drawn.height()));
+    for (int y = 0; y < drawn.height(); ++y)
+      std::memcpy(&image.rgba[row * std::size_t(y)], drawn.constScanLine(y), row);
+    return pngOf(image);
+  }
+
+  const ExportOrder& m_order;
+  QImage m_ground;
+  const LabelPlate& m_plate;
+  const Marks& m_marks;
+};
+
+/// Its name stands for its bytes.
+std::string addPicture(AnkiDeck& deck, std::string png) {
+  const std::string name = "sline-" + hexOf(fingerprintOf(png)) + ".png";
+  const bool known = std::any_of(deck.media.begin(), deck.media.end(),
+                                 [&name](const auto& member) { return member.name == name; });
+  if (!known)
+    deck.media.push_back({name, std::move(png)});
+  return name;
+}
+
+AnkiDeck emptyDeck(const ExportOrder& order) {
+  AnkiDeck deck;
+  deck.name = !order.anki.deck.empty()  ? order.anki.deck
+              : !order.viewName.empty() ? order.viewName
+                                        : "Anatomy";
+  deck.tags = {"Sline"};
+  if (!order.viewName.empty())
+    deck.tags.push_back(ankiTag(order.viewName));
+  return deck;
+}
+
+}  // namespace
+
+Result<AnkiDeck> ankiCards(const ExportOrder& order, const ExportProgress& progress) {
+  const auto goesOn = [&progress](double share, std::string_view what) {
+    return !progress || progress(share, what);
+  };
+  if (!goesOn(0.0, "preparing surfaces"))
+    return givenUp({});
+  const auto typesetting = Typesetting::create();
+  if (!typesetting.ok())
+    return typesetting.error();
+  ExportOrder labelled = order;
+  labelled.labels.mode = LabelMode::on;
+  const FigurePlate whole = figurePlate(labelled);
+  const LabelPlate& plate = *whole.labels;
+  if (plate.layout.labels.empty())
+    return Error{.reason = "the picture has no labels to ask for",
+                 .remedy = "Label structures, or choose a view that shows some"};
+  const Result<Image> ground = groundOf(order);
+  if (!ground.ok())
+    return ground.error();
+  const Cards cards(order, *ground, whole);
+  AnkiDeck deck = emptyDeck(order);
+  for (std::size_t i = 0; i < plate.labels.size(); ++i) {
+    const ShownLabel& label = plate.labels[i];
+    if (!plate.layout.find(label.item.id))
+      continue;
+    const double share = 0.2 + 0.7 * double(i) / double(plate.labels.size());
+    if (!goesOn(share, "drawing card " + std::to_string(i + 1)))
+      return givenUp({});
+    Result<std::string> question = cards.question(i);
+    Result<std::string> answer = cards.answer(i);
+    if (!question.ok() || !answer.ok())
+      return question.ok() ? answer.error() : question.error();
+    AnkiNote note;
+    note.id = hexOf(fingerprintOf(deck.name + '\n' + order.viewName + '\n' +
+                                  std::to_string(label.item.id.value) + '\n' + label.text));
+    note.question = addPicture(deck, std::move(*question));
+    note.answer = addPicture(deck, std::move(*answer));
+    for (const QString& line : plate.texts[i].lines)
+      note.label += (note.label.empty() ? "" : " ") + line.toStdString();
+    deck.notes.push_back(std::move(note));
+  }
+  return deck;
+}
+
+}  // namespace sline::render

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/anki/anki_file.h"
+
+#include "model/files/whole_file.h"
+#include "model/files/whole_folder.h"
+#include "render/export/anki/anki_cards.h"
+#include "render/export/anki/anki_package.h"
+#include "render/export/anki/anki_text.h"
+
+namespace sline::render {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* textName = "deck.txt";
+
+Status fillFolder(const AnkiDeck& deck, const fs::path& folder) {
+  for (const model::ZipMember& picture : deck.media)
+    if (const Status written = model::writeText(folder / picture.name, picture.bytes);
+        !written.ok())
+      return written;
+  return model::writeText(folder / textName, ankiText(deck));
+}
+
+Result<std::string> zippedText(const AnkiDeck& deck) {
+  const model::ZipMember text{textName, ankiText(deck)};
+  std::vector<const model::ZipMember*> members{&text};
+  for (const model::ZipMember& picture : deck.media)
+    members.push_back(&picture);
+  return model::zipped(members);
+}
+
+std::string extensionOf(const fs::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension)
+    c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+  return extension;
+}
+
+}  // namespace
+
+Status writeAnki(const ExportOrder& order, const fs::path& target, const ExportProgress& progress) {
+  const auto named = [&target](Error error) {
+    error.file = target.string();
+    return error;
+  };
+  const auto write = [&](const auto& put) -> Status {
+    const Result<AnkiDeck> deck = ankiCards(order, progress);
+    if (!deck.ok())
+      return deck.error();
+    if (progress && !progress(0.95, "writing the deck"))
+      return givenUp(target);
+    return put(*deck);
+  };
+  const std::string extension = extensionOf(target);
+  Status written =
+      extension == ".apkg" || extension == ".zip"
+          ? write([&](const AnkiDeck& deck) -> Status {
+              const Result<std::string> bytes =
+                  extension == ".apkg" ? ankiPackage(deck) : zippedText(deck);
+              return bytes.ok() ? model::writeText(target, *bytes) : Status(bytes.error());
+            })
+          : model::writeFolder(target, [&](const fs::path& folder) {
+              return write([&](const AnkiDeck& deck) { return fillFolder(deck, folder); });
+            });
+  return written.ok() ? written : Status(named(written.error()));
+}
+
+}  // namespace sline::render

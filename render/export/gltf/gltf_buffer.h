@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The binary part of a GLB file and the tables that say what lies where in it (glTF 2.0 §3.6).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+
+#include "model/geometry/mesh.h"
+#include "render/export/gltf/gltf_json.h"
+
+namespace sline::render {
+
+/// Indices of accessors.
+struct GltfSurface {
+  int positions = 0;
+  int normals = 0;
+  int indices = 0;
+};
+
+class GltfBuffer {
+ public:
+  /// Of a mesh with triangles; structures that share a mesh share it here too.
+  const GltfSurface& surfaceOf(const model::MeshPtr& mesh);
+
+  const Json& accessors() const { return m_accessors; }
+  const Json& views() const { return m_views; }
+  /// Little-endian; its length is a multiple of 4.
+  const std::string& bytes() const { return m_bytes; }
+
+ private:
+  int points(std::span<const glm::vec3> values, bool withBounds);
+  int triangles(const model::Mesh& mesh);
+  int accessor(Json described);
+  /// Begins a view at the end of the bytes; `close` ends it.
+  int open(int target);
+  void close();
+
+  Json m_accessors = Json::array();
+  Json m_views = Json::array();
+  std::string m_bytes;
+  std::map<model::MeshPtr, GltfSurface> m_surfaces;
+};
+
+}  // namespace sline::render

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/gltf/gltf_file.h"
+
+#include "model/files/whole_file.h"
+#include "render/export/gltf/gltf_document.h"
+
+namespace sline::render {
+
+Status writeGltf(const ExportOrder& order, const std::filesystem::path& target,
+                 const ExportProgress& progress) {
+  const Result<std::string> glb = glbBytes(order, progress);
+  if (!glb.ok()) {
+    Error error = glb.error();
+    error.file = target.string();
+    return error;
+  }
+  if (progress && !progress(0.95, "writing the file"))
+    return givenUp(target);
+  return model::writeText(target, *glb);
+}
+
+}  // namespace sline::render

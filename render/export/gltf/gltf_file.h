@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "render/export/order/export_order.h"
+
+namespace sline::render {
+
+/// Writes the visible structures as one .glb file, as `glbBytes` makes it, whole or not at all.
+Status writeGltf(const ExportOrder& order, const std::filesystem::path& target,
+                 const ExportProgress& progress);
+
+}  // namespace sline::render

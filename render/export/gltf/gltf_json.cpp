@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/gltf/gltf_json.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+namespace sline::render {
+
+glm::dmat3 uprightFromLps() {
+  // Columns: where x, y and z of LPS go.
+  return {glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 0.0, -1.0), glm::dvec3(0.0, 1.0, 0.0)};
+}
+
+Json jsonNumber(float value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  double shortest = 0.0;
+  std::from_chars(text.data(), end, shortest);
+  return shortest;
+}
+
+Json jsonPoint(const glm::vec3& p) {
+  return Json::array({jsonNumber(p.x), jsonNumber(p.y), jsonNumber(p.z)});
+}
+
+std::string jsonColour(const Colour& colour) {
+  std::array<char, 8> text{};
+  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", colour.red, colour.green, colour.blue);
+  return text.data();
+}
+
+double linearLight(std::uint8_t srgb) {
+  const double c = double(srgb) / 255.0;
+  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
+std::string jsonText(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace sline::render

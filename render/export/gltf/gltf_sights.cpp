@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/gltf/gltf_sights.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <numbers>
+
+namespace sline::render {
+
+namespace {
+
+constexpr std::array<const char*, 4> fillNames{"none", "paper", "tint", "veil"};
+constexpr std::array<const char*, 4> kindNames{"label", "callout", "pin", "distance"};
+
+/// What a style says itself.
+Json ownStyleExtras(const model::Style& style) {
+  Json extras = Json::object();
+  if (style.visible)
+    extras["visible"] = *style.visible;
+  if (style.gamma)
+    extras["gamma"] = jsonNumber(style.gamma->value());
+  if (style.opacity)
+    extras["opacity"] = jsonNumber(style.opacity->value());
+  if (style.colour)
+    extras["colour"] = jsonColour(*style.colour);
+  if (style.inkColour)
+    extras["inkColour"] = jsonColour(*style.inkColour);
+  if (style.fill)
+    extras["fill"] = fillNames[std::size_t(*style.fill)];
+  return extras;
+}
+
+}  // namespace
+
+Json styleExtras(const model::ResolvedStyle& style) {
+  Json extras{{"gamma", jsonNumber(style.gamma.value())},
+              {"fill", fillNames[std::size_t(style.fill)]},
+              {"penWeight", jsonNumber(style.penWeight)},
+              {"hatchDensity", jsonNumber(style.hatchDensity.value())},
+              {"hatchTone", jsonNumber(style.hatchTone.value())}};
+  if (style.inkColour)
+    extras["inkColour"] = jsonColour(*style.inkColour);
+  return extras;
+}
+
+Json gltfCamera(const model::Camera& camera, const model::Box& bounds) {
+  const float distance = glm::length(camera.eye - camera.target);
+  const float size = bounds.empty() ? distance : glm::length(bounds.size());
+  const float middle = bounds.empty() ? distance : glm::length(camera.eye - bounds.centre());
+  const float far = metresPerMillimetre * (middle + size);
+  // A parallel projection's near plane may be at the eye; a perspective one's must be before it.
+  const float near = std::max(metresPerMillimetre * (middle - size), far / 4096.0f);
+  if (camera.projection == model::Projection::perspective)
+    return {{"type", "perspective"},
+            {"perspective",
+             {{"yfov", double(camera.fovyDegrees) * std::numbers::pi / 180.0},
+              {"zfar", jsonNumber(far)},
+              {"znear", jsonNumber(near)}}}};
+  // Half of what the picture shows; whoever draws widens it to the picture's shape.
+  const Json half = jsonNumber(0.5f * metresPerMillimetre * camera.heightMm);
+  return {
+      {"type", "orthographic"},
+      {"orthographic",
+       {{"xmag", half}, {"ymag", half}, {"zfar", jsonNumber(far)}, {"znear", jsonNumber(near)}}}};
+}
+
+Json cameraPlace(const model::Camera& camera) {
+  const model::CameraFrame frame = model::cameraFrame(camera);
+  const glm::dmat3 turn =
+      uprightFromLps() *
+      glm::dmat3(glm::dvec3(frame.right), glm::dvec3(frame.up), glm::dvec3(frame.back));
+  const glm::dquat q = glm::normalize(glm::quat_cast(turn));
+  const glm::vec3 eye = metresPerMillimetre * glm::vec3(uprightFromLps() * glm::dvec3(camera.eye));
+  return {{"rotation", {q.x, q.y, q.z, q.w}}, {"translation", jsonPoint(eye)}};
+}
+
+Json viewExtras(const model::Scene& scene, const model::View& view, const GltfNodes& nodes) {
+  Json extras{{"eye", jsonPoint(view.camera.eye)},
+              {"target", jsonPoint(view.camera.target)},
+              {"up", jsonPoint(view.camera.up)}};
+  if (view.looks) {
+    extras["looks"] = Json::array();
+    for (const model::Look& look : *view.looks) {
+      const auto node = nodes.find(look.node);
+      const Json said = ownStyleExtras(look.style);
+      if (node == nodes.end() || said.empty())
+        continue;
+      Json entry{{"node", node->second}};
+      entry.update(said);
+      extras["looks"].push_back(std::move(entry));
+    }
+  }
+  if (view.annotations) {
+    extras["annotations"] = Json::array();
+    for (const model::Annotation& annotation : scene.annotations())
+      if (std::find(view.annotations->begin(), view.annotations->end(), annotation.id) !=
+          view.annotations->end())
+        extras["annotations"].push_back(annotation.id.value);
+  }
+  if (view.sections) {
+    extras["sections"] = Json::array();
+    for (const model::Section& section : *view.sections)
+      extras["sections"].push_back(sectionExtras(section));
+  }
+  return extras;
+}
+
+Json annotationNode(const model::Scene& scene, const model::Annotation& annotation,
+                    const std::string& language) {
+  Json places = Json::array();
+  for (const model::Anchor& anchor : annotation.anchors)
+    if (const std::optional<glm::vec3> place = scene.placeOf(anchor))
+      places.push_back(jsonPoint(*place));
+  Json extras{{"annotation", kindNames[std::size_t(annotation.kind)]},
+              {"id", annotation.id.value},
+              {"text", annotation.text}};
+  if (!annotation.texts.empty())
+    extras["texts"] = annotation.texts;
+  if (annotation.colour)
+    extras["colour"] = jsonColour(*annotation.colour);
+  extras["places"] = places;
+  return {{"name", model::textIn(annotation, language)},
+          {"translation", places.front()},
+          {"extras", std::move(extras)}};
+}
+
+Json sectionExtras(const model::Section& section) {
+  return {{"name", section.name},
+          {"normal", jsonPoint(section.plane.normal)},
+          {"offset", jsonNumber(section.plane.offset)},
+          {"enabled", section.enabled}};
+}
+
+}  // namespace sline::render

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/motion/film.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "model/edit/views.h"
+
+namespace sline::render {
+
+namespace {
+
+int even(double pixels) {
+  return std::max(2 * int(std::lround(0.5 * pixels)), 2);
+}
+
+Error tooLongRests(const FilmOptions& options) {
+  const auto tenths = [](double value) {
+    std::string text = std::to_string(std::lround(10.0 * value));
+    return text.insert(text.size() > 1 ? text.size() - 1 : 0, text.size() > 1 ? "." : "0.");
+  };
+  return {.reason = "rests of " + tenths(*options.hold) +
+                    " seconds leave no time to move in a film of " + tenths(options.seconds),
+          .remedy = "Make the rests shorter or the film longer"};
+}
+
+Status checked(const FilmOptions& options, const glm::ivec2& size) {
+  if (!(options.seconds >= shortestFilm && options.seconds <= longestFilm))
+    return Error{.reason = "a film takes 0.1 to 600 seconds", .remedy = "Choose another length"};
+  if (options.framesPerSecond < 1 || options.framesPerSecond > mostFramesPerSecond)
+    return Error{.reason = "a film has 1 to 60 frames per second", .remedy = "Choose another rate"};
+  if (std::min(size.x, size.y) < smallestFilm || std::max(size.x, size.y) > largestFilm)
+    return Error{.reason = "frames of " + std::to_string(size.x) + " × " + std::to_string(size.y) +
+                           " pixels are none for a film",
+                 .remedy = "Choose a height for which both sides have 16 to 4320 pixels"};
+  return Unit{};
+}
+
+}  // namespace
+
+Result<Film> Film::create(const ExportOrder& order, const glm::vec2& share) {
+  const FilmOptions& options = order.film;
+  const double aspect = double(order.page.sizeMm.x) / double(order.page.sizeMm.y);
+  Film film;
+  film.m_size = {even(double(options.height) * aspect), even(double(options.height))};
+  if (const Status fine = checked(options, film.m_size); !fine.ok())
+    return fine.error();
+  film.m_framesPerSecond = options.framesPerSecond;
+  film.m_frames = std::max(int(std::lround(options.seconds * double(options.framesPerSecond))), 1);
+  switch (options.motion) {
+    case Motion::turntable:
+      film.m_motion = Turn{
+          order.scene,
+          Turntable(order.scene, order.camera, float(film.m_size.x) / float(film.m_size.y), share)};
+      return film;
+    case Motion::tour: {
+      Result<Tour> tour = tourOf(order);
+      if (!tour.ok())
+        return tour.error();
+      film.m_motion = std::move(*tour);
+      return film;
+    }
+    case Motion::gammaSweep: {
+      Result<Sweep> sweep = sweepOf(order);
+      if (!sweep.ok())
+        return sweep.error();
+      film.m_motion = std::move(*sweep);
+      return film;
+    }
+  }
+  return film;
+}
+
+Result<Film::Tour> Film::tourOf(const ExportOrder& order) {
+  const std::vector<model::View>& views = order.scene.views();
+  if (views.size() < 2)
+    return Error{.reason = views.empty()
+                               ? "the scene has no saved views to tour"
+                               : "the scene has one saved view alone: there is no way to go",
+                 .remedy = "Save views, or make a turntable"};
+  const FilmOptions& options = order.film;
+  const auto count = double(views.size());
+  Tour tour;
+  tour.hold = options.hold.value_or(0.4 * options.seconds / count);
+  tour.way = (options.seconds - count * tour.hold) / (count - 1.0);
+  if (tour.way <= 0.0 || tour.hold < 0.0)
+    return tooLongRests(options);
+  model::Scene before = model::shown(order.scene, views.front()).scene;
+  tour.first = {before, views.front().camera, views.front().name};
+  for (std::size_t i = 1; i < views.size(); ++i) {
+    model::Scene next = model::shown(order.scene, views[i]).scene;
+    tour.legs.push_back({model::SceneBlend(before, next),
+                         model::CameraFlight(views[i - 1].camera, views[i].camera),
+                         views[i - 1].name, views[i].name});
+    before = std::move(next);
+  }
+  return tour;
+}
+
+Result<Film::Sweep> Film::sweepOf(const ExportOrder& order) {
+  const FilmOptions& options = order.film;
+  Sweep sweep{order.scene, order.camera, order.viewName, {}, 1.0 / 12.0};
+  if (options.hold)
+    sweep.hold = *options.hold / options.seconds;
+  if (sweep.hold < 0.0 || sweep.hold >= 0.5)
+    return tooLongRests(options);
+  std::set<model::NodeId> swept;
+  for (const model::NodeId id : options.swept)
+    swept.merge([&] {
+      const auto below = order.scene.structuresBelow(id);
+      return std::set<model::NodeId>(below.begin(), below.end());
+    }());
+  if (options.swept.empty())
+    for (const model::NodeId id : order.scene.structuresBelow(model::rootId))
+      swept.insert(id);
+  sweep.swept.assign(swept.begin(), swept.end());
+  return sweep;
+}
+
+FilmFrame Film::at(int frame) const {
+  if (const auto* turn = std::get_if<Turn>(&m_motion))
+    // The view's name would be true of where the turn begins alone.
+    return {turn->scene, turn->table.at(double(frame) / double(m_frames)), {}};
+  if (const auto* tour = std::get_if<Tour>(&m_motion))
+    return atTime(*tour, double(frame) / double(m_framesPerSecond));
+  const double last = std::max(double(m_frames - 1), 1.0);
+  return atPart(std::get<Sweep>(m_motion), double(frame) / last);
+}
+
+FilmFrame Film::atTime(const Tour& tour, double seconds) const {
+  if (seconds <= tour.hold)
+    return tour.first;
+  const double cycle = tour.hold + tour.way;
+  const auto leg = std::min(std::size_t((seconds - tour.hold) / cycle), tour.legs.size() - 1);
+  const double part = std::clamp((seconds - tour.hold - double(leg) * cycle) / tour.way, 0.0, 1.0);
+  // Where a way begins, the one before has ended, exactly at its view.
+  const bool arrived = part <= 0.0 && leg > 0;
+  const Leg& now = tour.legs[arrived ? leg - 1 : leg];
+  const double way = arrived ? 1.0 : part;
+  return {now.blend.at(way), now.flight.at(way), way < 0.5 ? now.from : now.to};
+}
+
+FilmFrame Film::atPart(const Sweep& sweep, double part) const {
+  const double moving =
+      std::clamp((part - sweep.hold) / std::max(1.0 - 2.0 * sweep.hold, 1e-9), 0.0, 1.0);
+  FilmFrame frame{sweep.scene, sweep.camera, sweep.viewName};
+  // As locks protect from edits, not from being looked at, the nodes are set themselves.
+  std::vector<model::Node> nodes = sweep.scene.nodes();
+  for (model::Node& node : nodes)
+    if (std::binary_search(sweep.swept.begin(), sweep.swept.end(), node.id))
+      node.style.gamma = Gamma::clamped(float(5.0 * moving));
+  frame.scene.setNodes(std::move(nodes));
+  return frame;
+}
+
+}  // namespace sline::render

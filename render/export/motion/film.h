@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// What each frame of a film shows, before anything is drawn.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "model/edit/blend.h"
+#include "model/scene/camera_flight.h"
+#include "render/export/motion/turntable.h"
+#include "render/export/order/export_order.h"
+
+namespace sline::render {
+
+inline constexpr double shortestFilm = 0.1;
+inline constexpr double longestFilm = 600.0;  ///< seconds
+inline constexpr int mostFramesPerSecond = 60;
+inline constexpr int smallestFilm = 16;
+inline constexpr int largestFilm = 4320;  ///< pixels of its height, and of its width
+
+struct FilmFrame {
+  model::Scene scene;
+  model::Camera camera;
+  std::string viewName;  ///< as ExportOrder::viewName
+};
+
+class Film {
+ public:
+  /// The error says what the film lacks: views for a tour, time for its rests. `share` as for
+  /// Turntable.
+  static Result<Film> create(const ExportOrder& order, const glm::vec2& share = glm::vec2(1.0f));
+
+  int frames() const { return m_frames; }
+  int framesPerSecond() const { return m_framesPerSecond; }
+  /// Pixels; both are even, as films want it.
+  glm::ivec2 size() const { return m_size; }
+  /// After the last frame the first follows as any other: nothing is doubled.
+  bool loops() const { return std::holds_alternative<Turn>(m_motion); }
+  FilmFrame at(int frame) const;
+
+ private:
+  struct Turn {
+    model::Scene scene;
+    Turntable table;
+  };
+  struct Leg {
+    model::SceneBlend blend;
+    model::CameraFlight flight;
+    std::string from;
+    std::string to;
+  };
+  struct Tour {
+    std::vector<Leg> legs;
+    double hold = 0.0;  ///< seconds at each view
+    double way = 0.0;   ///< seconds between two
+    FilmFrame first;
+  };
+  struct Sweep {
+    model::Scene scene;
+    model::Camera camera;
+    std::string viewName;
+    std::vector<model::NodeId> swept;
+    double hold = 0.0;  ///< of all frames, at either end
+  };
+  Film() = default;
+  static Result<Tour> tourOf(const ExportOrder& order);
+  static Result<Sweep> sweepOf(const ExportOrder& order);
+  FilmFrame atTime(const Tour& tour, double seconds) const;
+  FilmFrame atPart(const Sweep& sweep, double part) const;
+
+  std::variant<std::monostate, Turn, Tour, Sweep> m_motion;
+  int m_frames = 0;
+  int m_framesPerSecond = 0;
+  glm::ivec2 m_size{0};
+};
+
+}  // namespace sline::render

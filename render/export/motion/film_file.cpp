@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/motion/film_file.h"
+
+#include <cerrno>
+#include <system_error>
+
+#include "model/files/whole_file.h"
+#include "model/files/whole_folder.h"
+#include "render/export/motion/film_painter.h"
+#include "render/export/motion/film_sink.h"
+
+namespace sline::render {
+
+namespace fs = std::filesystem;
+
+Error filmNotWritten(const fs::path& file, int code) {
+  const bool full = code == ENOSPC || code == EDQUOT || code == EFBIG;
+  return {.file = file.string(),
+          .reason = "it cannot be written: " + std::generic_category().message(code),
+          .remedy = full ? "Free some space on the disk, or choose another one"
+                         : "Choose a folder that exists and that you may write to"};
+}
+
+namespace {
+
+/// One film on its way into its file.
+class Filming {
+ public:
+  Filming(const ExportOrder& order, const fs::path& target, const ExportProgress& progress)
+      : m_order(order), m_target(target), m_progress(progress) {}
+
+  /// What is needed before a file is begun.
+  Status prepare() {
+    if (!tell(0.0, "preparing surfaces"))
+      return givenUp(m_target);
+    Result<std::unique_ptr<FilmPainter>> painter = FilmPainter::create(m_order);
+    if (!painter.ok())
+      return painter.error();
+    m_painter = std::move(*painter);
+    Result<Film> film = Film::create(m_order, m_painter->anatomyShare());
+    if (!film.ok())
+      return at(film.error());
+    m_film.emplace(std::move(*film));
+    return Unit{};
+  }
+
+  FilmShape shape() const {
+    return {.size = m_film->size(),
+            .frames = m_film->frames(),
+            .framesPerSecond = m_film->framesPerSecond(),
+            .transparent = m_order.look.background == Background::transparent};
+  }
+
+  /// Of a few frames, evenly over the film.
+  Result<GifPalette> palette() {
+    constexpr int most = 5;
+    std::vector<Image> looks;
+    const int count = std::min(most, m_film->frames());
+    for (int i = 0; i < count; ++i) {
+      if (!tell(0.0, "choosing colours"))
+        return givenUp(m_target);
+      const int frame = count > 1 ? i * (m_film->frames() - 1) / (count - 1) : 0;
+      Result<Image> look = m_painter->drawAlone(*m_film, frame);
+      if (!look.ok())
+        return look.error();
+      looks.push_back(std::move(*look));
+    }
+    return GifPalette::of(looks);
+  }
+
+  Status run(FilmSink& sink) {
+    m_painter->settle(*m_film);
+    const int count = m_film->frames();
+    for (int i = 0; i < count; ++i) {
+      const std::string what =
+          "drawing frame " + std::to_string(i + 1) + " of " + std::to_string(count);
+      if (!tell(0.99 * double(i) / double(count), what))
+        return givenUp(m_target);
+      const Result<Image> image = m_painter->draw(*m_film, i);
+      if (!image.ok())
+        return at(image.error());
+      if (const Status added = sink.add(*image); !added.ok())
+        return added;
+    }
+    if (!tell(0.99, "finishing the film"))
+      return givenUp(m_target);
+    return sink.finish();
+  }
+
+  Error at(Error error) const {
+    error.file = m_target.string();
+    return error;
+  }
+
+ private:
+  bool tell(double share, std::string_view what) const {
+    return !m_progress || m_progress(share, what);
+  }
+
+  const ExportOrder& m_order;
+  const fs::path& m_target;
+  const ExportProgress& m_progress;
+  std::unique_ptr<FilmPainter> m_painter;
+  std::optional<Film> m_film;
+};
+
+/// `newSink(filming, file)` begins the file.
+template <class Begin>
+Status writeFilm(Filming& filming, const fs::path& target, const Begin& newSink) {
+  if (const Status ready = filming.prepare(); !ready.ok())
+    return ready;
+  return model::writeBeside(target, [&](const fs::path& file) -> Status {
+    NewSink sink = newSink(file);
+    if (!sink.ok())
+      return sink.error();
+    return filming.run(**sink);
+  });
+}
+
+}  // namespace
+
+Status writeWebp(const ExportOrder& order, const fs::path& target, const ExportProgress& progress) {
+  Filming filming(order, target, progress);
+  return writeFilm(filming, target,
+                   [&](const fs::path& file) { return webpSink(file, filming.shape()); });
+}
+
+Status writeGif(const ExportOrder& order, const fs::path& target, const ExportProgress& progress) {
+  Filming filming(order, target, progress);
+  return writeFilm(filming, target, [&](const fs::path& file) -> NewSink {
+    // The file first: one that cannot be written need not wait for colours.
+    if (NewSink trial = gifSink(file, filming.shape(), GifPalette::of({})); !trial.ok())
+      return trial;
+    Result<GifPalette> palette = filming.palette();
+    if (!palette.ok())
+      return palette.error();
+    return gifSink(file, filming.shape(), std::move(*palette));
+  });
+}
+
+Status writeMp4(const ExportOrder& order, const fs::path& target, const ExportProgress& progress) {
+  Filming filming(order, target, progress);
+  return writeFilm(filming, target,
+                   [&](const fs::path& file) { return mp4Sink(file, filming.shape()); });
+}
+
+Status writeFrames(const ExportOrder& order, const fs::path& target,
+                   const ExportProgress& progress) {
+  return model::writeFolder(target, [&](const fs::path& folder) -> Status {
+    Filming filming(order, target, progress);
+    if (const Status ready = filming.prepare(); !ready.ok())
+      return ready;
+    NewSink sink = frameSink(folder, filming.shape());
+    return sink.ok() ? filming.run(**sink) : Status(sink.error());
+  });
+}
+
+}  // namespace sline::render

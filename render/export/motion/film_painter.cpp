@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/motion/film_painter.h"
+
+#include <QImage>
+#include <cstring>
+
+#include "render/export/marks/figure_plate.h"
+#include "render/export/marks/plate_image.h"
+#include "render/gpu/headless/context.h"
+
+namespace sline::render {
+
+struct FilmPainter::Data {
+  const ExportOrder& order;
+  std::unique_ptr<Typesetting> typesetting;
+  std::unique_ptr<gpu::HeadlessContext> context;
+  std::unique_ptr<Picture> picture;  ///< goes before its context
+  SightTrees trees;
+  std::optional<LabelLayout> layout;  ///< of the frame before
+  EdgeRoom edges;                     ///< what marks take in any frame: labels keep out of it
+
+  bool labelled() const { return order.labels.mode != LabelMode::off; }
+  bool bare() const { return !labelled() && order.marks == ExportMarks::none(); }
+  ExportOrder orderOf(const FilmFrame& frame) const;
+  FigurePlate plateOf(const FilmFrame& frame);
+  Result<Image> drawn(const FilmFrame& frame, const glm::ivec2& size);
+  void paint(Image& image, const FigurePlate& plate) const;
+};
+
+FilmPainter::FilmPainter(std::unique_ptr<Data> data) : m_data(std::move(data)) {}
+FilmPainter::~FilmPainter() = default;
+
+Result<std::unique_ptr<FilmPainter>> FilmPainter::create(const ExportOrder& order) {
+  std::unique_ptr<Data> data(new Data{order, nullptr, nullptr, nullptr, {}, std::nullopt, {}});
+  if (!data->bare()) {
+    Result<std::unique_ptr<Typesetting>> typesetting = Typesetting::create();
+    if (!typesetting.ok())
+      return typesetting.error();
+    data->typesetting = std::move(*typesetting);
+  }
+  Result<std::unique_ptr<gpu::HeadlessContext>> context = gpu::HeadlessContext::create();
+  if (!context.ok())
+    return context.error();
+  data->context = std::move(*context);
+  Result<std::unique_ptr<Picture>> picture = Picture::create();
+  if (!picture.ok())
+    return picture.error();
+  data->picture = std::move(*picture);
+  return std::unique_ptr<FilmPainter>(new FilmPainter(std::move(data)));
+}
+
+glm::vec2 FilmPainter::anatomyShare() const {
+  return m_data->bare() ? glm::vec2(1.0f) : shareBesidePlate(m_data->order, *m_data->typesetting);
+}
+
+ExportOrder FilmPainter::Data::orderOf(const FilmFrame& frame) const {
+  ExportOrder now;
+  now.scene = frame.scene;
+  now.camera = frame.camera;
+  now.viewName = frame.viewName;
+  now.page = order.page;
+  now.look = order.look;
+  now.labels = order.labels;
+  now.marks = order.marks;
+  return now;
+}
+
+FigurePlate FilmPainter::Data::plateOf(const FilmFrame& frame) {
+  FigurePlate plate{.labels = {}, .marks = marksOf(orderOf(frame))};
+  if (!labelled())
+    return plate;
+  LabelStyle style = order.labels;
+  style.onDark = order.look.background == Background::dark;
+  style.edges = edges;
+  plate.labels = labelPlate(frame.scene, Screen(frame.camera, order.page.sizeMm), style, trees,
+                            layout ? &*layout : nullptr);
+  layout = plate.labels->layout;
+  return plate;
+}
+
+void FilmPainter::settle(const Film& film) {
+  if (!m_data->labelled())
+    return;
+  // Marks come and go; labels are not to give way each time.
+  const int step = std::max(film.frames() / 48, 1);
+  EdgeRoom& edges = m_data->edges;
+  for (int i = 0; i < film.frames(); i += step) {
+    const EdgeRoom now = marksOf(m_data->orderOf(film.at(i))).edges;
+    edges = {.left = std::max(edges.left, now.left),
+             .top = std::max(edges.top, now.top),
+             .right = std::max(edges.right, now.right),
+             .bottom = std::max(edges.bottom, now.bottom)};
+  }
+  if (film.loops())
+    for (int i = 0; i < film.frames(); ++i)
+      m_data->plateOf(film.at(i));
+}
+
+Result<Image> FilmPainter::Data::drawn(const FilmFrame& frame, const glm::ivec2& size) {
+  // As pictures are drawn: averaged where pixels are not fine enough by themselves.
+  constexpr std::int64_t fine = 8'000'000;
+  const int samples = std::int64_t(size.x) * size.y > fine ? 1 : 2;
+  Result<Image> image = picture->render(frame.scene, frame.camera,
+                                        {.width = samples * size.x,
+                                         .height = samples * size.y,
+                                         .background = order.look.background,
+                                         .light = order.look.light,
+                                         .keyLight = order.look.keyLight});
+  if (!image.ok() || samples == 1)
+    return image;
+  return averaged(*image, samples);
+}
+
+void FilmPainter::Data::paint(Image& image, const FigurePlate& plate) const {
+  // QPainter blends right only where colours are multiplied by their alpha.
+  QImage canvas = QImage(image.rgba.data(), image.width, image.height, qsizetype(4) * image.width,
+                         QImage::Format_RGBA8888)
+                      .convertToFormat(QImage::Format_RGBA8888_Premultiplied);
+  {
+    QPainter painter(&canvas);
+    painter.scale(qreal(image.width) / qreal(order.page.sizeMm.x),
+                  qreal(image.height) / qreal(order.page.sizeMm.y));
+    paintPlate(painter, plate);
+  }
+  const QImage straight = canvas.convertToFormat(QImage::Format_RGBA8888);
+  const std::size_t row = std::size_t(4) * std::size_t(image.width);
+  for (int y = 0; y < image.height; ++y)
+    std::memcpy(&image.rgba[row * std::size_t(y)], straight.constScanLine(y), row);
+}
+
+Result<Image> FilmPainter::draw(const Film& film, int frame) {
+  const FilmFrame shown = film.at(frame);
+  Result<Image> image = m_data->drawn(shown, film.size());
+  if (image.ok() && !m_data->bare())
+    m_data->paint(*image, m_data->plateOf(shown));
+  return image;
+}
+
+Result<Image> FilmPainter::drawAlone(const Film& film, int frame) {
+  const std::optional<LabelLayout> before = m_data->layout;
+  Result<Image> image = draw(film, frame);
+  m_data->layout = before;
+  return image;
+}
+
+}  // namespace sline::render

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where frames go, one after the other, so that a film never lies in memory as pixels.
+#pragma once
+
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <memory>
+
+#include "model/base/result.h"
+#include "render/export/motion/gif_palette.h"
+#include "render/picture/image.h"
+
+namespace sline::render {
+
+struct FilmShape {
+  glm::ivec2 size{0};
+  int frames = 0;
+  int framesPerSecond = 25;
+  bool transparent = false;  ///< else every pixel is opaque
+};
+
+class FilmSink {
+ public:
+  virtual ~FilmSink() = default;
+  /// Frames have the film's size.
+  virtual Status add(const Image& frame) = 0;
+  /// After the last frame: the file is whole when this succeeds. Without it what was written is of
+  /// no use, and processes that were started end with the sink.
+  virtual Status finish() = 0;
+};
+using NewSink = Result<std::unique_ptr<FilmSink>>;
+
+/// Each begins its file at once, so that one that cannot be written is known before anything is
+/// drawn.
+NewSink webpSink(const std::filesystem::path& file, const FilmShape& shape);
+NewSink gifSink(const std::filesystem::path& file, const FilmShape& shape, GifPalette palette);
+/// Through the program ffmpeg; the error says where it is missing.
+NewSink mp4Sink(const std::filesystem::path& file, const FilmShape& shape);
+/// "frame_0001.png" … in a folder that is there.
+NewSink frameSink(const std::filesystem::path& folder, const FilmShape& shape);
+
+/// A file that cannot be written, with the system's reason (errno).
+Error filmNotWritten(const std::filesystem::path& file, int code);
+
+}  // namespace sline::render

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "model/files/whole_file.h"
+#include "render/export/motion/film_sink.h"
+#include "render/export/png_image.h"
+
+namespace sline::render {
+
+namespace {
+
+class FrameFolder : public FilmSink {
+ public:
+  FrameFolder(std::filesystem::path folder, const FilmShape& shape)
+      : m_folder(std::move(folder)),
+        m_digits(std::max<std::size_t>(std::to_string(shape.frames).size(), 4)) {}
+
+  Status add(const Image& frame) override {
+    std::string number = std::to_string(++m_added);
+    number.insert(0, m_digits - std::min(m_digits, number.size()), '0');
+    const std::filesystem::path file = m_folder / ("frame_" + number + ".png");
+    const Result<std::string> png = pngOf(frame);
+    return png.ok() ? model::writeText(file, *png) : Status(png.error());
+  }
+
+  Status finish() override { return Unit{}; }
+
+ private:
+  std::filesystem::path m_folder;
+  std::size_t m_digits;
+  int m_added = 0;
+};
+
+}  // namespace
+
+NewSink frameSink(const std::filesystem::path& folder, const FilmShape& shape) {
+  return std::unique_ptr<FilmSink>(std::make_unique<FrameFolder>(folder, shape));
+}
+
+}  // namespace sline::render

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/motion/film.h"
+
+#include <QtTest>
+#include <glm/geometric.hpp>
+
+#include "model/edit/views.h"
+#include "render/export/motion/gif_palette.h"
+#include "render/labels/screen.h"
+#include "tests/support/shapes.h"
+
+using namespace sline;
+using render::Film;
+using render::Motion;
+
+namespace {
+
+model::NodeId add(model::Scene& scene, const std::string& name, const model::MeshPtr& mesh) {
+  model::Node node;
+  node.name = name;
+  node.mesh = mesh;
+  return scene.append(std::move(node));
+}
+
+/// A long thing across, seen from the side on which it is short: turning, it needs more room.
+render::ExportOrder longOrder(model::AnatomicalView view = model::AnatomicalView::left) {
+  render::ExportOrder order;
+  for (const float x : {-90.0f, 0.0f, 90.0f})
+    add(order.scene, "ball", test::moved(*test::sphere(15.0f, 2), 1.0f, {x, 0.0f, 0.0f}));
+  order.camera = model::anatomicalCamera(view, order.scene.visibleBounds(), 16.0f / 9.0f);
+  order.viewName = "left";
+  order.film.seconds = 2.0;
+  order.film.framesPerSecond = 18;
+  return order;
+}
+
+render::ExportOrder tourOrder() {
+  render::ExportOrder order = longOrder();
+  model::View front{.name = "Front", .camera = {}};
+  front.looks = {{order.scene.nodes()[0].id, {.gamma = Gamma::clamped(1.0f)}, {}}};
+  model::View side{.name = "Side", .camera = order.camera};
+  side.looks = {{order.scene.nodes()[0].id, {.gamma = Gamma::clamped(4.0f)}, {}}};
+  model::View back{.name = "Back", .camera = {.eye = {0.0f, 900.0f, 0.0f}}};
+  order.scene.setViews({front, side, back});
+  order.film = {.motion = Motion::tour, .seconds = 10.0, .framesPerSecond = 10, .hold = 2.0};
+  return order;
+}
+
+float gammaIn(const render::FilmFrame& frame, std::size_t node = 0) {
+  return frame.scene.resolve(frame.scene.nodes()[node].id).gamma.value();
+}
+
+/// Within what a margin on all sides leaves of the picture.
+bool allInside(const render::FilmFrame& frame, const glm::vec2& size,
+               const glm::vec2& margin = glm::vec2(0.0f)) {
+  const render::Screen screen(frame.camera, size);
+  for (const model::Node& node : frame.scene.nodes())
+    for (const glm::vec3& p : node.mesh->positions())
+      if (const auto place = screen.place(p); !place || place->x < margin.x ||
+                                              place->y < margin.y || place->x > size.x - margin.x ||
+                                              place->y > size.y - margin.y)
+        return false;
+  return true;
+}
+
+}  // namespace
+
+class FilmTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void turntableGoesRoundEvenly() {
+    const render::ExportOrder order = longOrder(model::AnatomicalView::anterior);
+    const Film film = std::move(Film::create(order)).value();
+    QCOMPARE(film.frames(), 36);
+    QVERIFY(film.loops());
+    QVERIFY(film.size() == glm::ivec2(1280, 720));
+    const glm::vec3 first = film.at(0).camera.eye - film.at(0).camera.target;
+    // The patient's left comes before the right, and the seam is a step like any other.
+    QVERIFY(film.at(9).camera.eye.x > 100.0f);
+    QVERIFY(film.at(27).camera.eye.x < -100.0f);
+    for (int i = 0; i < 36; ++i) {
+      const auto way = [&film](int frame) {
+        const model::Camera camera = film.at(frame % 36).camera;
+        return glm::normalize(camera.eye - camera.target);
+      };
+      QVERIFY(std::abs(glm::dot(way(i), way(i + 1)) - std::cos(glm::radians(10.0f))) < 1e-4f);
+      const model::Camera camera = film.at(i).camera;
+      QVERIFY(std::abs(glm::length(camera.eye - camera.target) - glm::length(first)) < 1e-2f);
+      QVERIFY(std::abs(camera.eye.z - film.at(0).camera.eye.z) < 1e-3f);
+    }
+    QVERIFY(film.at(0).camera == film.at(36).camera);
+    // A name that flashes up once would be no help.
+    QVERIFY(film.at(0).viewName.empty());
+  }
+
+  void nothingLeavesThePicture() {
+    for (const auto projection :
+         {model::Projection::perspective, model::Projection::orthographic}) {
+      render::ExportOrder order = longOrder();
+      order.camera.projection = projection;
+      order.camera.heightMm = 40.0f;
+      order.page.sizeMm = {100.0f, 100.0f};
+      const Film film = std::move(Film::create(order)).value();
+      QVERIFY(!(film.at(0).camera == order.camera));
+      // In the middle, and no smaller than it must be.
+      QVERIFY(glm::length(film.at(9).camera.target - film.at(27).camera.target) < 1.0f);
+      bool full = false;
+      for (int i = 0; i < film.frames(); ++i)
+        full = full || !allInside(film.at(i), order.page.sizeMm, 0.08f * order.page.sizeMm);
+      QVERIFY(full);
+      for (int i = 0; i < film.frames(); ++i)
+        QVERIFY2(allInside(film.at(i), order.page.sizeMm), qPrintable(QString::number(i)));
+    }
+  }
+
+  /// Whatever way the camera is tilted.
+  void theAxisRests() {
+    for (const bool close : {false, true}) {
+      render::ExportOrder order = longOrder();
+      const glm::vec3 centre = order.camera.target;
+      order.camera.eye = centre + glm::vec3(close ? 60.0f : 420.0f, -90.0f, 130.0f);
+      order.camera.up = {0.1f, 0.3f, 0.9f};
+      const Film film = std::move(Film::create(order)).value();
+      for (const float height : {-8.0f, 0.0f, 8.0f}) {
+        const auto placeIn = [&](int frame) {
+          return *render::Screen(film.at(frame).camera, order.page.sizeMm)
+                      .place(centre + glm::vec3(0.0f, 0.0f, height));
+        };
+        for (int i = 1; i < film.frames(); ++i)
+          QVERIFY2(glm::distance(placeIn(i), placeIn(0)) < 0.02f,
+                   qPrintable(QString("%1: %2").arg(i).arg(close)));
+      }
+    }
+  }
+
+  void whatHasRoomOrIsCloseStays() {
+    render::ExportOrder order = longOrder(model::AnatomicalView::anterior);
+    QVERIFY(std::move(Film::create(order)).value().at(0).camera == order.camera);
+    order.camera.eye = order.camera.target + 0.2f * (order.camera.eye - order.camera.target);
+    QVERIFY(std::move(Film::create(order)).value().at(0).camera == order.camera);
+  }
+
+  void fromAboveItTumbles() {
+    const Film film = std::move(Film::create(longOrder(model::AnatomicalView::superior))).value();
+    const model::Camera camera = film.at(9).camera;
+    QVERIFY(std::abs(glm::normalize(camera.eye - camera.target).z) < 0.01f);
+  }
+
+  void tourRestsAndMoves() {
+    const render::ExportOrder order = tourOrder();
+    const Film film = std::move(Film::create(order)).value();
+    QCOMPARE(film.frames(), 100);
+    QVERIFY(!film.loops());
+    // 2 s at each of three views, 2 s on each way.
+    const std::vector<model::View>& views = order.scene.views();
+    for (const auto& [frame, view] :
+         {std::pair(0, 0), {20, 0}, {40, 1}, {60, 1}, {80, 2}, {99, 2}}) {
+      QVERIFY2(film.at(frame).camera == views[std::size_t(view)].camera,
+               qPrintable(QString::number(frame)));
+      QCOMPARE(film.at(frame).viewName, views[std::size_t(view)].name);
+    }
+    QCOMPARE(gammaIn(film.at(0)), 1.0f);
+    QCOMPARE(gammaIn(film.at(30)), 2.5f);
+    QCOMPARE(gammaIn(film.at(50)), 4.0f);
+    QVERIFY(film.at(60).scene == model::shown(order.scene, views[1]).scene);
+    // On an arc: halfway from the front to the left the eye is between, and as far away.
+    const model::Camera half = film.at(30).camera;
+    QVERIFY(half.eye.x > 100.0f && half.eye.y < -100.0f);
+  }
+
+  void sweepGoesFrom0To5() {
+    render::ExportOrder order = longOrder();
+    order.film = {.motion = Motion::gammaSweep, .seconds = 1.2, .framesPerSecond = 10, .swept = {}};
+    const Film all = std::move(Film::create(order)).value();
+    QCOMPARE(all.frames(), 12);
+    QCOMPARE(gammaIn(all.at(0)), 0.0f);
+    QCOMPARE(gammaIn(all.at(11)), 5.0f);
+    float before = 0.0f;
+    for (int i = 0; i < 12; ++i) {
+      QVERIFY(gammaIn(all.at(i)) >= before);
+      before = gammaIn(all.at(i));
+      QCOMPARE(gammaIn(all.at(i), 2), before);
+      QVERIFY(all.at(i).camera == order.camera);
+    }
+    order.film.swept = {order.scene.nodes()[1].id};
+    const Film one = std::move(Film::create(order)).value();
+    QCOMPARE(gammaIn(one.at(11), 1), 5.0f);
+    QCOMPARE(gammaIn(one.at(11), 0), 2.0f);
+  }
+
+  void refuses_data() {
+    QTest::addColumn<render::FilmOptions>("film");
+    QTest::addColumn<QString>("reason");
+    const auto row = [](const char* name, const render::FilmOptions& film, const char* reason) {
+      QTest::newRow(name) << film << QString(reason);
+    };
+    row("no time", {.seconds = 0.0}, "0.1 to 600");
+    row("not a number", {.seconds = std::nan("")}, "0.1 to 600");
+    row("too long", {.seconds = 601.0}, "0.1 to 600");
+    row("too slow", {.framesPerSecond = 0}, "1 to 60");
+    row("too fast", {.framesPerSecond = 61}, "1 to 60");
+    row("too small", {.height = 2}, "4 × 2 pixels");
+    row("too large", {.height = 4000}, "pixels");
+    row("no views", {.motion = Motion::tour}, "no saved views");
+    row("rests too long", {.motion = Motion::gammaSweep, .seconds = 4.0, .hold = 2.0},
+        "rests of 2.0 seconds");
+  }
+  void refuses() {
+    QFETCH(render::FilmOptions, film);
+    QFETCH(QString, reason);
+    render::ExportOrder order = longOrder();
+    order.film = film;
+    const auto refused = Film::create(order);
+    QVERIFY(!refused.ok());
+    QVERIFY2(refused.error().reason.find(reason.toStdString()) != std::string::npos,
+             refused.error().reason.c_str());
+    QVERIFY(!refused.error().remedy.empty());
+  }
+
+  void tourNeedsTwoViewsAndTime() {
+    render::ExportOrder order = tourOrder();
+    order.film.hold = 4.0;
+    QVERIFY(!Film::create(order).ok());
+    order.film.hold.reset();
+    QVERIFY(Film::create(order).ok());
+    order.scene.setViews({order.scene.views().front()});
+    QVERIFY(!Film::create(order).ok());
+  }
+
+  void paletteHasFewColoursExactly() {
+    render::Image image{.width = 64, .height = 1, .rgba = {}};
+    for (int i = 0; i < 64; ++i)
+      for (const int c : {4 * i, 255 - 4 * i, 7, 255})
+        image.rgba.push_back(std::uint8_t(c));
+    render::GifPalette palette = render::GifPalette::of({&image, 1});
+    for (int i = 0; i < 64; ++i) {
+      const render::GifPalette::Rgb c{std::uint8_t(4 * i), std::uint8_t(255 - 4 * i), 7};
+      const auto found = palette.colours()[palette.index(c, i, i / 3)];
+      for (std::size_t channel = 0; channel < 3; ++channel)
+        QVERIFY(std::abs(int(found[channel]) - int(c[channel])) <= 4);
+    }
+  }
+
+  void paletteOfManyIsNear() {
+    // All of a coarse cube, and a ground of which there is most.
+    render::Image image{.width = 4096 + 20000, .height = 1, .rgba = {}};
+    for (int i = 0; i < 4096 + 20000; ++i)
+      for (const int c : {i < 4096 ? 17 * (i % 16) : 251, i < 4096 ? 17 * (i / 16 % 16) : 247,
+                          i < 4096 ? 17 * (i / 256) : 236, 255})
+        image.rgba.push_back(std::uint8_t(c));
+    render::GifPalette palette = render::GifPalette::of({&image, 1});
+    QVERIFY(palette.colours().size() <= 255);
+    QVERIFY(palette.colours().size() > 200);
+    const render::GifPalette::Rgb ground{251, 247, 236};
+    QVERIFY(palette.colours()[palette.index(ground, 3, 2)] == ground);
+    double sum = 0.0;
+    for (int i = 0; i < 4096; ++i) {
+      const render::GifPalette::Rgb c{std::uint8_t(17 * (i % 16)), std::uint8_t(17 * (i / 16 % 16)),
+                                      std::uint8_t(17 * (i / 256))};
+      const auto found = palette.colours()[palette.index(c, 0, 0)];
+      for (std::size_t channel = 0; channel < 3; ++channel)
+        sum += std::abs(int(found[channel]) - int(c[channel]));
+    }
+    // 255 boxes of a cube of colours are some 40 wide: a tenth on the average is what they can.
+    QVERIFY2(sum / (3.0 * 4096.0) < 14.0, qPrintable(QString::number(sum / 12288.0)));
+  }
+};
+
+QTEST_GUILESS_MAIN(FilmTest)
+#include "film_test.moc"
