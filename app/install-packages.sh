@@ -13,8 +13,9 @@ packages=(
   libqt6opengl6-dev libgl-dev libglx-mesa0 fonts-dejavu-core xvfb xauth libx11-dev
   libvtk9-dev libglew-dev
   libopenimageio-dev openimageio-tools libopencv-dev
-  # another program's opinion of our vector drawings
+  # other programs' opinion of our vector drawings and sheets
   librsvg2-bin
+  poppler-utils
   # OpenGL without a display
   libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri
   # small libraries

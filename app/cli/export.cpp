@@ -9,7 +9,10 @@
 #include "app/cli/film_options.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/pixel_options.h"
+#include "app/cli/sheet_options.h"
 #include "render/export/formats/export_formats.h"
+#include "render/export/pdf/sheet_layout.h"
+#include "render/export/pdf/sheet_order.h"
 #include "render/vectors/vector_drawing.h"
 
 namespace sline::cli {
@@ -23,6 +26,7 @@ struct ExportFlags {
   FilmFlags film;
   render::AnkiOptions anki;
   std::string sizeMm = "160x90";
+  SheetFlags sheet;
   /// A target for each of the formats that are wanted.
   std::map<std::string, std::string> targets;
 };
@@ -92,42 +96,73 @@ render::ExportOrder exportOrder(const ArrangedScene& arranged, const PictureOrde
   return job;
 }
 
-Exit runExport(const ExportFlags& typed) {
-  ExportFlags flags = typed;
-  if (const Status film = addFilmTarget(typed.film, flags.targets); !film.ok())
-    return complain(film.error(), Exit::wrongUse);
-  const Result<model::ImportOptions> options = importOptions(flags.input);
-  if (!options.ok())
-    return complain(options.error(), Exit::wrongUse);
+/// The order with the figure as large as its sheet lets it, and the camera fitted to that.
+Result<render::ExportOrder> onSheet(render::ExportOrder job, PictureOrder& order,
+                                    const render::Typesetting& typesetting) {
+  job.page.sizeMm = render::sheetFigureMm(job);
+  const render::ExportOrder figure = render::sheetFigure(job);
+  order.labels.anatomyShare = render::shareBesidePlate(figure, typesetting);
+  order.size = {int(std::lround(100.0f * job.page.sizeMm.x)),
+                int(std::lround(100.0f * job.page.sizeMm.y))};
+  const Result<model::Camera> camera = cameraFor(job.scene, order);
+  if (!camera.ok())
+    return camera.error();
+  job.camera = *camera;
+  return job;
+}
+
+/// What the flags say before a scene is read.
+struct Wanted {
+  model::ImportOptions import;
+  render::ExportPage page;
+  render::ExportPixels pixels;
+  render::ExportSheet sheet;
+  PictureOrder order;
+};
+
+Result<Wanted> wanted(const ExportFlags& flags) {
+  const Result<model::ImportOptions> import = importOptions(flags.input);
+  if (!import.ok())
+    return import.error();
   const Result<render::ExportPage> page = understoodPage(flags);
   if (!page.ok())
-    return complain(page.error(), Exit::wrongUse);
+    return page.error();
   const Result<render::ExportPixels> pixels = understood(flags.pixels, flags.picture.blackAndWhite);
   if (!pixels.ok())
-    return complain(pixels.error(), Exit::wrongUse);
-  Result<PictureOrder> order = understoodExport(flags, *page);
+    return pixels.error();
+  const Result<render::ExportSheet> sheet = understood(flags.sheet);
+  if (!sheet.ok())
+    return sheet.error();
+  const Result<PictureOrder> order = understoodExport(flags, *page);
   if (!order.ok())
-    return complain(order.error(), Exit::wrongUse);
+    return order.error();
+  return Wanted{*import, *page, *pixels, *sheet, *order};
+}
 
-  Progress progress;
-  const Result<model::Imported> imported = readInputs(flags.input.inputs, *options, progress);
-  if (!imported.ok())
-    return complain(imported.error(), Exit::failed);
-  const Result<ArrangedScene> arranged = arrangedOn(page->sizeMm, imported->scene, *order);
-  if (!arranged.ok())
-    return complain(arranged.error(), Exit::wrongUse);
-  if (arranged->scene.visibleBounds().empty())
-    warn("no structure is visible: the drawing is empty");
-  const Result<render::FilmOptions> film = understood(flags.film, arranged->scene);
+/// All that the files are made of.
+Result<render::ExportOrder> understoodJob(const ExportFlags& flags, Wanted& wish,
+                                          const ArrangedScene& arranged) {
+  const Result<render::FilmOptions> film = understood(flags.film, arranged.scene);
   if (!film.ok())
-    return complain(film.error(), Exit::wrongUse);
-  render::ExportOrder job = exportOrder(*arranged, *order, *page);
-  job.pixels = *pixels;
+    return film.error();
+  render::ExportOrder job = exportOrder(arranged, wish.order, wish.page);
+  job.pixels = wish.pixels;
   job.film = *film;
   job.anki = flags.anki;
+  job.sheet = wish.sheet;
+  if (wish.sheet.kind == render::SheetKind::none)
+    return job;
+  const auto typesetting = render::Typesetting::create();
+  if (!typesetting.ok())
+    return typesetting.error();
+  return onSheet(job, wish.order, **typesetting);
+}
+
+Exit writeAll(const render::ExportOrder& job, const std::map<std::string, std::string>& targets,
+              Progress& progress) {
   for (const render::ExportFormat& format : render::exportFormats()) {
-    const auto target = flags.targets.find(format.id);
-    if (target == flags.targets.end())
+    const auto target = targets.find(format.id);
+    if (target == targets.end())
       continue;
     const Status written =
         format.write(job, target->second, [&progress](double share, std::string_view what) {
@@ -142,6 +177,29 @@ Exit runExport(const ExportFlags& typed) {
   return Exit::done;
 }
 
+Exit runExport(const ExportFlags& typed) {
+  ExportFlags flags = typed;
+  if (const Status film = addFilmTarget(typed.film, flags.targets); !film.ok())
+    return complain(film.error(), Exit::wrongUse);
+  Result<Wanted> wish = wanted(flags);
+  if (!wish.ok())
+    return complain(wish.error(), Exit::wrongUse);
+  Progress progress;
+  const Result<model::Imported> imported = readInputs(flags.input.inputs, wish->import, progress);
+  if (!imported.ok())
+    return complain(imported.error(), Exit::failed);
+  const Result<ArrangedScene> arranged =
+      arrangedOn(wish->page.sizeMm, imported->scene, wish->order);
+  if (!arranged.ok())
+    return complain(arranged.error(), Exit::wrongUse);
+  if (arranged->scene.visibleBounds().empty())
+    warn("no structure is visible: the drawing is empty");
+  const Result<render::ExportOrder> job = understoodJob(flags, *wish, *arranged);
+  if (!job.ok())
+    return complain(job.error(), Exit::wrongUse);
+  return writeAll(*job, flags.targets, progress);
+}
+
 void declareExport(CLI::App& command, ExportFlags& flags) {
   command.add_option("INPUT", flags.input.inputs, inputHelp)->required();
   for (const render::ExportFormat& format : render::exportFormats())
@@ -153,10 +211,12 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
             },
             format.help)
         ->type_name("FILE");
-  command.add_option("--size-mm", flags.sizeMm, "Width and height of the page in millimetres")
-      ->type_name("WxH")
-      ->capture_default_str();
+  CLI::Option* size =
+      command.add_option("--size-mm", flags.sizeMm, "Width and height of the page in millimetres")
+          ->type_name("WxH")
+          ->capture_default_str();
   addPixelOptions(command, flags.pixels);
+  addSheetOptions(command, flags.sheet, size);
   CLI::Option* view = command
                           .add_option("--view,--from", flags.picture.view,
                                       "A saved view of the scene, shown as it was saved; else "

@@ -5,6 +5,7 @@
 #include <QFontMetricsF>
 #include <QLocale>
 #include <algorithm>
+#include <vector>
 
 // Resources of a static library must be asked for, outside of any namespace.
 static void useLabelFont() {
@@ -35,17 +36,43 @@ float badgeMm(const QFontMetricsF& metrics, const LabelStyle& style) {
   return float(metrics.horizontalAdvance(QStringLiteral("00"))) * pixelsToMm(style);
 }
 
+/// A word, or a part of one: joined to what stands before it.
+struct Word {
+  QString text;
+  bool joined = false;
+};
+
+/// Words wider than that are divided as programs join them: "L4-L3-Disc", "left_kidney",
+/// "CystWall".
+std::vector<Word> wordsOf(const QString& text, const QFontMetricsF& metrics, qreal widest) {
+  std::vector<Word> words;
+  for (const QString& word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
+    words.push_back({word, false});
+    if (metrics.horizontalAdvance(word) <= widest)
+      continue;
+    words.back().text = word.left(1);
+    for (qsizetype i = 1; i < word.size(); ++i) {
+      const bool after = QStringLiteral("-_/").contains(word[i - 1]);
+      if (after || (word[i].isUpper() && word[i - 1].isLower()))
+        words.push_back({QString(), true});
+      words.back().text += word[i];
+    }
+  }
+  return words;
+}
+
 /// As few lines as there must be, each about as long as the others.
 QStringList broken(const QString& text, const QFontMetricsF& metrics, qreal widest) {
-  const QStringList words = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+  const std::vector<Word> words = wordsOf(text, metrics, widest);
   const auto fill = [&](qreal width) {
     QStringList lines;
-    for (const QString& word : words) {
-      const QString longer = lines.isEmpty() ? word : lines.back() + QLatin1Char(' ') + word;
+    for (const Word& word : words) {
+      const QString space = word.joined ? QString() : QStringLiteral(" ");
+      const QString longer = lines.isEmpty() ? word.text : lines.back() + space + word.text;
       if (!lines.isEmpty() && metrics.horizontalAdvance(longer) <= width)
         lines.back() = longer;
       else
-        lines.push_back(word);
+        lines.push_back(word.text);
     }
     return lines;
   };

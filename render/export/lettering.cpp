@@ -38,13 +38,15 @@ void paintHalo(QPainter& painter, const LetteringItem& item, const Colour& groun
                                                    Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
 }
 
-void paintInk(QPainter& painter, const LetteringItem& item) {
+void paintInk(QPainter& painter, const LetteringItem& item, const TextSetter& setText) {
   for (const LetteringShape& shape : item.shapes) {
     painter.setPen(shape.pen > 0.0f ? pen(shape, shape.ink, shape.pen, false) : QPen(Qt::NoPen));
     painter.setBrush(shape.fill ? QBrush(painterColour(*shape.fill)) : QBrush(Qt::NoBrush));
     painter.drawPath(painterPath(shape.path));
   }
-  if (item.text)
+  if (item.text && setText)
+    setText(painter, *item.text);
+  else if (item.text)
     painter.fillPath(outlineOf(*item.text), painterColour(item.text->ink));
 }
 
@@ -52,7 +54,7 @@ void paintInk(QPainter& painter, const LetteringItem& item) {
 
 LetteringColours letteringColours(bool onDark) {
   return onDark ? LetteringColours{{240, 240, 240}, {28, 28, 30}}
-                : LetteringColours{{17, 17, 17}, {255, 255, 255}};
+                : LetteringColours{{0, 0, 0}, {255, 255, 255}};
 }
 
 QColor painterColour(const Colour& colour) {
@@ -129,13 +131,13 @@ QPainterPath outlineOf(const LetteringText& text) {
   return letters;
 }
 
-void paintLettering(QPainter& painter, const Lettering& lettering) {
+void paintLettering(QPainter& painter, const Lettering& lettering, const TextSetter& setText) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   for (const LetteringItem& item : lettering.items)
     paintHalo(painter, item, lettering.ground);
   for (const LetteringItem& item : lettering.items)
-    paintInk(painter, item);
+    paintInk(painter, item, setText);
   painter.restore();
 }
 

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QStringList>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,9 +63,12 @@ struct LetteringColours {
 };
 LetteringColours letteringColours(bool onDark);
 
+/// Sets a text with the painter; an empty function fills its outlines.
+using TextSetter = std::function<void(QPainter& painter, const LetteringText& text)>;
+
 /// The painter's unit must be a millimetre, from the picture's upper left corner. Halos are painted
 /// first, so that none covers another's ink.
-void paintLettering(QPainter& painter, const Lettering& lettering);
+void paintLettering(QPainter& painter, const Lettering& lettering, const TextSetter& setText = {});
 
 /// Shapes in the plane as paths.
 Path polyline(const std::vector<glm::vec2>& points);

@@ -91,15 +91,22 @@ void widenRim(SeenTones& seen, const DepthLayer& layer, int rimGrowth) {
   }
 }
 
-SeenTones seenTones(const DepthLayer& layer, const std::vector<std::uint8_t>& seen) {
+/// `page` is the picture's size; what lies beside it is left out.
+SeenTones seenTones(const DepthLayer& layer, const std::vector<std::uint8_t>& seen,
+                    const glm::ivec2& page) {
+  constexpr int bleed = 2;  // pixels that a fill goes on beyond the page's edge
   const int rimGrowth = variesInOpacity(layer) ? underlap : 0;
   glm::ivec2 low(layer.area.width, layer.area.height);
   glm::ivec2 high(0);
   const auto at = [&layer](int x, int y) {
     return std::size_t(y) * std::size_t(layer.area.width) + std::size_t(x);
   };
-  for (int y = 0; y < layer.area.height; ++y)
-    for (int x = 0; x < layer.area.width; ++x)
+  const glm::ivec2 corner(layer.area.x, layer.area.y);
+  const glm::ivec2 first = glm::max(-corner - bleed, glm::ivec2(0));
+  const glm::ivec2 last =
+      glm::min(page - corner + bleed, glm::ivec2(layer.area.width, layer.area.height));
+  for (int y = first.y; y < last.y; ++y)
+    for (int x = first.x; x < last.x; ++x)
       if (seen[at(x, y)] != 0) {
         low = glm::min(low, glm::ivec2(x, y));
         high = glm::max(high, glm::ivec2(x + 1, y + 1));
@@ -187,7 +194,8 @@ FillShapes fillShapes(const FilledLayer& filled, const LayerStack& stack, const 
   if (!(densest > 0.0f))
     return result;
   result.opacity = densest;
-  ShapeMaker maker(seenTones(layer, seenFill(filled, stack)), page);
+  ShapeMaker maker(seenTones(layer, seenFill(filled, stack), {stack.width(), stack.height()}),
+                   page);
   TonePaint paint(filled.paper);
   const std::size_t tones = layer.firstCapTone;
   for (std::size_t k = 0; k < tones; ++k)

@@ -212,7 +212,7 @@ class Drawing {
       PenShapes pen(m_page, vectorTolerance * m_view->outputUnit());
       for (const InkChain& chain :
            inkChains(strokes(work.shown.surface(), *m_view, style, one, work.area)))
-        for (const VisibleStroke& stroke : visibleStrokes(chain, scene))
+        for (const VisibleStroke& stroke : withinPage(visibleStrokes(chain, scene), m_view->size()))
           pen.add(stroke, colour);
       one = {};
       if (std::vector<VectorShape> shapes = pen.take(); !shapes.empty())

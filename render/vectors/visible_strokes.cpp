@@ -149,6 +149,37 @@ void closeGaps(std::vector<Sample>& all) {
 
 }  // namespace
 
+std::vector<VisibleStroke> withinPage(std::vector<VisibleStroke> strokes, const glm::vec2& page) {
+  const auto inside = [&page](const StrokePoint& p) {
+    const glm::vec2 beyond = glm::max(-p.at, p.at - page);
+    return std::max(beyond.x, beyond.y) <= p.halfWidth;
+  };
+  std::vector<VisibleStroke> kept;
+  for (VisibleStroke& stroke : strokes) {
+    std::vector<StrokePoint>& points = stroke.points;
+    if (std::all_of(points.begin(), points.end(), inside)) {
+      kept.push_back(std::move(stroke));
+      continue;
+    }
+    // A line without ends begins where it comes back to the page.
+    if (stroke.closed)
+      std::rotate(points.begin(), std::find_if_not(points.begin(), points.end(), inside),
+                  points.end());
+    bool drawing = false;
+    for (const StrokePoint& point : points) {
+      if (!inside(point)) {
+        drawing = false;
+        continue;
+      }
+      if (!drawing)
+        kept.push_back({.points = {}, .closed = false, .veil = stroke.veil});
+      kept.back().points.push_back(point);
+      drawing = true;
+    }
+  }
+  return kept;
+}
+
 std::vector<VisibleStroke> visibleStrokes(const InkChain& chain, const StrokeScene& scene) {
   std::vector<VisibleStroke> strokes;
   std::vector<Sample> all = samples(chain, Looker(scene));

@@ -33,6 +33,9 @@ struct StrokeScene {
   float ink = 1.0f;  ///< the opacity of a whole line: what a line has less makes it thinner
 };
 
+/// What of strokes lies within a page of that size, or within half their width of it.
+std::vector<VisibleStroke> withinPage(std::vector<VisibleStroke> strokes, const glm::vec2& page);
+
 std::vector<VisibleStroke> visibleStrokes(const InkChain& chain, const StrokeScene& scene);
 
 }  // namespace sline::render

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What another program makes of our vectors against our own picture: the ink lies where ours does.
+// What other programs make of our vectors against our own picture: the ink lies where ours does.
 #include <QDir>
 #include <QFileInfo>
 #include <QProcess>
@@ -59,15 +59,37 @@ class ExportAgreementTest : public QObject {
 
  private:
   QTemporaryDir m_folder;
+  void rasterise(const QString& file, const QString& png);
   QString m_rasteriser;
+  QString m_pdfRasteriser;
 };
 
 void ExportAgreementTest::initTestCase() {
   m_rasteriser = QStandardPaths::findExecutable("rsvg-convert");
   if (m_rasteriser.isEmpty())
     QSKIP("rsvg-convert is not installed");
+  m_pdfRasteriser = QStandardPaths::findExecutable("pdftoppm");
   for (const char* name : {"kidney", "pelvis"})
     QCOMPARE(runSline({"demo", name, "-o", m_folder.filePath(QString(name) + ".sline")}).code, 0);
+  const QString labelled = m_folder.filePath("labelled.sline");
+  QVERIFY(QFile::copy(m_folder.filePath("pelvis.sline"), labelled));
+  QStringList annotate{"annotate", labelled};
+  for (const char* name : {"uterus", "urinary bladder", "sacrum", "left ureter", "right femur",
+                           "sigmoid colon", "right ovary", "abdominal aorta", "left hip bone"})
+    annotate << "--on" << name;
+  QCOMPARE(runSline(annotate).code, 0);
+}
+
+void ExportAgreementTest::rasterise(const QString& file, const QString& png) {
+  if (file.endsWith(".svg"))
+    QCOMPARE(QProcess::execute(m_rasteriser, {"-w", QString::number(width), "-h",
+                                              QString::number(height), file, "-o", png}),
+             0);
+  else
+    QCOMPARE(QProcess::execute(m_pdfRasteriser,
+                               {"-png", "-singlefile", "-scale-to-x", QString::number(width),
+                                "-scale-to-y", QString::number(height), file, png.chopped(4)}),
+             0);
 }
 
 void ExportAgreementTest::inkLiesWhereOursDoes_data() {
@@ -78,6 +100,11 @@ void ExportAgreementTest::inkLiesWhereOursDoes_data() {
   const QString abdomen = SLINE_TEST_DATA "/abdomen/AbdominalAtlas-2015Sept-Slicer4-4Version.mrml";
   QTest::newRow("kidney, hatched") << kidney << QStringList{"--gamma", "3"};
   QTest::newRow("pelvis as it comes") << pelvis << QStringList{};
+  QTest::newRow("pelvis with labels")
+      << m_folder.filePath("labelled.sline") << QStringList{"--labels", "on", "--language", "la"};
+  QTest::newRow("pelvis from behind, numbered")
+      << m_folder.filePath("labelled.sline")
+      << QStringList{"--labels", "numbers", "--view", "posterior", "--gamma", "1"};
   QTest::newRow("pelvis, silhouettes") << pelvis << QStringList{"--gamma", "0.5"};
   QTest::newRow("pelvis, without fill") << pelvis << QStringList{"--gamma", "2", "--fill", "none"};
   QTest::newRow("pelvis from the left, cut")
@@ -95,33 +122,37 @@ void ExportAgreementTest::inkLiesWhereOursDoes() {
   if (!QFileInfo::exists(scene))
     QSKIP("there is no real anatomy to draw");
   const QString png = m_folder.filePath("ours.png");
-  const QString svg = m_folder.filePath("ours.svg");
   const QString theirs = m_folder.filePath("theirs.png");
   const QString size = QString("%1x%2").arg(width).arg(height);
-  const Finished drawn =
-      runSline(QStringList{"render", scene, "-o", png, "--size", size, "--bw"} + flags);
+  const Finished drawn = runSline(
+      QStringList{"render", scene, "-o", png, "--size", size, "--bw", "--marks", "on"} + flags);
   if (drawn.code != 0)
     QSKIP(("no picture can be drawn here: " + drawn.err).constData());
-  const Finished exported =
-      runSline(QStringList{"export", scene, "--svg", svg, "--size-mm", "160x90", "--bw"} + flags);
-  QVERIFY2(exported.code == 0, exported.err.constData());
-  QVERIFY(QFileInfo(svg).size() <= 5'000'000);
-  QCOMPARE(QProcess::execute(m_rasteriser, {"-w", QString::number(width), "-h",
-                                            QString::number(height), svg, "-o", theirs}),
-           0);
   const Pixels a = readPicture(png);
-  const Pixels b = readPicture(theirs);
-  QCOMPARE(b.width, a.width);
-  QCOMPARE(b.height, a.height);
-  const Agreement vectors = agreement(b, a);
-  const Agreement picture = agreement(a, b);
-  qInfo("%d pixels of ink in vectors, %.2f %% near ours; %d in ours, %.2f %% near vectors; %lld kB",
-        vectors.ink, 100.0 * vectors.share, picture.ink, 100.0 * picture.share,
-        QFileInfo(svg).size() / 1000);
-  QVERIFY(vectors.ink > 2000);
-  QVERIFY(picture.ink > 2000);
-  QVERIFY(vectors.share >= 0.95);
-  QVERIFY(picture.share >= 0.95);
+  for (const QString kind : {"svg", "pdf"}) {
+    if (kind == "pdf" && m_pdfRasteriser.isEmpty())
+      continue;
+    // As large as pictures are taken to be, so that labels are as well.
+    const QString file = m_folder.filePath("ours." + kind);
+    const Finished exported = runSline(QStringList{"export", scene, "--" + kind, file, "--size-mm",
+                                                   "338.6667x190.5", "--bw", "--marks", "on"} +
+                                       flags);
+    QVERIFY2(exported.code == 0, exported.err.constData());
+    QVERIFY(QFileInfo(file).size() <= 5'000'000);
+    rasterise(file, theirs);
+    const Pixels b = readPicture(theirs);
+    QCOMPARE(b.width, a.width);
+    QCOMPARE(b.height, a.height);
+    const Agreement vectors = agreement(b, a);
+    const Agreement picture = agreement(a, b);
+    qInfo("%s: %d pixels of ink, %.2f %% near ours; %d in ours, %.2f %% near it; %lld kB",
+          qPrintable(kind), vectors.ink, 100.0 * vectors.share, picture.ink, 100.0 * picture.share,
+          QFileInfo(file).size() / 1000);
+    QVERIFY(vectors.ink > 2000);
+    QVERIFY(picture.ink > 2000);
+    QVERIFY(vectors.share >= 0.95);
+    QVERIFY(picture.share >= 0.95);
+  }
 }
 
 }  // namespace sline::test

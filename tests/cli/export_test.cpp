@@ -40,6 +40,8 @@ class ExportTest : public QObject {
   void writesGroupsAndPage();
   void optionsReachTheDrawing();
   void sectionsAndViews();
+  void labelsAndMarks();
+  void pathsStayOnThePage();
   void wrongUse_data();
   void wrongUse();
   void badTargets_data();
@@ -69,7 +71,8 @@ void ExportTest::writesGroupsAndPage() {
   QVERIFY(svg.contains("width=\"180mm\" height=\"120mm\" viewBox=\"0 0 180 120\""));
   const QStringList found = labels(svg);
   QCOMPARE(found.first(), QString("Lines"));
-  QCOMPARE(QStringList(found.mid(1)).size(), 5);
+  QCOMPARE(found.last(), QString("Marks"));
+  QCOMPARE(found.size(), 7);
   for (const char* name : {"Organs", "kidney", "Vessels", "renal artery", "renal vein"})
     QVERIFY2(found.contains(name), name);
   QVERIFY(found.indexOf("renal vein") > found.indexOf("Vessels"));
@@ -103,6 +106,75 @@ void ExportTest::sectionsAndViews() {
   QVERIFY(!exported({}).contains("Cut outlines"));
 }
 
+/// As text, in layers of their own; a name is text whatever it looks like.
+void ExportTest::labelsAndMarks() {
+  const QString scene = m_folder.filePath("labelled.sline");
+  QCOMPARE(runSline({"import", m_sample, "-o", scene}).code, 0);
+  const QString name = "<b>Nephros</b> & \"νεφρός\"";
+  QCOMPARE(runSline({"annotate", scene, "--label", name, "--on", "kidney"}).code, 0);
+  const QString file = m_folder.filePath("labelled.svg");
+  QCOMPARE(runSline({"export", scene, "--svg", file, "--labels", "on"}).code, 0);
+  QXmlStreamReader reader(contents(file));
+  QStringList texts;
+  while (!reader.atEnd())
+    if (reader.readNext() == QXmlStreamReader::StartElement && reader.name() == QString("text"))
+      texts << reader.readElementText(QXmlStreamReader::IncludeChildElements);
+  QVERIFY(!reader.hasError());
+  QString label;
+  for (const QString& text : texts)
+    if (text.contains("Nephros"))
+      label = text;
+  QCOMPARE(QString(label).remove(' '), QString(name).remove(' '));
+  for (const char* mark : {"R", "L", "S", "I", "Anterior view"})
+    QVERIFY2(texts.contains(mark), mark);
+  QVERIFY(labels(contents(file)).contains("Labels"));
+  QVERIFY(contents(file).contains("font-family=\"DejaVu Sans,"));
+  QCOMPARE(runSline({"export", scene, "--svg", file, "--marks", "off"}).code, 0);
+  QVERIFY(!contents(file).contains("<text"));
+  QCOMPARE(runSline({"export", scene, "--svg", file, "--marks", "sides,scale"}).code, 0);
+  QCOMPARE(contents(file).count("<text"), 5);
+}
+
+/// A camera so near that the drawing goes on beside the page.
+void ExportTest::pathsStayOnThePage() {
+  const QString camera = m_folder.filePath("near.json");
+  writeFile(camera, QByteArray(frontCamera()).replace("\"fovy_deg\":30", "\"fovy_deg\":6"));
+  const QByteArray svg = exported(
+      {"--camera", camera, "--gamma", "kidney=5", "--gamma", "Vessels=1", "--marks", "off"});
+  static const QRegularExpression path(
+      "<path[^>]*?(?: stroke-width=\"([0-9.]+)\")?[^>]* d=\"([^\"]+)\"");
+  static const QRegularExpression step("([MlcZz])|(-?[0-9]*\\.?[0-9]+)");
+  int curves = 0;
+  auto all = path.globalMatch(QString::fromUtf8(svg));
+  while (all.hasNext()) {
+    const QRegularExpressionMatch one = all.next();
+    const double beyond = 0.5 * one.captured(1).toDouble() + 0.3;
+    QPointF at;
+    QChar letter;
+    QList<double> numbers;
+    auto steps = step.globalMatch(one.captured(2));
+    while (steps.hasNext()) {
+      const QRegularExpressionMatch part = steps.next();
+      if (!part.captured(1).isEmpty()) {
+        letter = part.captured(1)[0];
+        curves += letter == 'M';
+        numbers.clear();
+        continue;
+      }
+      numbers << part.captured(2).toDouble();
+      const qsizetype needed = letter == 'c' ? 6 : 2;
+      if (numbers.size() < needed)
+        continue;
+      const QPointF end(numbers[needed - 2], numbers[needed - 1]);
+      at = letter == 'M' ? end : at + end;
+      numbers.clear();
+      QVERIFY2(QRectF(0, 0, 160, 90).adjusted(-beyond, -beyond, beyond, beyond).contains(at),
+               qPrintable(QString("%1, %2").arg(at.x()).arg(at.y())));
+    }
+  }
+  QVERIFY2(curves >= 3, qPrintable(QString::number(curves)));
+}
+
 void ExportTest::wrongUse_data() {
   QTest::addColumn<QStringList>("flags");
   QTest::addColumn<QByteArray>("says");
@@ -120,6 +192,15 @@ void ExportTest::wrongUse_data() {
                                 << QByteArray("heart");
   QTest::newRow("grey hatching") << QStringList{"--svg", svg, "--hatching", "as-printed"}
                                  << QByteArray("sline render");
+  QTest::newRow("unknown mark") << QStringList{"--svg", svg, "--marks", "sides,north"}
+                                << QByteArray("sections");
+  QTest::newRow("unknown sheet") << QStringList{"--pdf", svg, "--sheet", "poster"}
+                                 << QByteArray("teaching");
+  QTest::newRow("unknown paper") << QStringList{"--pdf", svg, "--sheet", "figure", "--paper", "a3"}
+                                 << QByteArray("letter");
+  QTest::newRow("a text for teachers")
+      << QStringList{"--pdf", svg, "--sheet", "teaching", "--text", "Hello"}
+      << QByteArray("patient");
 }
 
 void ExportTest::wrongUse() {
@@ -145,10 +226,12 @@ void ExportTest::badTargets() {
   if (target == "/dev/full" && !QFile::exists(target))
     QSKIP("this system has no device without space");
   const QStringList before = QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden);
-  const Finished finished = runSline({"export", m_sample, "--svg", target});
-  QCOMPARE(finished.code, 1);
-  QVERIFY(finished.err.startsWith("sline: "));
-  QCOMPARE(QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden), before);
+  for (const char* kind : {"--svg", "--pdf"}) {
+    const Finished finished = runSline({"export", m_sample, kind, target});
+    QCOMPARE(finished.code, 1);
+    QVERIFY(finished.err.startsWith("sline: "));
+    QCOMPARE(QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden), before);
+  }
 }
 
 void ExportTest::tellsNothingElse() {

@@ -3,10 +3,11 @@
 
 #include <array>
 
-#include "render/export/pixels/pixel_files.h"
 #include "render/export/anki/anki_file.h"
 #include "render/export/gltf/gltf_file.h"
 #include "render/export/motion/film_file.h"
+#include "render/export/pdf/pdf_file.h"
+#include "render/export/pixels/pixel_files.h"
 #include "render/export/svg/svg_file.h"
 
 namespace sline::render {
@@ -29,6 +30,10 @@ std::span<const ExportFormat> exportFormats() {
                    "Vectors for Inkscape, Illustrator and print: lines and hatching as smooth "
                    "paths, hidden ones removed, a named group for each structure",
                    "svg", writeSvg},
+      ExportFormat{"pdf", "Portable Document Format",
+                   "The same vectors on a page of their own, or a sheet with title, legend and "
+                   "numbered labels, a page to test oneself and its key (--sheet)",
+                   "pdf", writePdf},
       ExportFormat{"glb", "glTF (GLB)",
                    "Surfaces for Blender, PowerPoint, web pages and headsets: groups, names and "
                    "colours, annotations, cameras of the saved views",

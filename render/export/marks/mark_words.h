@@ -10,6 +10,8 @@
 
 namespace sline::render {
 
+struct MarkTable;
+
 class MarkWords {
  public:
   /// A BCP 47 tag; English for languages that are not known.
@@ -26,9 +28,7 @@ class MarkWords {
   const QLocale& locale() const { return m_locale; }
 
  private:
-  struct Table;
-  static const Table& tableOf(const std::string& language);
-  const Table& m_table;
+  const MarkTable& m_table;
   QLocale m_locale;
 };
 

@@ -14,8 +14,8 @@ namespace sline::render {
 namespace {
 
 // Millimetres of the output.
-constexpr float margin = 3.0f;  // between marks and the output's edge
-constexpr float gap = 1.5f;     // between marks, and to labels
+constexpr float margin = markMargin;
+constexpr float gap = 1.5f;  // between marks, and to labels
 constexpr float barTick = 1.3f;
 constexpr float barWidth = 0.25f;
 constexpr float barHalo = 0.35f;

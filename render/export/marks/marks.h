@@ -8,6 +8,9 @@
 
 namespace sline::render {
 
+/// Millimetres between marks and the output's edge.
+inline constexpr float markMargin = 3.0f;
+
 /// An item for each mark: "side L", "view", "section 1" …, "scale".
 struct Marks {
   Lettering lettering;

@@ -74,6 +74,22 @@ struct AnkiOptions {
   bool othersShown = false;  ///< a card shows the other labels, too
 };
 
+/// What a PDF is: the figure alone, on a page of its size, or a sheet of paper around it. `figure`:
+/// with title and legend; `teaching`: besides, numbered labels, a page to test oneself and its key;
+/// `patient`: large labels and a text of one's own.
+enum class SheetKind { none, figure, teaching, patient };
+enum class Paper { a4, letter };
+
+/// Of the kind `pdf` alone.
+struct ExportSheet {
+  SheetKind kind = SheetKind::none;
+  Paper paper = Paper::a4;
+  bool landscape = false;
+  std::string title;  ///< plain text, as is the next
+  std::string text;   ///< of `patient`; lines are paragraphs
+  bool operator==(const ExportSheet&) const = default;
+};
+
 /// All that a file of any kind is made from. The scene is as it is to be drawn: a saved view, a
 /// focus or sections that were asked for are in it already.
 struct ExportOrder {
@@ -87,6 +103,7 @@ struct ExportOrder {
   ExportPixels pixels;
   FilmOptions film;
   AnkiOptions anki;
+  ExportSheet sheet;
 };
 
 /// Told what part of the whole is behind it and what is being done; false: nobody wants the file

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/pdf/pdf_drawing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace sline::render {
+
+namespace {
+
+constexpr int decimals = 3;  // of millimetres
+
+class Operators {
+ public:
+  void number(double value, int digits = decimals) {
+    std::array<char, 40> text{};
+    const int length = std::snprintf(text.data(), text.size(), "%.*f", digits, value);
+    std::string_view digitsOnly(text.data(), std::size_t(std::max(length, 0)));
+    if (digitsOnly.find('.') != std::string_view::npos) {
+      while (digitsOnly.ends_with('0'))
+        digitsOnly.remove_suffix(1);
+      if (digitsOnly.ends_with('.'))
+        digitsOnly.remove_suffix(1);
+    }
+    if (digitsOnly == "-0")
+      digitsOnly = "0";
+    m_text.append(digitsOnly.data(), qsizetype(digitsOnly.size()));
+    m_text += ' ';
+  }
+  void point(const glm::vec2& p) {
+    number(double(p.x));
+    number(double(p.y));
+  }
+  void word(const char* operation) {
+    m_text += operation;
+    m_text += '\n';
+  }
+  void text(const QByteArray& bytes) { m_text += bytes; }
+
+  /// Black, white and grey as such: a printer then mixes no inks for them.
+  void colour(const Colour& colour, bool stroke) {
+    const auto channel = [this](std::uint8_t value) { number(double(value) / 255.0, 4); };
+    channel(colour.red);
+    if (colour.red == colour.green && colour.green == colour.blue) {
+      word(stroke ? "G" : "g");
+      return;
+    }
+    channel(colour.green);
+    channel(colour.blue);
+    word(stroke ? "RG" : "rg");
+  }
+
+  void path(const Path& path) {
+    for (const Curve& curve : path) {
+      point(curve.start);
+      word("m");
+      glm::vec2 last = curve.start;
+      for (const Cubic& piece : curve.pieces) {
+        if (piece.control1 == last && piece.control2 == piece.end) {
+          point(piece.end);
+          word("l");
+        } else {
+          point(piece.control1);
+          point(piece.control2);
+          point(piece.end);
+          word("c");
+        }
+        last = piece.end;
+      }
+      if (curve.pieces.empty() && !curve.closed) {
+        point(curve.start);  // a dot of the round pen
+        word("l");
+      }
+      if (curve.closed)
+        word("h");
+    }
+  }
+  void box(const LabelBox& box) {
+    point(box.low);
+    point(box.size());
+    word("re");
+  }
+
+  QByteArray take() { return std::move(m_text); }
+
+ private:
+  QByteArray m_text;
+};
+
+class DrawingContent {
+ public:
+  DrawingContent(PdfContent& content, PdfObjects& objects, const VectorDrawing& drawing)
+      : m_content(content), m_objects(objects), m_drawing(drawing) {}
+
+  void append(const PdfPlace& place, double pageHeight) {
+    Operators out;
+    out.word("q");
+    // Millimetres from the page's upper left corner, y downwards.
+    for (const double value : {pointsPerMillimetre, 0.0, 0.0, -pointsPerMillimetre, 0.0})
+      out.number(value, 8);
+    out.number(pageHeight, 4);
+    out.word("cm");
+    out.box(place.clip);
+    out.word("W n");
+    if (m_drawing.background) {
+      out.colour(*m_drawing.background, false);
+      out.box(place.clip);
+      out.word("f");
+    }
+    for (const double value : {1.0, 0.0, 0.0, 1.0})
+      out.number(value);
+    out.point(place.at);
+    out.word("cm 1 J 1 j");
+    for (const VectorStructure& structure : m_drawing.structures)
+      if (!structure.fills.empty())
+        group(out, structure.fills, structure.fillOpacity, true);
+    // The farthest first, as in other vector files.
+    std::vector<const VectorStructure*> lined;
+    for (const VectorStructure& structure : m_drawing.structures)
+      lined.push_back(&structure);
+    std::stable_sort(lined.begin(), lined.end(),
+                     [](const auto* a, const auto* b) { return a->depth > b->depth; });
+    for (const VectorStructure* structure : lined)
+      for (const VectorLines& lines : structure->lines)
+        group(out, lines.shapes, lines.opacity, false);
+    out.word("Q");
+    m_content.operators += out.take();
+  }
+
+ private:
+  static bool opaque(float opacity) { return opacity >= 0.999f; }
+
+  /// The name of the state in which all is that clear.
+  QByteArray state(float opacity) {
+    const int percent = std::clamp(int(std::lround(100.0f * opacity)), 0, 100);
+    const QByteArray name = "/SlO" + QByteArray::number(percent);
+    if (!m_content.states.contains(name + "<<")) {
+      const QByteArray value = QByteArray::number(double(percent) / 100.0);
+      m_content.states += name + "<</ca " + value + "/CA " + value + ">>\n";
+    }
+    return name;
+  }
+
+  void shapes(Operators& out, const std::vector<VectorShape>& shapes, bool regions) {
+    for (const VectorShape& shape : shapes) {
+      const bool stroke = shape.penWidth > 0.0f;
+      if (!opaque(shape.opacity)) {
+        out.word("q");
+        out.text(state(shape.opacity) + " gs\n");
+      }
+      out.colour(shape.colour, stroke);
+      if (stroke) {
+        out.number(double(shape.penWidth), decimals + 1);
+        out.word("w");
+      }
+      out.path(shape.path);
+      out.word(stroke ? "S" : regions ? "f*" : "f");
+      if (!opaque(shape.opacity))
+        out.word("Q");
+    }
+  }
+
+  void group(Operators& out, const std::vector<VectorShape>& all, float opacity, bool regions) {
+    if (opaque(opacity) || all.empty()) {
+      shapes(out, all, regions);
+      return;
+    }
+    Operators inner;
+    // Forms begin with their page's state, so that what is clear is so once.
+    inner.word("1 J 1 j");
+    shapes(inner, all, regions);
+    constexpr float beyond = 20.0f;  // pens reach over the page's edge
+    const glm::vec2 high = m_drawing.sizeMm + beyond;
+    const PdfId form = m_objects.addStream(
+        inner.take(), "/Type/XObject/Subtype/Form/BBox[" + QByteArray::number(double(-beyond)) +
+                          ' ' + QByteArray::number(double(-beyond)) + ' ' +
+                          QByteArray::number(double(high.x)) + ' ' +
+                          QByteArray::number(double(high.y)) +
+                          "]/Group<</S/Transparency/CS/DeviceRGB/I true>>/Resources<</ExtGState<<" +
+                          m_content.states + ">>>>");
+    const QByteArray name = "/SlG" + QByteArray::number(form.value);
+    m_content.forms += name + ' ' + QByteArray::number(form.value) + " 0 R\n";
+    out.word("q");
+    out.text(state(opacity) + " gs " + name + " Do\n");
+    out.word("Q");
+  }
+
+  PdfContent& m_content;
+  PdfObjects& m_objects;
+  const VectorDrawing& m_drawing;
+};
+
+}  // namespace
+
+void appendDrawing(PdfContent& content, PdfObjects& objects, const VectorDrawing& drawing,
+                   const PdfPlace& place, double pageHeight) {
+  DrawingContent(content, objects, drawing).append(place, pageHeight);
+}
+
+}  // namespace sline::render

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/pdf/pdf_file.h"
+
+#include "model/files/whole_file.h"
+#include "render/export/pdf/sheet.h"
+
+namespace sline::render {
+
+Status writePdf(const ExportOrder& order, const std::filesystem::path& target,
+                const ExportProgress& progress) {
+  const Result<QByteArray> document = order.sheet.kind == SheetKind::none
+                                          ? figureDocument(order, target, progress)
+                                          : sheetDocument(order, target, progress);
+  if (!document.ok())
+    return document.error();
+  if (progress && !progress(0.95, "writing the file"))
+    return givenUp(target);
+  return model::writeText(target,
+                          std::string_view(document->constData(), std::size_t(document->size())));
+}
+
+}  // namespace sline::render

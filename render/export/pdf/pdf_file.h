@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "render/export/order/export_order.h"
+
+namespace sline::render {
+
+/// Writes the figure or the sheet as PDF: lines are lines, text is text, in fonts that are in the
+/// file.
+Status writePdf(const ExportOrder& order, const std::filesystem::path& target,
+                const ExportProgress& progress);
+
+}  // namespace sline::render

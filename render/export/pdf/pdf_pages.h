@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pages of a PDF file: drawings below, and above them what a painter sets and paints.
+#pragma once
+
+#include <QBuffer>
+#include <QPainter>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/base/result.h"
+#include "render/export/lettering.h"
+#include "render/export/pdf/pdf_drawing.h"
+
+class QPdfWriter;
+
+namespace sline::render {
+
+class PdfPages {
+ public:
+  /// Pages of that size; the first is begun. The language (BCP 47) is for those who read aloud.
+  PdfPages(const glm::vec2& sizeMm, const std::string& language);
+  ~PdfPages();
+  PdfPages(const PdfPages&) = delete;
+  PdfPages& operator=(const PdfPages&) = delete;
+
+  void newPage();
+  /// Of the current page; its unit is a millimetre, from the page's upper left corner. Text that it
+  /// draws stays text.
+  QPainter& painter() { return m_painter; }
+  /// A drawing of the current page, below all that is painted; it must live until `finish`.
+  void place(const VectorDrawing& drawing, const PdfPlace& place);
+
+  /// The whole file. Holds no more than what the pages show: no title, program, date or machine.
+  Result<QByteArray> finish();
+
+ private:
+  struct Placed {
+    std::size_t page;
+    const VectorDrawing* drawing;
+    PdfPlace place;
+  };
+  void join(PdfObjects& objects, PdfId page, const PdfContent& content) const;
+
+  glm::vec2 m_size;
+  std::string m_language;
+  std::size_t m_page = 0;
+  std::vector<Placed> m_placed;
+  QBuffer m_bytes;
+  std::unique_ptr<QPdfWriter> m_writer;
+  QPainter m_painter;
+};
+
+/// As text that stays text, in labels' font; a TextSetter.
+void setText(QPainter& painter, const LetteringText& text);
+
+}  // namespace sline::render

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/pdf/sheet.h"
+
+#include <QTextLayout>
+#include <algorithm>
+#include <map>
+
+#include "render/export/label_texts.h"
+#include "render/export/marks/figure_plate.h"
+#include "render/export/pdf/sheet_lists.h"
+#include "render/export/pdf/sheet_order.h"
+#include "render/export/pdf/sheet_words.h"
+#include "render/export/pdf/style_samples.h"
+
+namespace sline::render {
+
+namespace {
+
+constexpr float titlePoints = 18.0f;
+constexpr float leastTitlePoints = 10.0f;
+constexpr float patientPoints = 12.0f;
+
+Result<VectorDrawing> drawn(const ExportOrder& order, const std::filesystem::path& target,
+                            const ExportProgress& progress) {
+  bool wanted = true;
+  Result<VectorDrawing> drawing =
+      drawVectors(order.scene, order.camera,
+                  {.sizeMm = order.page.sizeMm,
+                   .background = order.look.background,
+                   .light = order.look.light,
+                   .keyLight = order.look.keyLight},
+                  [&](double share, std::string_view what) {
+                    wanted = wanted && (!progress || progress(0.8 * share, what));
+                  });
+  wanted = wanted && (!progress || progress(0.8, "setting the pages"));
+  if (drawing.ok() && !wanted)
+    return givenUp(target);
+  return drawing;
+}
+
+void setPlate(QPainter& painter, const FigurePlate& plate) {
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (plate.labels)
+    paintLettering(painter, letteringOf(*plate.labels), setText);
+  paintLettering(painter, plate.marks.lettering, setText);
+}
+
+/// One sheet while it is made.
+class Sheet {
+ public:
+  explicit Sheet(const ExportOrder& order)
+      : m_given(order),
+        m_order(sheetFigure(order)),
+        m_layout(sheetLayout(order)),
+        m_words(sheetWords(order.labels.language)) {}
+
+  Result<QByteArray> make(const std::filesystem::path& target, const ExportProgress& progress) {
+    Result<VectorDrawing> drawing = drawn(m_order, target, progress);
+    if (!drawing.ok())
+      return drawing.error();
+    m_drawing = std::move(*drawing);
+    m_plate = figurePlate(m_order, m_trees);
+    prepareNumbers();
+    if (m_order.sheet.kind != SheetKind::patient)
+      if (const Status legend = prepareLegend(); !legend.ok())
+        return legend.error();
+    if (progress && !progress(0.9, "setting the pages"))
+      return givenUp(target);
+    // Once to count the pages, once with their numbers.
+    for (m_total = 0; m_total == 0 || !m_pages;) {
+      const bool counting = m_total == 0;
+      m_page = 0;
+      m_pages = std::make_unique<PdfPages>(m_layout.paper, m_order.labels.language);
+      setPages();
+      if (counting) {
+        m_total = m_page;
+        m_pages.reset();
+      }
+    }
+    return m_pages->finish();
+  }
+
+ private:
+  void setPages() {
+    if (m_order.sheet.kind == SheetKind::patient) {
+      beginPage({});
+      setFigure(m_plate);
+      setPatientText();
+      return;
+    }
+    beginPage({});
+    setFigure(m_plate);
+    const SheetRows rows = sheetRows(m_given, m_numbers.size());
+    setList(rows.first);
+    if (rows.test.empty())
+      return;
+    beginPage(QString::fromUtf8(m_words.selfTest));
+    setFigure(plateIn(LabelMode::numbers));
+    setList(rows.test);
+    beginPage(QString::fromUtf8(m_words.key));
+    setFigure(plateIn(LabelMode::numbers));
+    setList(rows.key);
+  }
+
+  QString nameOf(const model::Node& node) const {
+    return QString::fromStdString(structureName(node.name, m_order.labels.language)).simplified();
+  }
+
+  FigurePlate plateIn(LabelMode mode) {
+    ExportOrder order = m_order;
+    order.labels.mode = mode;
+    return figurePlate(order, m_trees);
+  }
+
+  /// Labels that have a place; on the test's page they are numbered, so they must have one there.
+  void prepareNumbers() {
+    const FigurePlate numbered = plateIn(LabelMode::numbers);
+    for (const ShownLabel& label : numbered.labels->labels)
+      if (numbered.labels->layout.find(label.item.id))
+        m_numbers.push_back({label.number, QString::fromStdString(label.text).simplified()});
+    if (hasLabels(m_given.scene) || m_order.labels.mode != LabelMode::numbers)
+      return;
+    for (const model::Annotation& annotation : m_order.scene.annotations())
+      for (const ShownLabel& label : numbered.labels->labels)
+        if (label.item.id == annotation.id && numbered.labels->layout.find(annotation.id))
+          m_numberOf[std::get<model::SurfacePoint>(annotation.anchors.front()).structure] =
+              label.number;
+  }
+
+  Status prepareLegend() {
+    m_legend = legendRows(m_order.scene);
+    std::vector<model::NodeId> ids;
+    for (const LegendRow& row : m_legend)
+      ids.push_back(row.node->id);
+    Result<std::vector<VectorDrawing>> samples = styleSamples(m_order, ids);
+    if (!samples.ok())
+      return samples.error();
+    m_samples = std::move(*samples);
+    return Unit{};
+  }
+
+  /// With the title, and what kind of page it is at its right.
+  void beginPage(const QString& kind) {
+    if (m_page > 0)
+      m_pages->newPage();
+    ++m_page;
+    QPainter& painter = m_pages->painter();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const LabelBox& content = m_layout.content;
+    const float width = content.size().x;
+    const float baseline = content.low.y - 7.0f;
+    constexpr float kindPoints = 11.0f;
+    const QString title = QString::fromStdString(m_order.sheet.title).simplified();
+    const bool test = kind == QString::fromUtf8(m_words.selfTest);
+    const float besideTitle = kind.isEmpty() ? 0.0f : textWidthMm(kind, kindPoints) + 8.0f;
+    if (!title.isEmpty()) {
+      float points = titlePoints;
+      while (points > leastTitlePoints && textWidthMm(title, points) > width - besideTitle)
+        points -= 0.5f;
+      line(elidedText(title, points, width - besideTitle), {content.low.x, baseline}, points);
+    }
+    if (!kind.isEmpty())
+      line(kind, {content.high.x, baseline}, kindPoints, TextAnchor::end, quietInk);
+    if (!title.isEmpty() || !kind.isEmpty())
+      setRule(painter, {content.low.x, baseline + 2.6f}, width, 0.25f);
+    if (m_total > 1)
+      line(QStringLiteral("%1 / %2").arg(m_page).arg(m_total),
+           {content.high.x, m_layout.paper.y - 8.5f}, 7.5f, TextAnchor::end, quietInk);
+    if (test)
+      setNameAndDate();
+  }
+
+  /// At the foot of the test, for whoever takes it.
+  void setNameAndDate() {
+    const float baseline = m_layout.paper.y - 8.5f;
+    float x = m_layout.content.low.x;
+    for (const auto& [word, room] : {std::pair(QString::fromUtf8(m_words.name), 62.0f),
+                                     std::pair(QString::fromUtf8(m_words.date), 30.0f)}) {
+      constexpr float points = 8.5f;
+      line(word, {x, baseline}, points, TextAnchor::start, quietInk);
+      x += textWidthMm(word, points) + 2.0f;
+      setRule(m_pages->painter(), {x, baseline + 0.6f}, room, 0.2f);
+      x += room + 6.0f;
+    }
+  }
+
+  void line(const QString& text, const glm::vec2& at, float points,
+            TextAnchor anchor = TextAnchor::start, const Colour& ink = textInk) {
+    setText(m_pages->painter(), {.lines = {text},
+                                 .at = at,
+                                 .leading = 0.0f,
+                                 .points = points,
+                                 .anchor = anchor,
+                                 .ink = ink});
+  }
+
+  void setFigure(const FigurePlate& plate) {
+    const glm::vec2 spare = m_layout.figure.size() - m_order.page.sizeMm;
+    const glm::vec2 corner = m_layout.figure.low + 0.5f * spare;
+    m_pages->place(m_drawing, {corner, {corner, corner + m_order.page.sizeMm}});
+    QPainter& painter = m_pages->painter();
+    painter.save();
+    painter.translate(qreal(corner.x), qreal(corner.y));
+    setPlate(painter, plate);
+    painter.restore();
+  }
+
+  /// The figures of a list as they come, row by row.
+  struct Progress {
+    std::size_t number = 0;
+    std::size_t legend = 0;
+  };
+
+  void setList(const std::vector<RowKind>& kinds) {
+    const std::vector<RowPlace> places = flow(kinds, m_layout.lists);
+    std::size_t page = 0;
+    Progress progress;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+      for (; page < places[i].page; ++page)
+        beginPage(QString::fromUtf8(m_words.continued));
+      SheetRow row = rowOf(kinds[i], progress);
+      if (kinds[i] == RowKind::heading)
+        row.text =
+            QString::fromUtf8(kinds[i + 1] == RowKind::number ? m_words.labels : m_words.legend);
+      const LabelBox& frame = page == 0 ? m_layout.lists.first : m_layout.lists.next;
+      const int columns = page == 0 ? m_layout.lists.firstColumns : m_layout.lists.nextColumns;
+      setRow(*m_pages, row, places[i].at, columnWidth(frame, columns));
+    }
+  }
+
+  SheetRow rowOf(RowKind kind, Progress& progress) const {
+    SheetRow row{.kind = kind};
+    if (kind == RowKind::group) {
+      row.text = nameOf(*m_order.scene.find(m_legend[progress.legend].node->parent));
+    } else if (kind == RowKind::legend) {
+      const model::Node& node = *m_legend[progress.legend].node;
+      const auto number = m_numberOf.find(node.id);
+      row.text = nameOf(node);
+      row.number = number == m_numberOf.end() ? 0 : number->second;
+      row.indented = !m_numberOf.empty();
+      row.colour = m_order.scene.resolve(node.id).colour;
+      row.sample = &m_samples[progress.legend++];
+    } else if (kind != RowKind::heading) {
+      row.number = m_numbers[progress.number].number;
+      row.text = m_numbers[progress.number++].text;
+    }
+    return row;
+  }
+
+  void setPatientText();
+
+  const ExportOrder& m_given;
+  ExportOrder m_order;  ///< of the figure
+  SheetLayout m_layout;
+  const SheetWords& m_words;
+  SightTrees m_trees;
+  VectorDrawing m_drawing;
+  FigurePlate m_plate;
+  struct Number {
+    int number;
+    QString text;
+  };
+  std::vector<Number> m_numbers;
+  std::map<model::NodeId, int> m_numberOf;  ///< where the legend tells them
+  std::vector<LegendRow> m_legend;
+  std::vector<VectorDrawing> m_samples;
+  std::unique_ptr<PdfPages> m_pages;
+  int m_page = 0;
+  int m_total = 0;
+};
+
+/// Paragraphs, broken between words, from below the figure on to as many pages as they need.
+void Sheet::setPatientText() {
+  constexpr float leading = 1.45f * patientPoints * millimetresPerPoint;
+  constexpr float paragraphSpace = 0.5f * leading;
+  constexpr float widestLine = 165.0f;  // longer ones are hard to read
+  const qreal scale = qreal(patientPoints * millimetresPerPoint) / labelFontPixels;
+  LabelBox frame = m_layout.text;
+  float y = frame.low.y;
+  const auto needLine = [&] {
+    if (y + leading <= frame.high.y)
+      return;
+    beginPage({});
+    frame = m_layout.content;
+    y = frame.low.y;
+  };
+  const QString all = QString::fromStdString(m_order.sheet.text);
+  for (const QString& paragraph : all.split(QLatin1Char('\n'))) {
+    const QString text = paragraph.simplified();
+    if (text.isEmpty()) {
+      y += paragraphSpace;
+      continue;
+    }
+    QTextLayout layout(text, labelFont());
+    QTextOption option;
+    option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+    layout.setTextOption(option);
+    layout.beginLayout();
+    for (QTextLine one = layout.createLine(); one.isValid(); one = layout.createLine())
+      one.setLineWidth(qreal(std::min(widestLine, frame.size().x)) / scale);
+    layout.endLayout();
+    for (int i = 0; i < layout.lineCount(); ++i) {
+      needLine();
+      const QTextLine one = layout.lineAt(i);
+      QPainter& painter = m_pages->painter();
+      painter.save();
+      painter.setPen(painterColour(textInk));
+      painter.translate(qreal(frame.low.x), qreal(y));
+      painter.scale(scale, scale);
+      one.draw(&painter, QPointF(0.0, -one.y()));
+      painter.restore();
+      y += leading;
+    }
+    y += paragraphSpace;
+  }
+}
+
+}  // namespace
+
+Result<QByteArray> sheetDocument(const ExportOrder& order, const std::filesystem::path& target,
+                                 const ExportProgress& progress) {
+  if (const auto fault = model::cameraFault(order.camera))
+    return Error{.where = "camera", .reason = std::string(*fault), .remedy = "Correct the camera"};
+  return Sheet(order).make(target, progress);
+}
+
+Result<QByteArray> figureDocument(const ExportOrder& order, const std::filesystem::path& target,
+                                  const ExportProgress& progress) {
+  const Result<VectorDrawing> drawing = drawn(order, target, progress);
+  if (!drawing.ok())
+    return drawing.error();
+  PdfPages pages(order.page.sizeMm, order.labels.language);
+  pages.place(*drawing, {{}, {{}, order.page.sizeMm}});
+  setPlate(pages.painter(), figurePlate(order));
+  return pages.finish();
+}
+
+}  // namespace sline::render

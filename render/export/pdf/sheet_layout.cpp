@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/pdf/sheet_layout.h"
+
+#include <algorithm>
+
+#include "render/export/marks/marks.h"
+#include "render/export/pdf/sheet_order.h"
+
+namespace sline::render {
+
+namespace {
+
+constexpr float sideMargin = 15.0f;
+constexpr float topMargin = 14.0f;
+constexpr float bottomMargin = 15.0f;
+constexpr float headerHeight = 13.0f;  ///< title and rule
+constexpr float belowFigure = 4.0f;
+/// What lists take of the content at most, before they go on on the next page.
+constexpr float mostOfHeight = 0.44f;
+constexpr float sideWidth = 62.0f;  ///< of lists beside a figure on landscape paper
+constexpr float patientText = 0.42f;
+
+glm::vec2 paperSize(const ExportSheet& sheet) {
+  const glm::vec2 upright =
+      sheet.paper == Paper::a4 ? glm::vec2(210.0f, 297.0f) : glm::vec2(215.9f, 279.4f);
+  return sheet.landscape ? glm::vec2(upright.y, upright.x) : upright;
+}
+
+constexpr float tolerance = 0.01f;  ///< of heights, as they are summed up
+
+bool isHeading(RowKind kind) {
+  return kind == RowKind::heading || kind == RowKind::group;
+}
+
+/// Fills columns of that height from the first row on.
+class Filling {
+ public:
+  Filling(std::span<const RowKind> rows, float height, int columns)
+      : m_rows(rows), m_height(height), m_columns(columns) {}
+
+  /// Where rows go, of those that fit: the column, and how far down.
+  std::vector<glm::vec2> fill() const {
+    std::vector<glm::vec2> places;
+    int column = 0;
+    float y = 0.0f;
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+      // A heading wants the first row of what it heads below it.
+      float need = 0.0f;
+      for (std::size_t k = i; k < m_rows.size(); ++k) {
+        need += rowHeight(m_rows[k]);
+        if (!isHeading(m_rows[k]))
+          break;
+      }
+      if (y > 0.0f && y + need > m_height + tolerance) {
+        y = 0.0f;
+        ++column;
+      }
+      if (column == m_columns || need > m_height + tolerance)
+        break;
+      places.emplace_back(float(column), y);
+      y += rowHeight(m_rows[i]);
+    }
+    return places;
+  }
+
+ private:
+  std::span<const RowKind> m_rows;
+  float m_height;
+  int m_columns;
+};
+
+/// The least height in which all rows fit, or the frame's where they do not.
+float evenHeight(std::span<const RowKind> rows, float most, int columns) {
+  if (Filling(rows, most, columns).fill().size() < rows.size())
+    return most;
+  float low = 0.0f;
+  float high = most;
+  for (int i = 0; i < 24; ++i) {
+    const float middle = 0.5f * (low + high);
+    (Filling(rows, middle, columns).fill().size() < rows.size() ? low : high) = middle;
+  }
+  return high;
+}
+
+int columnsOf(float width) {
+  constexpr float usual = 56.0f;
+  return std::max(1, int((width + columnSpace) / (usual + columnSpace) + 0.05f));
+}
+
+/// At least as many as the figure will have labels.
+std::size_t labelsAtMost(const model::Scene& scene) {
+  const auto& annotations = scene.annotations();
+  constexpr std::size_t usual = 24;
+  return hasLabels(scene)
+             ? std::size_t(std::count_if(annotations.begin(), annotations.end(),
+                                         [](const model::Annotation& a) { return a.visible; }))
+             : std::min(usual, legendRows(scene).size());
+}
+
+}  // namespace
+
+float rowHeight(RowKind kind) {
+  switch (kind) {
+    case RowKind::heading:
+      return 7.5f;
+    case RowKind::group:
+      return 5.6f;
+    case RowKind::legend:
+      return 5.6f;
+    case RowKind::number:
+      return 5.0f;
+    case RowKind::writeLine:
+      break;
+  }
+  return 8.0f;
+}
+
+float columnWidth(const LabelBox& frame, int columns) {
+  return (frame.size().x - float(columns - 1) * columnSpace) / float(columns);
+}
+
+std::vector<RowPlace> flow(std::span<const RowKind> rows, const ListFrames& frames) {
+  std::vector<RowPlace> places;
+  for (std::size_t page = 0; places.size() < rows.size(); ++page) {
+    const LabelBox& frame = page == 0 ? frames.first : frames.next;
+    const int columns = page == 0 ? frames.firstColumns : frames.nextColumns;
+    const std::span<const RowKind> rest = rows.subspan(places.size());
+    const float height = evenHeight(rest, frame.size().y, columns);
+    const float step = columnWidth(frame, columns) + columnSpace;
+    const std::vector<glm::vec2> filled = Filling(rest, height, columns).fill();
+    for (const glm::vec2& place : filled)
+      places.push_back({page, frame.low + glm::vec2(place.x * step, place.y)});
+  }
+  return places;
+}
+
+std::vector<LegendRow> legendRows(const model::Scene& scene) {
+  std::vector<LegendRow> rows;
+  for (const model::Node& node : scene.nodes())
+    if (!node.isGroup() && node.mesh->triangleCount() > 0 && scene.resolve(node.id).visible)
+      rows.push_back({&node, rows.empty() || rows.back().node->parent != node.parent});
+  // Headings that name every structure's own group, or one for all, say nothing.
+  const auto groups =
+      std::count_if(rows.begin(), rows.end(), [](const LegendRow& row) { return row.newGroup; });
+  for (LegendRow& row : rows)
+    row.newGroup = row.newGroup && groups > 1 && std::size_t(2 * groups) <= rows.size() &&
+                   scene.find(row.node->parent);
+  return rows;
+}
+
+SheetRows sheetRows(const ExportOrder& order, std::size_t labels) {
+  SheetRows rows;
+  if (order.sheet.kind != SheetKind::figure && order.sheet.kind != SheetKind::teaching)
+    return rows;
+  const bool teaching = order.sheet.kind == SheetKind::teaching;
+  const LabelMode mode = order.labels.mode;
+  const bool numbered = mode == LabelMode::numbers || (teaching && mode == LabelMode::off);
+  if (labels > 0 && numbered && hasLabels(order.scene)) {
+    rows.first.push_back(RowKind::heading);
+    rows.first.insert(rows.first.end(), labels, RowKind::number);
+  }
+  rows.first.push_back(RowKind::heading);
+  for (const LegendRow& row : legendRows(order.scene)) {
+    if (row.newGroup)
+      rows.first.push_back(RowKind::group);
+    rows.first.push_back(RowKind::legend);
+  }
+  if (teaching) {
+    rows.test.assign(labels, RowKind::writeLine);
+    rows.key.assign(labels, RowKind::number);
+  }
+  return rows;
+}
+
+SheetLayout sheetLayout(const ExportOrder& order) {
+  SheetLayout layout;
+  layout.paper = paperSize(order.sheet);
+  const bool header = !order.sheet.title.empty() || order.sheet.kind == SheetKind::teaching;
+  layout.content = {{sideMargin, topMargin + (header ? headerHeight : 0.0f)},
+                    layout.paper - glm::vec2(sideMargin, bottomMargin)};
+  layout.figure = layout.content;
+  // Marks at the figure's sides stand in line with all else.
+  layout.figure.low.x -= markMargin;
+  layout.figure.high.x += markMargin;
+  layout.lists.next = layout.content;
+  layout.lists.nextColumns = columnsOf(layout.content.size().x);
+  layout.text = layout.content;
+  const float height = layout.content.size().y;
+  if (order.sheet.kind == SheetKind::patient) {
+    if (!order.sheet.text.empty()) {
+      layout.figure.high.y -= patientText * height;
+      layout.text.low.y = layout.figure.high.y + belowFigure;
+    }
+    return layout;
+  }
+  layout.lists.first = layout.content;
+  if (order.sheet.landscape) {
+    layout.figure.high.x -= sideWidth + columnSpace;
+    layout.lists.first.low.x = layout.content.high.x - sideWidth;
+    return layout;
+  }
+  layout.lists.firstColumns = layout.lists.nextColumns;
+  const SheetRows rows = sheetRows(order, labelsAtMost(order.scene));
+  float lists = 0.0f;
+  for (const std::vector<RowKind>* one : {&rows.first, &rows.test, &rows.key})
+    lists = std::max(lists, evenHeight(*one, mostOfHeight * height, layout.lists.firstColumns));
+  layout.lists.first.low.y = layout.content.high.y - lists - 2.0f * tolerance;
+  layout.figure.high.y = layout.lists.first.low.y - belowFigure;
+  return layout;
+}
+
+glm::vec2 sheetFigureMm(const ExportOrder& order) {
+  return order.sheet.kind == SheetKind::none ? order.page.sizeMm : sheetLayout(order).figure.size();
+}
+
+}  // namespace sline::render

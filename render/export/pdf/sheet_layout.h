@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where things stand on a sheet: the figure, and lists that flow through columns and pages.
+// Millimetres from the paper's upper left corner.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/export/order/export_order.h"
+
+namespace sline::render {
+
+/// A line of a list.
+enum class RowKind {
+  heading,   ///< of a list
+  group,     ///< of structures
+  legend,    ///< a structure's colour, sample and name
+  number,    ///< a label's number and text
+  writeLine  ///< a number, and a line to write on
+};
+float rowHeight(RowKind kind);
+
+/// Where a row stands: on the list's how manieth page, and its upper left corner.
+struct RowPlace {
+  std::size_t page = 0;
+  glm::vec2 at{0.0f};
+};
+
+/// A frame with columns of equal width; what it has no room for goes on in `next`, page by page.
+struct ListFrames {
+  LabelBox first;
+  int firstColumns = 1;
+  LabelBox next;
+  int nextColumns = 1;
+};
+/// Between columns.
+inline constexpr float columnSpace = 5.0f;
+float columnWidth(const LabelBox& frame, int columns);
+
+/// In their order, columns of a page as even as can be; no heading is the last of its column.
+std::vector<RowPlace> flow(std::span<const RowKind> rows, const ListFrames& frames);
+
+struct SheetLayout {
+  glm::vec2 paper{0.0f};
+  LabelBox content;  ///< within the margins
+  LabelBox figure;
+  ListFrames lists;
+  LabelBox text;  ///< of `patient`, on the first page
+};
+
+/// The rows of the sheet's lists decide how much of the paper is left to the figure.
+SheetLayout sheetLayout(const ExportOrder& order);
+
+/// The rows of the first page's, the test's and the key's lists, where the sheet has them, for so
+/// many labels. Labels that the sheet adds have their numbers in the legend.
+struct SheetRows {
+  std::vector<RowKind> first;
+  std::vector<RowKind> test;
+  std::vector<RowKind> key;
+};
+SheetRows sheetRows(const ExportOrder& order, std::size_t labels);
+
+/// A structure that the legend lists, and whether its group's heading stands before it.
+struct LegendRow {
+  const model::Node* node = nullptr;
+  bool newGroup = false;
+};
+/// All that is visible, in the order of the scene.
+std::vector<LegendRow> legendRows(const model::Scene& scene);
+
+/// How large the figure is on the order's sheet: what cameras are fitted to. Without a sheet, the
+/// page's own size.
+glm::vec2 sheetFigureMm(const ExportOrder& order);
+
+}  // namespace sline::render

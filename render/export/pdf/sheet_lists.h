@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// The rows of a sheet's lists, set in type.
+#pragma once
+
+#include "render/export/pdf/pdf_pages.h"
+#include "render/export/pdf/sheet_layout.h"
+
+namespace sline::render {
+
+struct SheetRow {
+  RowKind kind = RowKind::heading;
+  QString text;                           ///< plain text; none for a line to write on
+  int number = 0;                         ///< 0: none
+  bool indented = false;                  ///< leaves room for a number even where it has none
+  Colour colour;                          ///< of a structure
+  const VectorDrawing* sample = nullptr;  ///< likewise
+};
+
+/// Within a column of that width, from its place on the current page.
+void setRow(PdfPages& pages, const SheetRow& row, const glm::vec2& at, float width);
+
+/// Ink of secondary text and of rules.
+inline constexpr Colour quietInk{96, 96, 96};
+inline constexpr Colour ruleInk{170, 170, 170};
+inline constexpr Colour textInk{0, 0, 0};
+void setRule(QPainter& painter, const glm::vec2& from, float width, float pen = 0.15f);
+/// Shortened at its end where it is wider than that.
+QString elidedText(const QString& text, float points, float width);
+
+}  // namespace sline::render

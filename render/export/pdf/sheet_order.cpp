@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/pdf/sheet_order.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+
+#include "model/anatomy/anatomical_names.h"
+#include "model/anatomy/laterality_words.h"
+#include "render/export/marks/figure_plate.h"
+#include "render/export/pdf/sheet_layout.h"
+#include "render/labels/best_place.h"
+
+namespace sline::render {
+
+std::string structureName(const std::string& name, const std::string& language) {
+  static constexpr std::array<std::pair<std::string_view, model::NameLanguage>, 6> languages{
+      {{"en", model::NameLanguage::english},
+       {"de", model::NameLanguage::german},
+       {"la", model::NameLanguage::latin},
+       {"nb", model::NameLanguage::norwegian},
+       {"no", model::NameLanguage::norwegian},
+       {"nl", model::NameLanguage::dutch}}};
+  static const model::AnatomicalNames names;
+  const std::string primary = language.substr(0, language.find_first_of("-_"));
+  const auto known = std::find_if(languages.begin(), languages.end(),
+                                  [&](const auto& row) { return row.first == primary; });
+  return known == languages.end() ? name : names.displayName(name, known->second);
+}
+
+namespace {
+
+constexpr float patientLabels = 14.0f;  // points
+
+constexpr std::size_t mostLabels = 36;
+constexpr std::size_t mostPatientLabels = 10;
+
+/// Of a structure that has no label yet.
+struct Candidate {
+  model::Annotation label;
+  float x = 0.0f;     ///< of its place, from the picture's middle
+  float size = 0.0f;  ///< of the structure
+  model::Side side = model::Side::none;
+  std::string otherwise;  ///< its name without the side
+};
+
+std::vector<Candidate> candidates(const ExportOrder& order) {
+  const Screen screen(order.camera, order.page.sizeMm);
+  SightTrees trees;
+  std::vector<Candidate> all;
+  for (const model::Node& node : order.scene.nodes()) {
+    if (node.isGroup())
+      continue;
+    const auto place = bestPlaceOn(order.scene, node.id, screen, trees);
+    if (!place || place->hidden)
+      continue;
+    Candidate one;
+    one.label.anchors = {place->point};
+    one.label.text = structureName(node.name, order.labels.language);
+    one.x = screen.place(placeOn(*node.mesh, place->point)).value_or(glm::vec2(0.0f)).x -
+            0.5f * order.page.sizeMm.x;
+    one.size = glm::length(node.mesh->bounds().size());
+    for (const std::string& word : model::wordsOf(node.name)) {
+      const model::Side side = model::sideOfWord(word);
+      if (side == model::Side::none)
+        one.otherwise += word + ' ';
+      else
+        one.side = side;
+    }
+    if (!one.label.text.empty())
+      all.push_back(std::move(one));
+  }
+  return all;
+}
+
+/// One of a left and a right one is enough: that which makes both sides of the picture as full.
+std::vector<Candidate> oneOfEachPair(const std::vector<Candidate>& all) {
+  const auto partner = [&all](const Candidate& one) -> const Candidate* {
+    const auto found = std::find_if(all.begin(), all.end(), [&one](const Candidate& other) {
+      return one.side != model::Side::none && other.side != model::Side::none &&
+             other.side != one.side && other.otherwise == one.otherwise;
+    });
+    return found == all.end() ? nullptr : &*found;
+  };
+  std::vector<Candidate> chosen;
+  int balance = 0;  // how many more stand on the right of the picture
+  const auto choose = [&](const Candidate& one) {
+    chosen.push_back(one);
+    balance += one.x < 0.0f ? -1 : 1;
+  };
+  for (const Candidate& one : all)
+    if (!partner(one))
+      choose(one);
+  for (const Candidate& one : all)
+    if (const Candidate* other = partner(one); other && &one < other)
+      choose((one.x < other->x) == (balance > 0) ? one : *other);
+  return chosen;
+}
+
+/// With labels for structures that are seen and for which there is room, the large ones first.
+model::Scene labelled(const ExportOrder& order) {
+  ExportOrder figure = order;
+  if (order.sheet.kind != SheetKind::patient)
+    figure.labels.mode = LabelMode::numbers;
+  std::vector<model::Annotation> labels;
+  std::vector<Candidate> chosen = oneOfEachPair(candidates(order));
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.size > b.size; });
+  const std::size_t most = order.sheet.kind == SheetKind::patient ? mostPatientLabels : mostLabels;
+  for (std::size_t i = 0; i < std::min(most, chosen.size()); ++i)
+    labels.push_back(chosen[i].label);
+  SightTrees trees;
+  for (int round = 0; round < 4; ++round) {
+    figure.scene = order.scene;
+    for (const model::Annotation& label : labels)
+      figure.scene.appendAnnotation(label);
+    const FigurePlate plate = figurePlate(figure, trees);
+    std::vector<std::pair<LabelBox, model::Annotation>> placed;
+    for (const PlacedLabel& one : plate.labels->layout.labels)
+      for (const model::Annotation& label : figure.scene.annotations())
+        if (label.id == one.id)
+          placed.emplace_back(one.box, label);
+    const float middle = 0.5f * order.page.sizeMm.x;
+    std::stable_sort(placed.begin(), placed.end(), [middle](const auto& a, const auto& b) {
+      const bool left = a.first.middle().x < middle;
+      return left == (b.first.middle().x < middle) ? a.first.low.y < b.first.low.y : left;
+    });
+    const bool settled = round > 0 && placed.size() == labels.size();
+    labels.clear();
+    for (const auto& [box, label] : placed)
+      labels.push_back(label);
+    if (settled)
+      break;
+  }
+  model::Scene scene = order.scene;
+  for (const model::Annotation& label : labels)
+    scene.appendAnnotation(label);
+  return scene;
+}
+
+}  // namespace
+
+bool hasLabels(const model::Scene& scene) {
+  const auto& annotations = scene.annotations();
+  return std::any_of(annotations.begin(), annotations.end(),
+                     [](const model::Annotation& annotation) { return annotation.visible; });
+}
+
+ExportOrder sheetFigure(const ExportOrder& order) {
+  ExportOrder figure = order;
+  const SheetKind kind = order.sheet.kind;
+  if (kind == SheetKind::none)
+    return figure;
+  // The figure keeps its shape; labels are as large on paper as the order says.
+  const glm::vec2 frame = sheetFigureMm(order);
+  figure.page.sizeMm *= std::min(frame.x / order.page.sizeMm.x, frame.y / order.page.sizeMm.y);
+  if (kind == SheetKind::patient)
+    figure.labels.points = std::max(figure.labels.points, patientLabels);
+  if (figure.labels.mode == LabelMode::off && kind != SheetKind::figure)
+    figure.labels.mode = kind == SheetKind::patient ? LabelMode::on : LabelMode::numbers;
+  if (figure.labels.mode != LabelMode::off && !hasLabels(order.scene))
+    figure.scene = labelled(figure);
+  return figure;
+}
+
+}  // namespace sline::render

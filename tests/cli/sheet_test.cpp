@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+// PDF figures and sheets, as other programs read them: what text they hold, in which fonts, on what
+// paper, and that they say nothing of who made them.
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/cli/sline_process.h"
+#include "tests/support/shapes.h"
+
+namespace sline::test {
+
+class SheetTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase();
+  void paper_data();
+  void paper();
+  void figureAlone();
+  void teachingSheet();
+  void ownLabels();
+  void legendListsWhatIsVisible();
+  void longLegends();
+  void patientSheet();
+  void namesAreText();
+  void languages();
+  void saysNothingElse();
+
+ private:
+  QString exported(const QStringList& inputAndFlags);
+  QString textOf(const QString& file, int page);
+  int pages(const QString& file);
+  QString run(const QString& program, const QStringList& arguments);
+
+  QTemporaryDir m_folder;
+  QString m_sample = writeSample(m_folder.path());
+};
+
+void SheetTest::initTestCase() {
+  for (const char* program : {"pdftotext", "pdffonts", "pdfinfo"})
+    if (QStandardPaths::findExecutable(program).isEmpty())
+      QSKIP("poppler-utils are not installed");
+}
+
+QString SheetTest::exported(const QStringList& inputAndFlags) {
+  const QString file = m_folder.filePath("sheet.pdf");
+  QFile::remove(file);
+  const Finished finished = runSline(QStringList{"export", "--pdf", file} + inputAndFlags);
+  if (finished.code != 0)
+    qWarning("%s", finished.err.constData());
+  return finished.code == 0 ? file : QString();
+}
+
+QString SheetTest::run(const QString& program, const QStringList& arguments) {
+  QProcess process;
+  process.start(program, arguments);
+  if (!process.waitForFinished() || process.exitCode() != 0)
+    return {};
+  return QString::fromUtf8(process.readAllStandardOutput());
+}
+
+/// Of that page, with single spaces.
+QString SheetTest::textOf(const QString& file, int page) {
+  const QString number = QString::number(page);
+  return run("pdftotext", {"-f", number, "-l", number, file, "-"}).simplified();
+}
+
+int SheetTest::pages(const QString& file) {
+  static const QRegularExpression count("Pages: *([0-9]+)");
+  return count.match(run("pdfinfo", {file})).captured(1).toInt();
+}
+
+void SheetTest::paper_data() {
+  QTest::addColumn<QStringList>("flags");
+  QTest::addColumn<QSizeF>("points");
+  const auto row = [](const char* name, const QStringList& flags, double width, double height) {
+    QTest::newRow(name) << flags << QSizeF(width, height) * 72.0 / 25.4;
+  };
+  row("a4", {"--sheet", "figure"}, 210, 297);
+  row("letter", {"--sheet", "teaching", "--paper", "letter"}, 215.9, 279.4);
+  row("a4 on its side", {"--sheet", "patient", "--landscape"}, 297, 210);
+  row("a figure alone", {"--size-mm", "160.5x90.25"}, 160.5, 90.25);
+  row("a poster", {"--size-mm", "841x1189"}, 841, 1189);
+}
+
+void SheetTest::paper() {
+  QFETCH(QStringList, flags);
+  QFETCH(QSizeF, points);
+  const QString file = exported(QStringList{m_sample} + flags);
+  QVERIFY(!file.isEmpty());
+  static const QRegularExpression box("MediaBox: *([0-9.-]+) +([0-9.-]+) +([0-9.-]+) +([0-9.-]+)");
+  const auto found = box.match(run("pdfinfo", {"-box", file}));
+  QCOMPARE(found.captured(1).toDouble(), 0.0);
+  QCOMPARE(found.captured(2).toDouble(), 0.0);
+  QVERIFY(std::abs(found.captured(3).toDouble() - points.width()) < 0.02);
+  QVERIFY(std::abs(found.captured(4).toDouble() - points.height()) < 0.02);
+}
+
+void SheetTest::figureAlone() {
+  const QString file = exported({m_sample});
+  QCOMPARE(pages(file), 1);
+  const QString text = textOf(file, 1);
+  for (const char* mark : {"Anterior view", "at mid-depth", "R", "L", "S", "I"})
+    QVERIFY2(text.contains(mark), qPrintable(text));
+  QVERIFY(!text.contains("kidney"));
+  QCOMPARE(textOf(exported({m_sample, "--marks", "off"}), 1), QString());
+}
+
+/// The sample has no labels: its structures get some.
+void SheetTest::teachingSheet() {
+  const QString file = exported({m_sample, "--sheet", "teaching", "--title", "The left kidney"});
+  QCOMPARE(pages(file), 3);
+  const QStringList names{"kidney", "renal artery", "renal vein"};
+  const QString first = textOf(file, 1);
+  const QString test = textOf(file, 2);
+  const QString key = textOf(file, 3);
+  for (const QString& page : {first, test, key})
+    QVERIFY2(page.contains("The left kidney") && page.contains("Anterior view"), qPrintable(page));
+  for (const QString& name : names) {
+    QVERIFY(first.contains(name));
+    QVERIFY(key.contains(name));
+    QVERIFY(!QString(test).remove("The left kidney").contains(name));
+  }
+  QVERIFY(first.contains("Legend"));
+  QVERIFY(test.contains("Self-test") && test.contains("Name") && test.contains("Date"));
+  QVERIFY(key.contains("Key"));
+  for (const char* number : {"1", "2", "3"})
+    QVERIFY(test.contains(number));
+  // Name, type, encoding, embedded, a subset, with what its letters mean.
+  static const QRegularExpression font("^\\S+ .+ (yes|no) +(yes|no) +(yes|no) +[0-9]+ +0$");
+  const QStringList fonts = run("pdffonts", {file}).split('\n', Qt::SkipEmptyParts).mid(2);
+  QVERIFY(!fonts.isEmpty());
+  for (const QString& line : fonts) {
+    const auto found = font.match(line.trimmed());
+    QVERIFY2(found.captured(1) == "yes" && found.captured(3) == "yes", qPrintable(line));
+  }
+}
+
+/// Those of the scene, in the mode that was asked for; their numbers are the same on all pages.
+void SheetTest::ownLabels() {
+  const QString scene = m_folder.filePath("own.sline");
+  QCOMPARE(runSline({"import", m_sample, "-o", scene}).code, 0);
+  QCOMPARE(runSline({"annotate", scene, "--label", "Cortex", "--on", "kidney"}).code, 0);
+  QCOMPARE(runSline({"annotate", scene, "--label", "Hilum", "--on", "renal vein"}).code, 0);
+  QString file = exported({scene, "--sheet", "teaching"});
+  for (const char* word : {"Labels", "1 Cortex", "2 Hilum", "Legend", "kidney"})
+    QVERIFY2(textOf(file, 1).contains(word), word);
+  QCOMPARE(pages(file), 3);
+  QVERIFY(!textOf(file, 2).contains("Cortex"));
+  QVERIFY(textOf(file, 3).contains("1 Cortex") && textOf(file, 3).contains("2 Hilum"));
+  file = exported({scene, "--sheet", "teaching", "--labels", "on"});
+  QVERIFY(!textOf(file, 1).contains("Labels"));
+  QVERIFY(textOf(file, 1).contains("Cortex"));
+  QVERIFY(!textOf(file, 2).contains("Cortex"));
+  file = exported({scene, "--sheet", "figure"});
+  QCOMPARE(pages(file), 1);
+  QVERIFY(!textOf(file, 1).contains("Cortex"));
+}
+
+void SheetTest::legendListsWhatIsVisible() {
+  const QString file = exported({m_sample, "--sheet", "figure", "--only", "Vessels"});
+  const QString text = textOf(file, 1);
+  QVERIFY(text.contains("renal artery"));
+  QVERIFY(text.contains("renal vein"));
+  QVERIFY(!text.contains("kidney"));
+  QCOMPARE(text.count("renal"), 2);
+}
+
+/// A hundred structures with long names take columns and further pages, and none gets lost.
+void SheetTest::longLegends() {
+  const QString folder = m_folder.filePath("many");
+  QVERIFY(QDir().mkpath(folder));
+  for (int i = 0; i < 100; ++i)
+    writeObj(
+        folder + QString("/branch of a vessel with a long name %1.obj").arg(i, 2, 10, QChar('0')),
+        *moved(*sphere(4.0f, 1), 1.0f, {float(i % 10) * 10.0f, 0.0f, float(i / 10) * 10.0f}));
+  for (const QStringList& flags : {QStringList{}, QStringList{"--landscape"}}) {
+    const QString file = exported(QStringList{folder, "--sheet", "figure"} + flags);
+    QVERIFY(pages(file) >= 2);
+    QString all;
+    for (int page = 1; page <= pages(file); ++page)
+      all += textOf(file, page) + ' ';
+    QVERIFY(all.contains("continued"));
+    QCOMPARE(all.count("with a long"), 100);
+    for (int i = 0; i < 100; ++i)
+      QVERIFY(all.contains(QString("name %1").arg(i, 2, 10, QChar('0'))));
+  }
+}
+
+void SheetTest::patientSheet() {
+  QString text = "Before the operation\n\nPlease <b>bring</b> this sheet & the others.\n";
+  for (int i = 0; i < 60; ++i)
+    text +=
+        QString("Sentence %1 tells what will be done and why, so that it fills its line.\n").arg(i);
+  const QString source = m_folder.filePath("text.txt");
+  writeFile(source, text.toUtf8());
+  QString file =
+      exported({m_sample, "--sheet", "patient", "--title", "Your kidney", "--text", source});
+  QVERIFY(pages(file) >= 2);
+  QString all;
+  for (int page = 1; page <= pages(file); ++page)
+    all += textOf(file, page) + ' ';
+  QVERIFY(all.contains("Please <b>bring</b> this sheet & the others."));
+  int from = 0;
+  for (int i = 0; i < 60; ++i) {
+    const int at = int(all.indexOf(QString("Sentence %1 tells").arg(i), from));
+    QVERIFY2(at > from, qPrintable(QString::number(i)));
+    from = at;
+  }
+  QVERIFY(!all.contains("Self-test"));
+  QVERIFY(all.contains("renal artery"));
+  file = exported({m_sample, "--sheet", "patient", "--text", "Short and on the command line"});
+  QCOMPARE(pages(file), 1);
+  QVERIFY(textOf(file, 1).contains("Short and on the command line"));
+}
+
+/// Markup, quotes and brackets of PDF are letters like others; where no font has a letter nothing
+/// breaks.
+void SheetTest::namesAreText() {
+  const QString title = "<i>Nephros</i> (νεφρός) \\ & \"office\" %s";
+  const QString file = exported({m_sample, "--sheet", "figure", "--title", title});
+  QVERIFY2(textOf(file, 1).contains(title), qPrintable(textOf(file, 1)));
+  for (const char* other : {"كلية يسرى", "左腎", "\u0001\u0007", "𝒦 \xF0\x9F\xAB\x80"})
+    QVERIFY(!exported({m_sample, "--sheet", "teaching", "--title", QString::fromUtf8(other)})
+                 .isEmpty());
+  const QString endless = QString("kidney ").repeated(300);
+  QVERIFY(textOf(exported({m_sample, "--sheet", "figure", "--title", endless}), 1).contains("…"));
+}
+
+void SheetTest::languages() {
+  const QString file = exported({m_sample, "--sheet", "teaching", "--language", "de"});
+  QVERIFY(textOf(file, 1).contains("Legende"));
+  QVERIFY(textOf(file, 1).contains("Ansicht von vorn"));
+  QVERIFY(textOf(file, 2).contains("Selbsttest"));
+  QVERIFY(textOf(file, 3).contains("Lösung"));
+  QVERIFY(textOf(file, 3).contains("Niere"));
+}
+
+void SheetTest::saysNothingElse() {
+  QTemporaryDir planted(QDir::tempPath() + "/planted-marker-XXXXXX");
+  const QString source = planted.filePath("Patient-4711.obj");
+  writeObj(source, *sphere(10.0f, 3), "heart");
+  QByteArray before;
+  for (const char* kind : {"figure", "teaching", "patient"}) {
+    const QString file = exported({source, "--sheet", kind});
+    QFile pdf(file);
+    QVERIFY(pdf.open(QIODevice::ReadOnly));
+    const QByteArray bytes = pdf.readAll();
+    for (const char* marker : {"planted-marker", "4711", ".obj", "Qt 6", "CreationDate", "ModDate",
+                               "Producer", "Creator", "/Info", "/ID", "/Metadata", "D:20"})
+      QVERIFY2(!bytes.contains(marker), marker);
+    for (const char* variable : {"USER", "HOME", "HOSTNAME", "LOGNAME"})
+      if (const QByteArray value = qgetenv(variable); value.size() > 3)
+        QVERIFY2(!bytes.contains(value), variable);
+    static const QRegularExpression told("^(Title|Creator|Producer|CreationDate|ModDate|Author):",
+                                         QRegularExpression::MultilineOption);
+    QVERIFY(!run("pdfinfo", {file}).contains(told));
+    // The same each time.
+    const QString again = exported({source, "--sheet", kind});
+    QFile second(again);
+    QVERIFY(second.open(QIODevice::ReadOnly));
+    QCOMPARE(second.readAll(), bytes);
+  }
+}
+
+}  // namespace sline::test
+
+QTEST_GUILESS_MAIN(sline::test::SheetTest)
+#include "sheet_test.moc"
