@@ -26,6 +26,94 @@
         <source>Vectors for Inkscape, Illustrator and print: lines and hatching as smooth paths, hidden ones removed, a named group for each structure</source>
         <translation>Vektoren für Inkscape, Illustrator und Druck: Linien und Schraffur als glatte Pfade, Verdecktes entfernt, eine benannte Gruppe je Struktur</translation>
     </message>
+    <message>
+        <source>Portable Network Graphics</source>
+        <translation>PNG-Bild</translation>
+    </message>
+    <message>
+        <source>A picture made of pixels for screens, documents and print: sRGB, grey or pure ink, 8 or 16 bits, transparent where asked for</source>
+        <translation>Ein Bild aus Pixeln für Bildschirm, Dokumente und Druck: sRGB, grau oder reine Tinte, 8 oder 16 Bit, auf Wunsch durchsichtig</translation>
+    </message>
+    <message>
+        <source>Tagged Image File Format</source>
+        <translation>TIFF-Bild</translation>
+    </message>
+    <message>
+        <source>The same for printers and journals, with its colour profile</source>
+        <translation>Dasselbe für Druckereien und Zeitschriften, mit Farbprofil</translation>
+    </message>
+    <message>
+        <source>JPEG</source>
+        <translation>JPEG-Bild</translation>
+    </message>
+    <message>
+        <source>A picture made of pixels where files must be small; on white</source>
+        <translation>Ein Bild aus Pixeln, wo Dateien klein sein müssen; auf Weiß</translation>
+    </message>
+    <message>
+        <source>OpenEXR</source>
+        <translation>OpenEXR-Bild</translation>
+    </message>
+    <message>
+        <source>A picture in linear light, as halves with alpha multiplied in, for compositing</source>
+        <translation>Ein Bild in linearem Licht, halbe Genauigkeit, mit eingerechnetem Alpha, zum Zusammensetzen</translation>
+    </message>
+    <message>
+        <source>Portable Document Format</source>
+        <translation>PDF</translation>
+    </message>
+    <message>
+        <source>The same vectors on a page of their own, or a sheet with title, legend and numbered labels, a page to test oneself and its key (--sheet)</source>
+        <translation>Dieselben Vektoren auf einer Seite für sich, oder ein Blatt mit Titel, Legende und nummerierter Beschriftung, einer Seite zum Abfragen und deren Lösung</translation>
+    </message>
+    <message>
+        <source>glTF (GLB)</source>
+        <translation>glTF-Modell (GLB)</translation>
+    </message>
+    <message>
+        <source>Surfaces for Blender, PowerPoint, web pages and headsets: groups, names and colours, annotations, cameras of the saved views</source>
+        <translation>Oberflächen für Blender, PowerPoint, Webseiten und Brillen: Gruppen, Namen und Farben, Beschriftungen, Kameras der gespeicherten Ansichten</translation>
+    </message>
+    <message>
+        <source>MP4 film</source>
+        <translation>MP4-Film</translation>
+    </message>
+    <message>
+        <source>A film for slides and web pages, where the program ffmpeg is installed</source>
+        <translation>Ein Film für Folien und Webseiten, wo das Programm ffmpeg eingerichtet ist</translation>
+    </message>
+    <message>
+        <source>Animated WebP</source>
+        <translation>Bewegtes WebP</translation>
+    </message>
+    <message>
+        <source>A film that browsers show as a picture</source>
+        <translation>Ein Film, den Browser als Bild zeigen</translation>
+    </message>
+    <message>
+        <source>Animated GIF</source>
+        <translation>Bewegtes GIF</translation>
+    </message>
+    <message>
+        <source>A film that every program shows, of at most 255 colours: small ones</source>
+        <translation>Ein Film, den jedes Programm zeigt, mit höchstens 255 Farben: für kleine</translation>
+    </message>
+    <message>
+        <source>Frames of a film</source>
+        <translation>Einzelbilder eines Films</translation>
+    </message>
+    <message>
+        <source>A new folder of numbered PNG pictures, for programs that cut films</source>
+        <translation>Ein neuer Ordner nummerierter PNG-Bilder, für Schnittprogramme</translation>
+    </message>
+    <message>
+        <source>Anki deck</source>
+        <translation>Anki-Stapel</translation>
+    </message>
+    <message>
+        <source>Cards that ask for the labels of the picture: a package for Anki (.apkg), or text and pictures in a ZIP (.zip) or a new folder</source>
+        <translation>Karten, die nach der Beschriftung des Bildes fragen: ein Paket für Anki (.apkg) oder Text und Bilder in einem ZIP (.zip) oder neuen Ordner</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets</name>
@@ -1985,6 +2073,162 @@
     <message>
         <source>Take the chosen label away (Del in the picture)</source>
         <translation>Die gewählte Beschriftung wegnehmen (Entf im Bild)</translation>
+    </message>
+    <message>
+        <source>%1 seconds, %2 pixels high, %3 pictures a second.</source>
+        <translation>%1 Sekunden, %2 Pixel hoch, %3 Bilder je Sekunde.</translation>
+    </message>
+    <message>
+        <source>8 bits</source>
+        <translation>8 Bit</translation>
+    </message>
+    <message>
+        <source>16 bits</source>
+        <translation>16 Bit</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>&amp;Tiefe</translation>
+    </message>
+    <message>
+        <source>Of each colour; 16 bits for work that follows</source>
+        <translation>Jeder Farbe; 16 Bit zum Weiterarbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>&amp;Grau</translation>
+    </message>
+    <message>
+        <source>Without colours, with a grey profile</source>
+        <translation>Ohne Farben, mit Grauprofil</translation>
+    </message>
+    <message>
+        <source>Black in&amp;k alone</source>
+        <translation>Nur schwar&amp;ze Tinte</translation>
+    </message>
+    <message>
+        <source>For print without tones: each pixel is ink or paper; what is shaded is hatched instead</source>
+        <translation>Für Druck ohne Töne: Jedes Pixel ist Tinte oder Papier; statt schattiert wird schraffiert</translation>
+    </message>
+    <message>
+        <source>The figure alone</source>
+        <translation>Nur die Abbildung</translation>
+    </message>
+    <message>
+        <source>With title and legend</source>
+        <translation>Mit Titel und Legende</translation>
+    </message>
+    <message>
+        <source>For teaching, with self-test</source>
+        <translation>Für Unterricht, mit Selbsttest</translation>
+    </message>
+    <message>
+        <source>For a patient</source>
+        <translation>Für Patienten</translation>
+    </message>
+    <message>
+        <source>Shee&amp;t</source>
+        <translation>&amp;Blatt</translation>
+    </message>
+    <message>
+        <source>The page around the figure, of a paper of its own</source>
+        <translation>Die Seite um die Abbildung, auf eigenem Papier</translation>
+    </message>
+    <message>
+        <source>Paper of the sheet</source>
+        <translation>Papier des Blatts</translation>
+    </message>
+    <message>
+        <source>Of sheets alone</source>
+        <translation>Nur von Blättern</translation>
+    </message>
+    <message>
+        <source>T&amp;itle</source>
+        <translation>T&amp;itel</translation>
+    </message>
+    <message>
+        <source>At the head of a sheet</source>
+        <translation>Oben auf einem Blatt</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Of a sheet for a patient; each line is a paragraph</source>
+        <translation>Eines Blatts für Patienten; jede Zeile ist ein Absatz</translation>
+    </message>
+    <message>
+        <source>Sheet l&amp;ies</source>
+        <translation>Blatt im &amp;Querformat</translation>
+    </message>
+    <message>
+        <source>Wider than high</source>
+        <translation>Breiter als hoch</translation>
+    </message>
+    <message>
+        <source>Once around</source>
+        <translation>Einmal herum</translation>
+    </message>
+    <message>
+        <source>From view to view</source>
+        <translation>Von Ansicht zu Ansicht</translation>
+    </message>
+    <message>
+        <source>Γ from 0 to 5</source>
+        <translation>Γ von 0 bis 5</translation>
+    </message>
+    <message>
+        <source>&amp;Motion</source>
+        <translation>Be&amp;wegung</translation>
+    </message>
+    <message>
+        <source>What moves in the film</source>
+        <translation>Was sich im Film bewegt</translation>
+    </message>
+    <message>
+        <source>Len&amp;gth</source>
+        <translation>&amp;Dauer</translation>
+    </message>
+    <message>
+        <source>Of the whole film</source>
+        <translation>Des ganzen Films</translation>
+    </message>
+    <message>
+        <source>Pictures a secon&amp;d</source>
+        <translation>Bi&amp;lder je Sekunde</translation>
+    </message>
+    <message>
+        <source>More are smoother, and more to draw</source>
+        <translation>Mehr sind flüssiger, und mehr zu zeichnen</translation>
+    </message>
+    <message>
+        <source>Height of the film</source>
+        <translation>Höhe des Films</translation>
+    </message>
+    <message>
+        <source>The page&apos;s shape gives the width</source>
+        <translation>Die Form der Seite gibt die Breite</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>&amp;Deck</source>
+        <translation>&amp;Stapel</translation>
+    </message>
+    <message>
+        <source>Its name in Anki; else the view&apos;s name</source>
+        <translation>Sein Name in Anki; sonst der Name der Ansicht</translation>
+    </message>
+    <message>
+        <source>S&amp;how the other labels</source>
+        <translation>Die and&amp;eren Beschriftungen zeigen</translation>
+    </message>
+    <message>
+        <source>A card asks for one label and shows the others</source>
+        <translation>Eine Karte fragt nach einer Beschriftung und zeigt die anderen</translation>
     </message>
 </context>
 <context>

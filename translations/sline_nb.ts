@@ -26,6 +26,94 @@
         <source>Vectors for Inkscape, Illustrator and print: lines and hatching as smooth paths, hidden ones removed, a named group for each structure</source>
         <translation>Vektorer for Inkscape, Illustrator og trykk: linjer og skravur som glatte baner, skjulte fjernet, en navngitt gruppe for hver struktur</translation>
     </message>
+    <message>
+        <source>Portable Network Graphics</source>
+        <translation>PNG-bilde</translation>
+    </message>
+    <message>
+        <source>A picture made of pixels for screens, documents and print: sRGB, grey or pure ink, 8 or 16 bits, transparent where asked for</source>
+        <translation>Et bilde av piksler for skjerm, dokumenter og trykk: sRGB, grått eller rent blekk, 8 eller 16 biter, gjennomsiktig om ønsket</translation>
+    </message>
+    <message>
+        <source>Tagged Image File Format</source>
+        <translation>TIFF-bilde</translation>
+    </message>
+    <message>
+        <source>The same for printers and journals, with its colour profile</source>
+        <translation>Det samme for trykkerier og tidsskrifter, med fargeprofil</translation>
+    </message>
+    <message>
+        <source>JPEG</source>
+        <translation>JPEG-bilde</translation>
+    </message>
+    <message>
+        <source>A picture made of pixels where files must be small; on white</source>
+        <translation>Et bilde av piksler der filer må være små; på hvitt</translation>
+    </message>
+    <message>
+        <source>OpenEXR</source>
+        <translation>OpenEXR-bilde</translation>
+    </message>
+    <message>
+        <source>A picture in linear light, as halves with alpha multiplied in, for compositing</source>
+        <translation>Et bilde i lineært lys, halv presisjon, med alfa ganget inn, til sammensetting</translation>
+    </message>
+    <message>
+        <source>Portable Document Format</source>
+        <translation>PDF</translation>
+    </message>
+    <message>
+        <source>The same vectors on a page of their own, or a sheet with title, legend and numbered labels, a page to test oneself and its key (--sheet)</source>
+        <translation>De samme vektorene på en egen side, eller et ark med tittel, tegnforklaring og nummererte etiketter, en side til egentest og fasiten</translation>
+    </message>
+    <message>
+        <source>glTF (GLB)</source>
+        <translation>glTF-modell (GLB)</translation>
+    </message>
+    <message>
+        <source>Surfaces for Blender, PowerPoint, web pages and headsets: groups, names and colours, annotations, cameras of the saved views</source>
+        <translation>Overflater for Blender, PowerPoint, nettsider og briller: grupper, navn og farger, etiketter, kameraene til lagrede visninger</translation>
+    </message>
+    <message>
+        <source>MP4 film</source>
+        <translation>MP4-film</translation>
+    </message>
+    <message>
+        <source>A film for slides and web pages, where the program ffmpeg is installed</source>
+        <translation>En film til lysbilder og nettsider, der programmet ffmpeg er installert</translation>
+    </message>
+    <message>
+        <source>Animated WebP</source>
+        <translation>Animert WebP</translation>
+    </message>
+    <message>
+        <source>A film that browsers show as a picture</source>
+        <translation>En film som nettlesere viser som bilde</translation>
+    </message>
+    <message>
+        <source>Animated GIF</source>
+        <translation>Animert GIF</translation>
+    </message>
+    <message>
+        <source>A film that every program shows, of at most 255 colours: small ones</source>
+        <translation>En film som alle programmer viser, med høyst 255 farger: for små</translation>
+    </message>
+    <message>
+        <source>Frames of a film</source>
+        <translation>Enkeltbilder av en film</translation>
+    </message>
+    <message>
+        <source>A new folder of numbered PNG pictures, for programs that cut films</source>
+        <translation>En ny mappe med nummererte PNG-bilder, for redigeringsprogrammer</translation>
+    </message>
+    <message>
+        <source>Anki deck</source>
+        <translation>Anki-kortstokk</translation>
+    </message>
+    <message>
+        <source>Cards that ask for the labels of the picture: a package for Anki (.apkg), or text and pictures in a ZIP (.zip) or a new folder</source>
+        <translation>Kort som spør etter bildets etiketter: en pakke for Anki (.apkg), eller tekst og bilder i en ZIP (.zip) eller ny mappe</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets</name>
@@ -1985,6 +2073,162 @@
     <message>
         <source>Take the chosen label away (Del in the picture)</source>
         <translation>Ta bort den valgte etiketten (Del i bildet)</translation>
+    </message>
+    <message>
+        <source>%1 seconds, %2 pixels high, %3 pictures a second.</source>
+        <translation>%1 sekunder, %2 piksler høyt, %3 bilder i sekundet.</translation>
+    </message>
+    <message>
+        <source>8 bits</source>
+        <translation>8 biter</translation>
+    </message>
+    <message>
+        <source>16 bits</source>
+        <translation>16 biter</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>&amp;Dybde</translation>
+    </message>
+    <message>
+        <source>Of each colour; 16 bits for work that follows</source>
+        <translation>For hver farge; 16 biter til videre arbeid</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>&amp;Grått</translation>
+    </message>
+    <message>
+        <source>Without colours, with a grey profile</source>
+        <translation>Uten farger, med gråprofil</translation>
+    </message>
+    <message>
+        <source>Black in&amp;k alone</source>
+        <translation>Bare s&amp;vart blekk</translation>
+    </message>
+    <message>
+        <source>For print without tones: each pixel is ink or paper; what is shaded is hatched instead</source>
+        <translation>For trykk uten toner: hver piksel er blekk eller papir; det skyggelagte skraveres</translation>
+    </message>
+    <message>
+        <source>The figure alone</source>
+        <translation>Figuren alene</translation>
+    </message>
+    <message>
+        <source>With title and legend</source>
+        <translation>Med tittel og tegnforklaring</translation>
+    </message>
+    <message>
+        <source>For teaching, with self-test</source>
+        <translation>Til undervisning, med egentest</translation>
+    </message>
+    <message>
+        <source>For a patient</source>
+        <translation>For en pasient</translation>
+    </message>
+    <message>
+        <source>Shee&amp;t</source>
+        <translation>&amp;Ark</translation>
+    </message>
+    <message>
+        <source>The page around the figure, of a paper of its own</source>
+        <translation>Siden rundt figuren, på eget papir</translation>
+    </message>
+    <message>
+        <source>Paper of the sheet</source>
+        <translation>Arkets papir</translation>
+    </message>
+    <message>
+        <source>Of sheets alone</source>
+        <translation>Bare for ark</translation>
+    </message>
+    <message>
+        <source>T&amp;itle</source>
+        <translation>T&amp;ittel</translation>
+    </message>
+    <message>
+        <source>At the head of a sheet</source>
+        <translation>Øverst på et ark</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Tekst</translation>
+    </message>
+    <message>
+        <source>Of a sheet for a patient; each line is a paragraph</source>
+        <translation>På et ark for en pasient; hver linje er et avsnitt</translation>
+    </message>
+    <message>
+        <source>Sheet l&amp;ies</source>
+        <translation>Ark på &amp;tvers</translation>
+    </message>
+    <message>
+        <source>Wider than high</source>
+        <translation>Bredere enn høyt</translation>
+    </message>
+    <message>
+        <source>Once around</source>
+        <translation>Én gang rundt</translation>
+    </message>
+    <message>
+        <source>From view to view</source>
+        <translation>Fra visning til visning</translation>
+    </message>
+    <message>
+        <source>Γ from 0 to 5</source>
+        <translation>Γ fra 0 til 5</translation>
+    </message>
+    <message>
+        <source>&amp;Motion</source>
+        <translation>Be&amp;vegelse</translation>
+    </message>
+    <message>
+        <source>What moves in the film</source>
+        <translation>Det som beveger seg i filmen</translation>
+    </message>
+    <message>
+        <source>Len&amp;gth</source>
+        <translation>Va&amp;righet</translation>
+    </message>
+    <message>
+        <source>Of the whole film</source>
+        <translation>For hele filmen</translation>
+    </message>
+    <message>
+        <source>Pictures a secon&amp;d</source>
+        <translation>Bil&amp;der i sekundet</translation>
+    </message>
+    <message>
+        <source>More are smoother, and more to draw</source>
+        <translation>Flere er jevnere, og mer å tegne</translation>
+    </message>
+    <message>
+        <source>Height of the film</source>
+        <translation>Filmens høyde</translation>
+    </message>
+    <message>
+        <source>The page&apos;s shape gives the width</source>
+        <translation>Sidens form gir bredden</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>&amp;Deck</source>
+        <translation>&amp;Kortstokk</translation>
+    </message>
+    <message>
+        <source>Its name in Anki; else the view&apos;s name</source>
+        <translation>Navnet i Anki; ellers visningens navn</translation>
+    </message>
+    <message>
+        <source>S&amp;how the other labels</source>
+        <translation>Vis de a&amp;ndre etikettene</translation>
+    </message>
+    <message>
+        <source>A card asks for one label and shows the others</source>
+        <translation>Et kort spør etter én etikett og viser de andre</translation>
     </message>
 </context>
 <context>

@@ -26,6 +26,94 @@
         <source>Vectors for Inkscape, Illustrator and print: lines and hatching as smooth paths, hidden ones removed, a named group for each structure</source>
         <translation>Vectoren voor Inkscape, Illustrator en druk: lijnen en arcering als vloeiende paden, zonder verborgen lijnen, een benoemde groep per structuur</translation>
     </message>
+    <message>
+        <source>Portable Network Graphics</source>
+        <translation>PNG-afbeelding</translation>
+    </message>
+    <message>
+        <source>A picture made of pixels for screens, documents and print: sRGB, grey or pure ink, 8 or 16 bits, transparent where asked for</source>
+        <translation>Een afbeelding van pixels voor scherm, documenten en druk: sRGB, grijs of zuivere inkt, 8 of 16 bits, desgewenst doorzichtig</translation>
+    </message>
+    <message>
+        <source>Tagged Image File Format</source>
+        <translation>TIFF-afbeelding</translation>
+    </message>
+    <message>
+        <source>The same for printers and journals, with its colour profile</source>
+        <translation>Hetzelfde voor drukkers en tijdschriften, met kleurprofiel</translation>
+    </message>
+    <message>
+        <source>JPEG</source>
+        <translation>JPEG-afbeelding</translation>
+    </message>
+    <message>
+        <source>A picture made of pixels where files must be small; on white</source>
+        <translation>Een afbeelding van pixels waar bestanden klein moeten zijn; op wit</translation>
+    </message>
+    <message>
+        <source>OpenEXR</source>
+        <translation>OpenEXR-afbeelding</translation>
+    </message>
+    <message>
+        <source>A picture in linear light, as halves with alpha multiplied in, for compositing</source>
+        <translation>Een afbeelding in lineair licht, halve precisie, met alfa ingerekend, voor compositie</translation>
+    </message>
+    <message>
+        <source>Portable Document Format</source>
+        <translation>PDF</translation>
+    </message>
+    <message>
+        <source>The same vectors on a page of their own, or a sheet with title, legend and numbered labels, a page to test oneself and its key (--sheet)</source>
+        <translation>Dezelfde vectoren op een eigen pagina, of een blad met titel, legenda en genummerde labels, een pagina om zichzelf te toetsen en de sleutel</translation>
+    </message>
+    <message>
+        <source>glTF (GLB)</source>
+        <translation>glTF-model (GLB)</translation>
+    </message>
+    <message>
+        <source>Surfaces for Blender, PowerPoint, web pages and headsets: groups, names and colours, annotations, cameras of the saved views</source>
+        <translation>Oppervlakken voor Blender, PowerPoint, webpagina’s en brillen: groepen, namen en kleuren, labels, camera’s van de bewaarde aanzichten</translation>
+    </message>
+    <message>
+        <source>MP4 film</source>
+        <translation>MP4-film</translation>
+    </message>
+    <message>
+        <source>A film for slides and web pages, where the program ffmpeg is installed</source>
+        <translation>Een film voor dia’s en webpagina’s, waar het programma ffmpeg geïnstalleerd is</translation>
+    </message>
+    <message>
+        <source>Animated WebP</source>
+        <translation>Bewegende WebP</translation>
+    </message>
+    <message>
+        <source>A film that browsers show as a picture</source>
+        <translation>Een film die browsers als afbeelding tonen</translation>
+    </message>
+    <message>
+        <source>Animated GIF</source>
+        <translation>Bewegende GIF</translation>
+    </message>
+    <message>
+        <source>A film that every program shows, of at most 255 colours: small ones</source>
+        <translation>Een film die elk programma toont, met hoogstens 255 kleuren: voor kleine</translation>
+    </message>
+    <message>
+        <source>Frames of a film</source>
+        <translation>Beelden van een film</translation>
+    </message>
+    <message>
+        <source>A new folder of numbered PNG pictures, for programs that cut films</source>
+        <translation>Een nieuwe map met genummerde PNG-afbeeldingen, voor montageprogramma’s</translation>
+    </message>
+    <message>
+        <source>Anki deck</source>
+        <translation>Anki-stapel</translation>
+    </message>
+    <message>
+        <source>Cards that ask for the labels of the picture: a package for Anki (.apkg), or text and pictures in a ZIP (.zip) or a new folder</source>
+        <translation>Kaarten die naar de labels van de afbeelding vragen: een pakket voor Anki (.apkg), of tekst en afbeeldingen in een ZIP (.zip) of nieuwe map</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets</name>
@@ -1985,6 +2073,162 @@
     <message>
         <source>Take the chosen label away (Del in the picture)</source>
         <translation>Het gekozen label weghalen (Del in het beeld)</translation>
+    </message>
+    <message>
+        <source>%1 seconds, %2 pixels high, %3 pictures a second.</source>
+        <translation>%1 seconden, %2 pixels hoog, %3 beelden per seconde.</translation>
+    </message>
+    <message>
+        <source>8 bits</source>
+        <translation>8 bits</translation>
+    </message>
+    <message>
+        <source>16 bits</source>
+        <translation>16 bits</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>&amp;Diepte</translation>
+    </message>
+    <message>
+        <source>Of each colour; 16 bits for work that follows</source>
+        <translation>Van elke kleur; 16 bits om verder te bewerken</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>&amp;Grijs</translation>
+    </message>
+    <message>
+        <source>Without colours, with a grey profile</source>
+        <translation>Zonder kleuren, met grijsprofiel</translation>
+    </message>
+    <message>
+        <source>Black in&amp;k alone</source>
+        <translation>Alleen &amp;zwarte inkt</translation>
+    </message>
+    <message>
+        <source>For print without tones: each pixel is ink or paper; what is shaded is hatched instead</source>
+        <translation>Voor druk zonder tonen: elke pixel is inkt of papier; schaduw wordt arcering</translation>
+    </message>
+    <message>
+        <source>The figure alone</source>
+        <translation>Alleen de figuur</translation>
+    </message>
+    <message>
+        <source>With title and legend</source>
+        <translation>Met titel en legenda</translation>
+    </message>
+    <message>
+        <source>For teaching, with self-test</source>
+        <translation>Voor onderwijs, met zelftoets</translation>
+    </message>
+    <message>
+        <source>For a patient</source>
+        <translation>Voor een patiënt</translation>
+    </message>
+    <message>
+        <source>Shee&amp;t</source>
+        <translation>B&amp;lad</translation>
+    </message>
+    <message>
+        <source>The page around the figure, of a paper of its own</source>
+        <translation>De pagina om de figuur, op eigen papier</translation>
+    </message>
+    <message>
+        <source>Paper of the sheet</source>
+        <translation>Papier van het blad</translation>
+    </message>
+    <message>
+        <source>Of sheets alone</source>
+        <translation>Alleen van bladen</translation>
+    </message>
+    <message>
+        <source>T&amp;itle</source>
+        <translation>T&amp;itel</translation>
+    </message>
+    <message>
+        <source>At the head of a sheet</source>
+        <translation>Boven aan een blad</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Tekst</translation>
+    </message>
+    <message>
+        <source>Of a sheet for a patient; each line is a paragraph</source>
+        <translation>Van een blad voor een patiënt; elke regel is een alinea</translation>
+    </message>
+    <message>
+        <source>Sheet l&amp;ies</source>
+        <translation>Blad &amp;liggend</translation>
+    </message>
+    <message>
+        <source>Wider than high</source>
+        <translation>Breder dan hoog</translation>
+    </message>
+    <message>
+        <source>Once around</source>
+        <translation>Eén keer rond</translation>
+    </message>
+    <message>
+        <source>From view to view</source>
+        <translation>Van aanzicht naar aanzicht</translation>
+    </message>
+    <message>
+        <source>Γ from 0 to 5</source>
+        <translation>Γ van 0 tot 5</translation>
+    </message>
+    <message>
+        <source>&amp;Motion</source>
+        <translation>Be&amp;weging</translation>
+    </message>
+    <message>
+        <source>What moves in the film</source>
+        <translation>Wat in de film beweegt</translation>
+    </message>
+    <message>
+        <source>Len&amp;gth</source>
+        <translation>&amp;Duur</translation>
+    </message>
+    <message>
+        <source>Of the whole film</source>
+        <translation>Van de hele film</translation>
+    </message>
+    <message>
+        <source>Pictures a secon&amp;d</source>
+        <translation>Bee&amp;lden per seconde</translation>
+    </message>
+    <message>
+        <source>More are smoother, and more to draw</source>
+        <translation>Meer is vloeiender, en meer te tekenen</translation>
+    </message>
+    <message>
+        <source>Height of the film</source>
+        <translation>Hoogte van de film</translation>
+    </message>
+    <message>
+        <source>The page&apos;s shape gives the width</source>
+        <translation>De vorm van de pagina geeft de breedte</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>&amp;Deck</source>
+        <translation>&amp;Stapel</translation>
+    </message>
+    <message>
+        <source>Its name in Anki; else the view&apos;s name</source>
+        <translation>De naam in Anki; anders de naam van het aanzicht</translation>
+    </message>
+    <message>
+        <source>S&amp;how the other labels</source>
+        <translation>De andere labels &amp;tonen</translation>
+    </message>
+    <message>
+        <source>A card asks for one label and shows the others</source>
+        <translation>Een kaart vraagt naar één label en toont de andere</translation>
     </message>
 </context>
 <context>

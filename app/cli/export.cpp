@@ -111,61 +111,58 @@ Result<render::ExportOrder> onSheet(render::ExportOrder job, PictureOrder& order
   return job;
 }
 
-Exit runExport(const ExportFlags& typed) {
-  ExportFlags flags = typed;
-  if (const Status film = addFilmTarget(typed.film, flags.targets); !film.ok())
-    return complain(film.error(), Exit::wrongUse);
-  const Result<model::ImportOptions> options = importOptions(flags.input);
-  if (!options.ok())
-    return complain(options.error(), Exit::wrongUse);
+/// What the flags say before a scene is read.
+struct Wanted {
+  model::ImportOptions import;
+  render::ExportPage page;
+  render::ExportPixels pixels;
+  render::ExportSheet sheet;
+  PictureOrder order;
+};
+
+Result<Wanted> wanted(const ExportFlags& flags) {
+  const Result<model::ImportOptions> import = importOptions(flags.input);
+  if (!import.ok())
+    return import.error();
   const Result<render::ExportPage> page = understoodPage(flags);
   if (!page.ok())
-    return complain(page.error(), Exit::wrongUse);
+    return page.error();
   const Result<render::ExportPixels> pixels = understood(flags.pixels, flags.picture.blackAndWhite);
   if (!pixels.ok())
-    return complain(pixels.error(), Exit::wrongUse);
-  Result<PictureOrder> order = understoodExport(flags, *page);
-  if (!order.ok())
-    return complain(order.error(), Exit::wrongUse);
+    return pixels.error();
   const Result<render::ExportSheet> sheet = understood(flags.sheet);
   if (!sheet.ok())
-    return complain(sheet.error(), Exit::wrongUse);
-  const auto typesetting = render::Typesetting::create();
-  if (!typesetting.ok())
-    return complain(typesetting.error(), Exit::failed);
+    return sheet.error();
+  const Result<PictureOrder> order = understoodExport(flags, *page);
+  if (!order.ok())
+    return order.error();
+  return Wanted{*import, *page, *pixels, *sheet, *order};
+}
 
-  Progress progress;
-  const Result<model::Imported> imported = readInputs(flags.input.inputs, *options, progress);
-  if (!imported.ok())
-    return complain(imported.error(), Exit::failed);
-  // Cards ask for labels, so a camera that is fitted leaves them room.
-  render::LabelMode& labels = order->labels.style.mode;
-  const render::LabelMode asked = labels;
-  if (flags.targets.contains("anki") && labels == render::LabelMode::off)
-    labels = render::LabelMode::on;
-  const Result<ArrangedScene> arranged = arrangedOn(page->sizeMm, imported->scene, *order);
-  labels = asked;
-  if (!arranged.ok())
-    return complain(arranged.error(), Exit::wrongUse);
-  if (arranged->scene.visibleBounds().empty())
-    warn("no structure is visible: the drawing is empty");
-  const Result<render::FilmOptions> film = understood(flags.film, arranged->scene);
+/// All that the files are made of.
+Result<render::ExportOrder> understoodJob(const ExportFlags& flags, Wanted& wish,
+                                          const ArrangedScene& arranged) {
+  const Result<render::FilmOptions> film = understood(flags.film, arranged.scene);
   if (!film.ok())
-    return complain(film.error(), Exit::wrongUse);
-  render::ExportOrder job = exportOrder(*arranged, *order, *page);
-  job.pixels = *pixels;
+    return film.error();
+  render::ExportOrder job = exportOrder(arranged, wish.order, wish.page);
+  job.pixels = wish.pixels;
   job.film = *film;
   job.anki = flags.anki;
-  job.sheet = *sheet;
-  if (sheet->kind != render::SheetKind::none) {
-    const Result<render::ExportOrder> fitted = onSheet(job, *order, **typesetting);
-    if (!fitted.ok())
-      return complain(fitted.error(), Exit::wrongUse);
-    job = *fitted;
-  }
+  job.sheet = wish.sheet;
+  if (wish.sheet.kind == render::SheetKind::none)
+    return job;
+  const auto typesetting = render::Typesetting::create();
+  if (!typesetting.ok())
+    return typesetting.error();
+  return onSheet(job, wish.order, **typesetting);
+}
+
+Exit writeAll(const render::ExportOrder& job, const std::map<std::string, std::string>& targets,
+              Progress& progress) {
   for (const render::ExportFormat& format : render::exportFormats()) {
-    const auto target = flags.targets.find(format.id);
-    if (target == flags.targets.end())
+    const auto target = targets.find(format.id);
+    if (target == targets.end())
       continue;
     const Status written =
         format.write(job, target->second, [&progress](double share, std::string_view what) {
@@ -180,6 +177,29 @@ Exit runExport(const ExportFlags& typed) {
   return Exit::done;
 }
 
+Exit runExport(const ExportFlags& typed) {
+  ExportFlags flags = typed;
+  if (const Status film = addFilmTarget(typed.film, flags.targets); !film.ok())
+    return complain(film.error(), Exit::wrongUse);
+  Result<Wanted> wish = wanted(flags);
+  if (!wish.ok())
+    return complain(wish.error(), Exit::wrongUse);
+  Progress progress;
+  const Result<model::Imported> imported = readInputs(flags.input.inputs, wish->import, progress);
+  if (!imported.ok())
+    return complain(imported.error(), Exit::failed);
+  const Result<ArrangedScene> arranged =
+      arrangedOn(wish->page.sizeMm, imported->scene, wish->order);
+  if (!arranged.ok())
+    return complain(arranged.error(), Exit::wrongUse);
+  if (arranged->scene.visibleBounds().empty())
+    warn("no structure is visible: the drawing is empty");
+  const Result<render::ExportOrder> job = understoodJob(flags, *wish, *arranged);
+  if (!job.ok())
+    return complain(job.error(), Exit::wrongUse);
+  return writeAll(*job, flags.targets, progress);
+}
+
 void declareExport(CLI::App& command, ExportFlags& flags) {
   command.add_option("INPUT", flags.input.inputs, inputHelp)->required();
   for (const render::ExportFormat& format : render::exportFormats())
@@ -190,7 +210,7 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
               flags.targets[id] = target;
             },
             format.help)
-        ->type_name(*format.extension ? "FILE" : "FOLDER");
+        ->type_name("FILE");
   CLI::Option* size =
       command.add_option("--size-mm", flags.sizeMm, "Width and height of the page in millimetres")
           ->type_name("WxH")

@@ -279,6 +279,7 @@ void ExportDialog::refresh() {
   ExportDraft whole = m_draft;
   whole.target = target();
   m_files = exportFiles(whole, m_source);
+  m_page->setEnabled(!isSheet(m_draft));
   m_preview->show(m_files.front());
   m_summary->setText(exportSummary(m_draft, m_files).join(QLatin1Char('\n')));
   const QString problem = targetProblem(targetsOf(m_files));

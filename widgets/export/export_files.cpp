@@ -6,12 +6,19 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "model/edit/style.h"
 #include "model/edit/views.h"
 #include "model/geometry/plane_section.h"
+#include "render/export/pdf/sheet_layout.h"
 
 namespace sline::widgets {
 
 namespace {
+
+/// Kinds that the switch for it is for.
+bool printsInkAlone(const QString& kind) {
+  return kind == QLatin1String("png") || kind == QLatin1String("tiff");
+}
 
 ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const model::View* view) {
   ExportFile file{.order = draft.order, .filled = draft.filled, .target = {}};
@@ -20,7 +27,13 @@ ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const mo
   order.camera = view ? view->camera : source.camera;
   order.viewName = view ? view->name : viewNameOf(source.camera);
   order.look.keyLight = source.keyLight;
+  if (draft.order.pixels.pureInk && printsInkAlone(draft.kind)) {
+    order.scene = model::withInkAlone(order.scene).scene;
+    order.look.background = render::Background::white;
+  }
   order.labels.onDark = order.look.background == render::Background::dark;
+  if (isSheet(draft))
+    order.page.sizeMm = render::sheetFigureMm(order);
   const float aspect = order.page.sizeMm.x / order.page.sizeMm.y;
   if (pageUseOf(draft.kind) != PageUse::none)
     order.camera = reframed(order.camera, source.aspect, aspect);
@@ -74,6 +87,10 @@ model::Camera reframed(model::Camera camera, float before, float aspect) {
   camera.fovyDegrees = std::min(widest, 2.0f * glm::degrees(std::atan(wider * half)));
   camera.heightMm *= wider;
   return camera;
+}
+
+bool isSheet(const ExportDraft& draft) {
+  return draft.kind == QLatin1String("pdf") && draft.order.sheet.kind != render::SheetKind::none;
 }
 
 std::vector<ExportFile> exportFiles(const ExportDraft& draft, const ExportSource& source) {

@@ -36,6 +36,9 @@ std::string viewNameOf(const model::Camera& camera);
 /// The camera such that all that a picture of width / height `before` shows is in one of `aspect`.
 model::Camera reframed(model::Camera camera, float before, float aspect);
 
+/// A PDF whose paper is the sheet's, not the page's.
+bool isSheet(const ExportDraft& draft);
+
 /// One file, or one for each saved view with its name behind the target's: "pelvis - Front.svg".
 /// No two have the same name, whatever the views are called.
 std::vector<ExportFile> exportFiles(const ExportDraft& draft, const ExportSource& source);

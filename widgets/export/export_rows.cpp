@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "widgets/export/export_draft.h"
+#include "widgets/export/kind_rows.h"
 #include "widgets/export/row_binding.h"
 
 namespace sline::widgets {
@@ -161,7 +162,7 @@ void ExportRow::fromSettings(ExportOrder& order, const QVariant& value) const {
 
 std::vector<ExportRow> exportRows(const QStringList& languages) {
   std::vector<ExportRow> rows = pictureRows();
-  for (const std::vector<ExportRow>& more : {labelRows(languages), markRows()})
+  for (const std::vector<ExportRow>& more : {labelRows(languages), markRows(), kindRows()})
     rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }

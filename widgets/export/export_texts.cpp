@@ -14,10 +14,49 @@ namespace {
 
 // The renderer's table is English: these are its texts, for translators.
 [[maybe_unused]] constexpr const char* tableTexts[] = {
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "Portable Network Graphics"),
+    QT_TRANSLATE_NOOP(
+        "sline::render::ExportFormat",
+        "A picture made of pixels for screens, documents and print: sRGB, grey or pure "
+        "ink, 8 or 16 bits, transparent where asked for"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "Tagged Image File Format"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat",
+                      "The same for printers and journals, with its colour profile"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "JPEG"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat",
+                      "A picture made of pixels where files must be small; on white"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "OpenEXR"),
+    QT_TRANSLATE_NOOP(
+        "sline::render::ExportFormat",
+        "A picture in linear light, as halves with alpha multiplied in, for compositing"),
     QT_TRANSLATE_NOOP("sline::render::ExportFormat", "Scalable Vector Graphics"),
     QT_TRANSLATE_NOOP("sline::render::ExportFormat",
                       "Vectors for Inkscape, Illustrator and print: lines and hatching as smooth "
                       "paths, hidden ones removed, a named group for each structure"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "Portable Document Format"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat",
+                      "The same vectors on a page of their own, or a sheet with title, legend and "
+                      "numbered labels, a page to test oneself and its key (--sheet)"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "glTF (GLB)"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat",
+                      "Surfaces for Blender, PowerPoint, web pages and headsets: groups, names and "
+                      "colours, annotations, cameras of the saved views"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "MP4 film"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat",
+                      "A film for slides and web pages, where the program ffmpeg is installed"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "Animated WebP"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "A film that browsers show as a picture"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "Animated GIF"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat",
+                      "A film that every program shows, of at most 255 colours: small ones"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "Frames of a film"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat",
+                      "A new folder of numbered PNG pictures, for programs that cut films"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "Anki deck"),
+    QT_TRANSLATE_NOOP(
+        "sline::render::ExportFormat",
+        "Cards that ask for the labels of the picture: a package for Anki (.apkg), or "
+        "text and pictures in a ZIP (.zip) or a new folder"),
 };
 
 QString tr(const char* text, const char* = nullptr, int n = -1) {
@@ -97,8 +136,11 @@ QString labelText(const std::vector<ExportFile>& files) {
 
 QString sizeText(const ExportDraft& draft) {
   const render::ExportPage& page = draft.order.page;
+  const render::FilmOptions& film = draft.order.film;
   if (pageUseOf(draft.kind) == PageUse::shape)
-    return {};
+    return tr("%1 seconds, %2 pixels high, %3 pictures a second.")
+        .arg(QLocale().toString(film.seconds, 'g', 4), numberText(film.height),
+             numberText(film.framesPerSecond));
   if (pageUseOf(draft.kind) == PageUse::drawing)
     return tr("%1, as lines and shapes of any sharpness.").arg(millimetresText(page));
   return tr("%1, %2 at %3 dpi.")

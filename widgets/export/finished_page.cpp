@@ -3,21 +3,17 @@
 
 #include <QPainter>
 
-#include "render/export/label_painter.h"
+#include "render/export/marks/figure_plate.h"
 
 namespace sline::widgets {
 
 QImage finishedPage(const QImage& picture, const render::ExportOrder& order) {
   QImage page = picture.convertToFormat(QImage::Format_RGBA8888_Premultiplied);
-  if (order.labels.mode == render::LabelMode::off || order.scene.annotations().empty())
-    return page;
-  const float scale = float(picture.width()) / order.page.sizeMm.x;
-  const render::Screen screen(order.camera, {order.page.sizeMm.x, float(picture.height()) / scale});
-  render::SightTrees trees;
-  const render::LabelPlate plate = render::labelPlate(order.scene, screen, order.labels, trees);
+  const qreal scale = qreal(picture.width()) / qreal(order.page.sizeMm.x);
+  const render::FigurePlate plate = render::figurePlate(order);
   QPainter painter(&page);
-  painter.scale(qreal(scale), qreal(scale));
-  render::paintLabels(painter, plate);
+  painter.scale(scale, scale);
+  render::paintPlate(painter, plate);
   return page;
 }
 

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "widgets/export/export_rows.h"
+
+namespace sline::widgets {
+
+/// What single kinds of files have of their own.
+std::vector<ExportRow> kindRows();
+
+}  // namespace sline::widgets
