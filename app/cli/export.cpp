@@ -210,7 +210,7 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
               flags.targets[id] = target;
             },
             format.help)
-        ->type_name("FILE");
+        ->type_name(*format.extension ? "FILE" : "FOLDER");
   CLI::Option* size =
       command.add_option("--size-mm", flags.sizeMm, "Width and height of the page in millimetres")
           ->type_name("WxH")

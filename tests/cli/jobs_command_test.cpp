@@ -107,7 +107,8 @@ class JobsCommandTest : public QObject {
   }
 
   void resumeLeavesOutWhatIsThere() {
-    const QString file = list("input,svg,size-mm\nsample,out/a.svg,24x18\nsample,out/b.svg,24x18\n");
+    const QString file =
+        list("input,svg,size-mm\nsample,out/a.svg,24x18\nsample,out/b.svg,24x18\n");
     QDir(m_folder.path()).mkdir("out");
     writeFile(m_folder.filePath("out/a.svg"), "mine");
     const Finished finished = runSline({"jobs", file, "--resume"});

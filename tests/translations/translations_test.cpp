@@ -184,7 +184,8 @@ void TranslationsTest::upToDate() {
     std::erase_if(texts, [](const auto& each) { return !each.second.plural; });
   QVERIFY(!texts.empty());
   // A text in another context is looked for in vain while the program runs.
-  static const QRegularExpression known(QStringLiteral("^(sline::widgets(::\\w+)?|sline::render::ExportFormat|main)\\|"));
+  static const QRegularExpression known(
+      QStringLiteral("^(sline::widgets(::\\w+)?|sline::render::ExportFormat|main)\\|"));
   for (const auto& [key, message] : texts)
     QVERIFY2(known.match(key).hasMatch(), qPrintable("lupdate lost the class: " + key));
   const Messages translated = readMessages(file(name));

@@ -3,11 +3,11 @@
 
 #include <array>
 
-#include "render/export/pdf/pdf_file.h"
-#include "render/export/pixels/pixel_files.h"
 #include "render/export/anki/anki_file.h"
 #include "render/export/gltf/gltf_file.h"
 #include "render/export/motion/film_file.h"
+#include "render/export/pdf/pdf_file.h"
+#include "render/export/pixels/pixel_files.h"
 #include "render/export/svg/svg_file.h"
 
 namespace sline::render {

@@ -66,8 +66,7 @@ class Turn {
 
   void step(LabelRequest request) {
     request.moving = m_moving;
-    const LabelLayout after =
-        layOutLabels(request, m_steps > 0 ? &m_layout : nullptr);
+    const LabelLayout after = layOutLabels(request, m_steps > 0 ? &m_layout : nullptr);
     for (std::size_t i = 0; i < request.items.size(); ++i) {
       const glm::vec2 place = request.items[i].places.front();
       std::optional<Seen>& seen = m_seen[i];
