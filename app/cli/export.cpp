@@ -141,7 +141,8 @@ Result<Wanted> wanted(const ExportFlags& flags) {
 
 /// All that the files are made of.
 Result<render::ExportOrder> understoodJob(const ExportFlags& flags, Wanted& wish,
-                                          const ArrangedScene& arranged) {
+                                          const ArrangedScene& arranged,
+                                          const render::Typesetting& typesetting) {
   const Result<render::FilmOptions> film = understood(flags.film, arranged.scene);
   if (!film.ok())
     return film.error();
@@ -152,10 +153,7 @@ Result<render::ExportOrder> understoodJob(const ExportFlags& flags, Wanted& wish
   job.sheet = wish.sheet;
   if (wish.sheet.kind == render::SheetKind::none)
     return job;
-  const auto typesetting = render::Typesetting::create();
-  if (!typesetting.ok())
-    return typesetting.error();
-  return onSheet(job, wish.order, **typesetting);
+  return onSheet(job, wish.order, typesetting);
 }
 
 Exit writeAll(const render::ExportOrder& job, const std::map<std::string, std::string>& targets,
@@ -184,6 +182,10 @@ Exit runExport(const ExportFlags& typed) {
   Result<Wanted> wish = wanted(flags);
   if (!wish.ok())
     return complain(wish.error(), Exit::wrongUse);
+  // One for all that set text, the writers too.
+  const auto typesetting = render::Typesetting::create();
+  if (!typesetting.ok())
+    return complain(typesetting.error(), Exit::failed);
   Progress progress;
   const Result<model::Imported> imported = readInputs(flags.input.inputs, wish->import, progress);
   if (!imported.ok())
@@ -194,7 +196,7 @@ Exit runExport(const ExportFlags& typed) {
     return complain(arranged.error(), Exit::wrongUse);
   if (arranged->scene.visibleBounds().empty())
     warn("no structure is visible: the drawing is empty");
-  const Result<render::ExportOrder> job = understoodJob(flags, *wish, *arranged);
+  const Result<render::ExportOrder> job = understoodJob(flags, *wish, *arranged, **typesetting);
   if (!job.ok())
     return complain(job.error(), Exit::wrongUse);
   return writeAll(*job, flags.targets, progress);

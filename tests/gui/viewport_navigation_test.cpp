@@ -196,7 +196,7 @@ class ViewportNavigationTest : public QObject {
     const QRect left = f.areaOf(f.session.scene().named("left kidney").front());
     const QRect right = f.areaOf(f.session.scene().named("right kidney").front());
     const double pixels = std::abs(left.center().x() - right.center().x());
-    const double scale = mark.bar()->millimetres / mark.bar()->pixels;
+    const double scale = mark.bar()->millimetres / mark.bar()->drawn;
     QVERIFY2(std::abs(pixels * scale - 120.0) < 4.0, qPrintable(QString::number(pixels * scale)));
     f.control<QAction>("showScaleBar").trigger();
     QVERIFY(!mark.isVisible());
