@@ -1703,7 +1703,7 @@
     </message>
     <message>
         <source>&amp;Labels</source>
-        <translation>&amp;Beschriftung</translation>
+        <translation>Beschri&amp;ftungen</translation>
     </message>
     <message>
         <source>How the scene&apos;s labels stand in the picture</source>

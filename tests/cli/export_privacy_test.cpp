@@ -96,15 +96,16 @@ model::Scene dressed(model::Scene scene) {
   nodes.back().name = "QZXHIDDEN";
   scene.setNodes(nodes);
   scene.setUnread(unread);
-  model::Annotation label;
-  label.anchors = {model::SurfacePoint{.structure = scene.structuresBelow(model::rootId).front(),
-                                       .triangle = 3}};
-  label.text = "a label";
-  label.unread = unread;
-  scene.appendAnnotation(label);
+  for (const model::NodeId id : scene.structuresBelow(model::rootId)) {
+    model::Annotation label;
+    label.anchors = {model::SurfacePoint{.structure = id, .triangle = 3}};
+    label.text = "a label";
+    label.unread = unread;
+    scene.appendAnnotation(label);
+  }
   model::Section section{.name = "cut"};
   section.plane.normal = {0.0f, 1.0f, 0.0f};
-  section.plane.offset = 5.0f;
+  section.plane.offset = 20.0f;  // behind the labels, which it must not take away
   section.unread = unread;
   scene.appendSection(section);
   model::View view{.name = "front"};
@@ -130,7 +131,8 @@ class ExportPrivacyTest : public QObject {
     QDir().mkpath(out());
     const QString target = out() + "/figure" + (extension.isEmpty() ? "" : "." + extension);
     const Finished finished =
-        runSline({"export", m_scene, "--" + kind, target, "--view", "front", "--size-mm", "60x40"});
+        runSline({"export", m_scene, "--" + kind, target, "--view", "front", "--size-mm", "160x90",
+                  "--seconds", "0.5", "--fps", "6", "--film-height", "96"});
     if (finished.code != 0)
       qWarning("%s", finished.err.constData());
     QStringList names;

@@ -44,7 +44,8 @@ class ExportChoicesTest : public QObject {
     desk.number("exportDpi", 254);
     desk.number("exportWidth", 100);
     desk.number("exportHeight", 50);
-    QVERIFY(desk.part<QLabel>("exportOtherSize").text().contains(QStringLiteral("1,000 × 500")));
+    const QString other = desk.part<QLabel>("exportOtherSize").text();
+    QVERIFY2(other.contains(QStringLiteral("1,000 × 500")), qPrintable(other));
     desk.pick("exportUnit", QStringLiteral("px"));
     QCOMPARE(desk.part<QDoubleSpinBox>("exportWidth").value(), 1000.0);
     desk.number("exportWidth", 2000);

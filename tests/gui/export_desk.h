@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QAbstractButton>
+#include <QApplication>
 #include <QComboBox>
 #include <QDir>
 #include <QDirIterator>
@@ -39,6 +40,10 @@ struct ExportDesk : WindowFixture {
     // Lying, whatever the window's shape is.
     settings.setValue(QStringLiteral("export/width"), 160);
     settings.setValue(QStringLiteral("export/height"), 90);
+    // Short films.
+    settings.setValue(QStringLiteral("export/seconds"), 1);
+    settings.setValue(QStringLiteral("export/framesPerSecond"), 5);
+    settings.setValue(QStringLiteral("export/filmHeight"), 90);
     open(fineness);
   }
 
@@ -68,6 +73,8 @@ struct ExportDesk : WindowFixture {
     QTest::keyClick(&viewport(), Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
     if (!QTest::qWaitFor([this] { return dialog() && dialog()->isVisible(); }))
       qFatal("no dialog");
+    // There is no window manager to do it.
+    QApplication::setActiveWindow(dialog());
     return *dialog();
   }
   template <class T>

@@ -91,7 +91,10 @@ ExportDialog::ExportDialog(ExportDraft& draft, ExportSource source, Viewport& vi
   resize(1120, 720);
 }
 
-ExportDialog::~ExportDialog() = default;
+ExportDialog::~ExportDialog() {
+  // What was typed and not yet taken is taken when its field loses the focus: not after this.
+  hide();
+}
 
 QLabel* ExportDialog::heading(const QString& text) {
   auto* label = new QLabel(text);
