@@ -21,7 +21,7 @@ float pixelsToMm(const LabelStyle& style) {
 }
 
 QString fullText(const ShownLabel& label, const LabelStyle& style) {
-  const QString text = QString::fromStdString(label.text).simplified();
+  QString text = QString::fromStdString(label.text).simplified();
   if (!label.lengthMm)
     return text;
   const QLocale locale(QString::fromStdString(style.language.empty() ? "en" : style.language));

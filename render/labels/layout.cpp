@@ -412,15 +412,13 @@ std::optional<std::size_t> Layouter::firstLoser() const {
 
 void Layouter::giveWay(std::size_t i) {
   Fate& fate = m_fates[i];
-  if (rests(i))
+  if (rests(i) || (isColumn(fate.post) && fate.tried)) {
     fate.out = true;
-  else if (!isColumn(fate.post))
-    fate.post = sideOf(i);
-  else if (!fate.tried) {
+  } else if (isColumn(fate.post)) {
     fate.post = otherSide(fate.post);
     fate.tried = true;
   } else {
-    fate.out = true;
+    fate.post = sideOf(i);
   }
 }
 

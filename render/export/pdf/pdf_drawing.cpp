@@ -135,7 +135,7 @@ class DrawingContent {
   /// The name of the state in which all is that clear.
   QByteArray state(float opacity) {
     const int percent = std::clamp(int(std::lround(100.0f * opacity)), 0, 100);
-    const QByteArray name = "/SlO" + QByteArray::number(percent);
+    QByteArray name = "/SlO" + QByteArray::number(percent);
     if (!m_content.states.contains(name + "<<")) {
       const QByteArray value = QByteArray::number(double(percent) / 100.0);
       m_content.states += name + "<</ca " + value + "/CA " + value + ">>\n";

@@ -104,7 +104,6 @@ float rowHeight(RowKind kind) {
     case RowKind::heading:
       return 7.5f;
     case RowKind::group:
-      return 5.6f;
     case RowKind::legend:
       return 5.6f;
     case RowKind::number:

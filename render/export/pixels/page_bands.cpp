@@ -26,7 +26,7 @@ class BandWriter {
   bool add(const PicturePiece& piece) {
     putAverages(piece, m_bands.samples, m_top, m_rows);
     m_filled += std::size_t(piece.width) * std::size_t(piece.height);
-    const std::size_t samples = std::size_t(m_bands.samples * m_bands.samples);
+    const std::size_t samples = std::size_t(m_bands.samples) * std::size_t(m_bands.samples);
     if (m_filled < samples * std::size_t(m_rows.width) * std::size_t(m_rows.height))
       return true;
     if (!wait().ok())
@@ -113,7 +113,7 @@ Status drawBands(const ExportOrder& order, const PageBands& bands, const BandTak
       {.bandRows = rows * bands.samples, .grid = bands.samples, .take = [&](PicturePiece&& piece) {
          return writer.add(piece) && tell(0.05 + 0.9 * writer.share(), "drawing");
        }});
-  if (const Status written = writer.wait(); !written.ok())
+  if (Status written = writer.wait(); !written.ok())
     return written;
   if (!drawn.ok())
     return drawn.error();

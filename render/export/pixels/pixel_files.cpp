@@ -58,7 +58,7 @@ Status writePixels(PixelKind kind, const ExportOrder& order, const std::filesyst
     const Result<std::unique_ptr<RowFile>> file = rowFile(kind, layout, beside);
     if (!file.ok())
       return file.error();
-    const Status drawn = drawBands(
+    Status drawn = drawBands(
         order, bands, [&](PixelRows&& rows) { return (*file)->add(packed(rows, layout, ink)); },
         progress);
     if (!drawn.ok())

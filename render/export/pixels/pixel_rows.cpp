@@ -153,7 +153,7 @@ void putAverages(const PicturePiece& piece, int side, int top, PixelRows& rows) 
         rows.rgba.data() + ((std::size_t(piece.top / side - top) + y) * std::size_t(rows.width) +
                             std::size_t(piece.left / side)) *
                                4;
-    for (int x = 0; x < piece.width / side; ++x, from += 4 * side, to += 4) {
+    for (int x = 0; x < piece.width / side; ++x, from += 4 * std::ptrdiff_t(side), to += 4) {
       std::array<std::uint32_t, 4> sum{};
       for (int row = 0; row < side; ++row)
         for (int i = 0; i < 4 * side; ++i)

@@ -35,7 +35,7 @@ struct Field {
   std::string data;
 };
 
-Field shortField(std::uint16_t tag, std::vector<unsigned> values) {
+Field shortField(std::uint16_t tag, const std::vector<unsigned>& values) {
   Field field{tag, FieldType::shorts, values.size(), {}};
   for (const unsigned value : values)
     field.data += littleEndian(value, 2);

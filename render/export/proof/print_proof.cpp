@@ -100,6 +100,7 @@ std::vector<Colour> otherColours(const Colour& colour) {
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Colour> colours;
+  colours.reserve(found.size());
   for (const auto& [far, other] : found)
     colours.push_back(other);
   return colours;
