@@ -139,6 +139,12 @@ class ArchTest : public QObject {
     QVERIFY(!checkLinks({"model/scene/CMakeLists.txt", "DEPENDS sline_gpu)"}).empty());
     QVERIFY(!checkLinks({"render/lines/CMakeLists.txt", "PRIVATE TBB::tbb)"}).empty());
     QVERIFY(checkLinks({"render/picture/CMakeLists.txt", "DEPENDS sline_gpu)"}).empty());
+    const std::set<std::string> paths{"app/a.h", "app/a.cpp"};
+    const std::string own = "// A room.\n#include \"app/a.h\"\n";
+    QVERIFY(checkOwnHeaderFirst({"app/a.cpp", own}, paths).empty());
+    QVERIFY(!checkOwnHeaderFirst({"app/a.cpp", "#include <set>\n" + own}, paths).empty());
+    QVERIFY(!checkOwnHeaderFirst({"app/a.cpp", "int a;\n"}, paths).empty());
+    QVERIFY(checkOwnHeaderFirst({"app/b.cpp", "#include <set>\n"}, paths).empty());
     QVERIFY(!checkLicenceLine({"a.cpp", "// nothing\n\n// here\n"}).empty());
     QVERIFY(
         checkLicenceLine({"a.sh", "#!/bin/sh\n# SPDX-License-Identifier: Apache-2.0\n"}).empty());
@@ -165,6 +171,16 @@ class ArchTest : public QObject {
     for (const File& file : tree({"*.h", "*.cpp", "*.glsl"}))
       if (!file.path.starts_with("tests/arch/"))
         append(all, checkSizes(file, exceptions));
+    report(all);
+  }
+  void ownHeaderFirst() {
+    const std::vector<File> files = tree({"*.h", "*.cpp"});
+    std::set<std::string> paths;
+    for (const File& file : files)
+      paths.insert(file.path);
+    Complaints all;
+    for (const File& file : files)
+      append(all, checkOwnHeaderFirst(file, paths));
     report(all);
   }
   void licenceLines() {

@@ -301,6 +301,18 @@ Complaints checkSizes(const File& file, const std::string& exceptions) {
   return out;
 }
 
+Complaints checkOwnHeaderFirst(const File& file, const std::set<std::string>& paths) {
+  const std::string own = file.path.substr(0, file.path.rfind('.')) + ".h";
+  if (!file.path.ends_with(".cpp") || !paths.contains(own))
+    return {};
+  for (const std::string& line : linesOf(file.text))
+    if (line.starts_with("#"))
+      return line == "#include \"" + own + "\""
+                 ? Complaints{}
+                 : Complaints{file.path + " includes " + own + " too late"};
+  return {file.path + " does not include " + own};
+}
+
 Complaints checkLicenceLine(const File& file) {
   const std::vector<std::string> lines = linesOf(file.text);
   for (std::size_t i = 0; i < std::min<std::size_t>(2, lines.size()); ++i)

@@ -2,6 +2,7 @@
 // The house rules as functions from text to complaints, so that each can be shown to fail.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ Complaints checkLinks(const File& file);
 /// Header ≤ 250 lines, source ≤ 500, function ≤ 60, at most five parameters; `exceptions` are paths
 /// that ARCHITECTURE.md names.
 Complaints checkSizes(const File& file, const std::string& exceptions);
+/// A source file includes its own header, if the tree has one, before anything else: so it shows
+/// that the header compiles alone. `paths` are the tree's.
+Complaints checkOwnHeaderFirst(const File& file, const std::set<std::string>& paths);
 /// The first lines hold the licence's SPDX line.
 Complaints checkLicenceLine(const File& file);
 /// The top level holds exactly what was agreed.
