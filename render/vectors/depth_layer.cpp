@@ -231,4 +231,15 @@ DepthLayer depthLayer(const Shown& shown, const LayerInput& input, const gpu::Re
   return layer;
 }
 
+float meanDepth(const DepthLayer& layer) {
+  double sum = 0.0;
+  std::size_t pixels = 0;
+  for (const float depth : layer.depths)
+    if (depth < 1.0f) {
+      sum += double(depth);
+      ++pixels;
+    }
+  return pixels > 0 ? float(sum / double(pixels)) : 1.0f;
+}
+
 }  // namespace sline::render

@@ -43,6 +43,9 @@ struct LayerInput {
 /// Draws surface and cut faces into `area`, which may go on beyond the picture.
 DepthLayer depthLayer(const Shown& shown, const LayerInput& input, const gpu::Rect& area);
 
+/// Mean depth of the layer's pixels, 0 … 1.
+float meanDepth(const DepthLayer& layer);
+
 /// Which triangle of the surface a pixel shows, and where in it.
 struct SurfaceSpot {
   std::uint32_t triangle = 0;

@@ -11,8 +11,6 @@ namespace sline::render {
 
 namespace {
 
-// Pixels by which a fill goes on below what hides it, so that no paper shows between them.
-constexpr int underlap = 2;
 // Pixels of area. Smaller spots of a tone are noise; smaller parts of a fill, specks.
 constexpr float smallestSpot = 60.0f;
 constexpr float smallestPart = 3.0f;
@@ -21,35 +19,6 @@ constexpr float smallestPart = 3.0f;
 constexpr float partTolerance = 0.75f;
 constexpr float spotTolerance = 1.3f;
 
-/// 1 where the layer has a fill that is seen, and a little beyond.
-std::vector<std::uint8_t> seenFill(const FilledLayer& filled, const LayerStack& stack) {
-  const DepthLayer& layer = filled.layer;
-  const std::size_t width = std::size_t(layer.area.width);
-  std::vector<std::uint8_t> seen(layer.tones.size());
-  std::vector<std::uint8_t> below(layer.tones.size());  // of what is painted later
-  for (int y = 0; y < layer.area.height; ++y)
-    for (int x = 0; x < layer.area.width; ++x) {
-      const std::size_t i = std::size_t(y) * width + std::size_t(x);
-      if (layer.tones[i] == 0)
-        continue;
-      const std::optional<std::size_t> hider =
-          stack.hider(layer.area.x + x, layer.area.y + y, layer.depths[i], filled.index);
-      seen[i] = !hider;
-      below[i] = hider && filled.ranks[*hider] > filled.ranks[filled.index];
-    }
-  for (int round = 0; round < underlap; ++round) {
-    const std::vector<std::uint8_t> before = seen;
-    for (int y = 1; y + 1 < layer.area.height; ++y)
-      for (int x = 1; x + 1 < layer.area.width; ++x) {
-        const std::size_t i = std::size_t(y) * width + std::size_t(x);
-        if (below[i] != 0)
-          seen[i] =
-              before[i] | before[i - 1] | before[i + 1] | before[i - width] | before[i + width];
-      }
-  }
-  return seen;
-}
-
 Colour colourOf(const glm::vec3& colour) {
   const auto channel = [](float value) {
     return std::uint8_t(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f)));
@@ -57,77 +26,9 @@ Colour colourOf(const glm::vec3& colour) {
   return {channel(colour.r), channel(colour.g), channel(colour.b)};
 }
 
-/// The tones of what is seen, 0 elsewhere, in the smallest rectangle that holds them.
-struct SeenTones {
-  gpu::Rect area;
-  std::vector<std::uint8_t> tones;
-};
-
-/// True where some of the fill lets more through than other parts of it.
-bool variesInOpacity(const DepthLayer& layer) {
-  float low = 1.0f;
-  float high = 0.0f;
-  for (std::size_t k = 0; k < layer.firstCapTone; ++k) {
-    low = std::min(low, layer.colours[k].a);
-    high = std::max(high, layer.colours[k].a);
-  }
-  return high - low > 0.02f;
-}
-
-/// Lets tones go on beyond the structure's own edge, below its contour. The densest tone is a thin
-/// rim there, and what outlines cut off of it would show the lightest below.
-void widenRim(SeenTones& seen, const DepthLayer& layer, int rimGrowth) {
-  const std::size_t width = std::size_t(seen.area.width);
-  for (int round = 0; round < rimGrowth; ++round) {
-    const std::vector<std::uint8_t> before = seen.tones;
-    for (int y = 1; y + 1 < seen.area.height; ++y)
-      for (int x = 1; x + 1 < seen.area.width; ++x) {
-        const std::size_t i = std::size_t(y) * width + std::size_t(x);
-        const std::ptrdiff_t own = layer.index(seen.area.x + x, seen.area.y + y);
-        if (before[i] == 0 && layer.tones[std::size_t(own)] == 0)
-          seen.tones[i] = std::max(std::max(before[i - 1], before[i + 1]),
-                                   std::max(before[i - width], before[i + width]));
-      }
-  }
-}
-
-/// `page` is the picture's size; what lies beside it is left out.
-SeenTones seenTones(const DepthLayer& layer, const std::vector<std::uint8_t>& seen,
-                    const glm::ivec2& page) {
-  constexpr int bleed = 2;  // pixels that a fill goes on beyond the page's edge
-  const int rimGrowth = variesInOpacity(layer) ? underlap : 0;
-  glm::ivec2 low(layer.area.width, layer.area.height);
-  glm::ivec2 high(0);
-  const auto at = [&layer](int x, int y) {
-    return std::size_t(y) * std::size_t(layer.area.width) + std::size_t(x);
-  };
-  const glm::ivec2 corner(layer.area.x, layer.area.y);
-  const glm::ivec2 first = glm::max(-corner - bleed, glm::ivec2(0));
-  const glm::ivec2 last =
-      glm::min(page - corner + bleed, glm::ivec2(layer.area.width, layer.area.height));
-  for (int y = first.y; y < last.y; ++y)
-    for (int x = first.x; x < last.x; ++x)
-      if (seen[at(x, y)] != 0) {
-        low = glm::min(low, glm::ivec2(x, y));
-        high = glm::max(high, glm::ivec2(x + 1, y + 1));
-      }
-  SeenTones found;
-  if (low.x >= high.x)
-    return found;
-  low = glm::max(low - rimGrowth - 1, glm::ivec2(0));
-  high = glm::min(high + rimGrowth + 1, glm::ivec2(layer.area.width, layer.area.height));
-  found.area = {layer.area.x + low.x, layer.area.y + low.y, high.x - low.x, high.y - low.y};
-  found.tones.reserve(std::size_t(found.area.width) * std::size_t(found.area.height));
-  for (int y = low.y; y < high.y; ++y)
-    for (int x = low.x; x < high.x; ++x)
-      found.tones.push_back(seen[at(x, y)] != 0 ? layer.tones[at(x, y)] : std::uint8_t(0));
-  widenRim(found, layer, rimGrowth);
-  return found;
-}
-
 class ShapeMaker {
  public:
-  ShapeMaker(SeenTones seen, const PageMapping& page) : m_seen(std::move(seen)), m_page(page) {}
+  ShapeMaker(const SeenTones& seen, const PageMapping& page) : m_seen(seen), m_page(page) {}
 
   /// All that is seen and whose tone, from 1, lies in the range.
   void add(std::size_t first, std::size_t last, const Colour& colour, float opacity) {
@@ -145,7 +46,7 @@ class ShapeMaker {
   std::vector<VectorShape> take() { return std::move(m_shapes); }
 
  private:
-  SeenTones m_seen;
+  const SeenTones& m_seen;
   PageMapping m_page;
   std::vector<VectorShape> m_shapes;
 };
@@ -183,45 +84,30 @@ class TonePaint {
 
 }  // namespace
 
-FillShapes fillShapes(const FilledLayer& filled, const LayerStack& stack, const PageMapping& page) {
-  const DepthLayer& layer = filled.layer;
+FillShapes fillShapes(const SeenTones& seen, const glm::vec3& paper, const PageMapping& page) {
   FillShapes result;
-  if (!layer.filled())
-    return result;
   float densest = 0.0f;
-  for (const glm::vec4& colour : layer.colours)
+  for (const glm::vec4& colour : seen.colours)
     densest = std::max(densest, colour.a);
-  if (!(densest > 0.0f))
+  if (seen.area.empty() || !(densest > 0.0f))
     return result;
   result.opacity = densest;
-  ShapeMaker maker(seenTones(layer, seenFill(filled, stack), {stack.width(), stack.height()}),
-                   page);
-  TonePaint paint(filled.paper);
-  const std::size_t tones = layer.firstCapTone;
+  ShapeMaker maker(seen, page);
+  TonePaint paint(paper);
+  const std::size_t tones = seen.firstCapTone;
   for (std::size_t k = 0; k < tones; ++k)
-    if (const std::optional<glm::vec4> tone = paint.over(layer.colours[k] / densest))
+    if (const std::optional<glm::vec4> tone = paint.over(seen.colours[k] / densest))
       maker.add(k + 1, tones, colourOf(glm::vec3(*tone)), tone->a);
-  for (std::size_t cap = tones; cap + 1 < layer.colours.size(); cap += 2) {
+  for (std::size_t cap = tones; cap + 1 < seen.colours.size(); cap += 2) {
     const auto add = [&](std::size_t first, std::size_t last, const glm::vec4& colour) {
       if (colour.a > 0.0f)
         maker.add(first + 1, last + 1, colourOf(glm::vec3(colour) / colour.a), colour.a / densest);
     };
-    add(cap, cap + 1, layer.colours[cap]);
-    add(cap + 1, cap + 1, layer.colours[cap + 1]);
+    add(cap, cap + 1, seen.colours[cap]);
+    add(cap + 1, cap + 1, seen.colours[cap + 1]);
   }
   result.shapes = maker.take();
   return result;
-}
-
-float meanDepth(const DepthLayer& layer) {
-  double sum = 0.0;
-  std::size_t pixels = 0;
-  for (const float depth : layer.depths)
-    if (depth < 1.0f) {
-      sum += double(depth);
-      ++pixels;
-    }
-  return pixels > 0 ? float(sum / double(pixels)) : 1.0f;
 }
 
 }  // namespace sline::render

@@ -3,8 +3,8 @@
 // (or as dense), so that no seams show between them.
 #pragma once
 
-#include "render/vectors/layer_stack.h"
 #include "render/vectors/pen_shapes.h"
+#include "render/vectors/seen_tones.h"
 
 namespace sline::render {
 
@@ -13,18 +13,7 @@ struct FillShapes {
   float opacity = 1.0f;  ///< of all of them together
 };
 
-struct FilledLayer {
-  const DepthLayer& layer;
-  std::size_t index = 0;  ///< in the stack
-  /// Of each layer of the stack: those of higher rank are painted later.
-  std::span<const std::size_t> ranks;
-  glm::vec3 paper{1.0f};  ///< the page's colour
-};
-
-/// What of the layer's fill other fills do not hide.
-FillShapes fillShapes(const FilledLayer& filled, const LayerStack& stack, const PageMapping& page);
-
-/// Mean depth of the layer's pixels, 0 … 1.
-float meanDepth(const DepthLayer& layer);
+/// `paper`: the page's colour.
+FillShapes fillShapes(const SeenTones& seen, const glm::vec3& paper, const PageMapping& page);
 
 }  // namespace sline::render

@@ -18,6 +18,8 @@ constexpr float penStep = 0.25f;
 constexpr float evenness = 0.12f;
 // Of a circle's radius: the controls of a quarter of it.
 constexpr float quarterControl = 0.5522847498f;
+// The same of a half of it.
+constexpr float halfControl = 4.0f / 3.0f;
 
 glm::vec2 unit(const glm::vec2& v, const glm::vec2& otherwise) {
   const float length = glm::length(v);
@@ -28,9 +30,17 @@ glm::vec2 leftOf(const glm::vec2& direction) {
   return {-direction.y, direction.x};
 }
 
-/// Half a circle on around `centre`, from centre + radius·side to the other side, forwards.
-void appendCap(Curve& curve, const glm::vec2& centre, float radius, const glm::vec2& side,
+/// As appendHalfCircle by a single cubic, which leaves the circle by 2 % of the radius.
+void appendCap(Curve& curve, const StrokePoint& end, const glm::vec2& side,
                const glm::vec2& forwards) {
+  const glm::vec2 s = end.halfWidth * side;
+  const glm::vec2 f = end.halfWidth * halfControl * forwards;
+  curve.pieces.push_back({end.at + s + f, end.at - s + f, end.at - s});
+}
+
+/// Half a circle on around `centre`, from centre + radius·side to the other side, forwards.
+void appendHalfCircle(Curve& curve, const glm::vec2& centre, float radius, const glm::vec2& side,
+                      const glm::vec2& forwards) {
   const glm::vec2 s = radius * side;
   const glm::vec2 f = radius * forwards;
   curve.pieces.push_back(
@@ -43,8 +53,8 @@ Curve disc(const StrokePoint& point) {
   const glm::vec2 x(1.0f, 0.0f);
   const glm::vec2 y(0.0f, 1.0f);
   Curve curve{.start = point.at + point.halfWidth * x, .pieces = {}, .closed = true};
-  appendCap(curve, point.at, point.halfWidth, x, y);
-  appendCap(curve, point.at, point.halfWidth, -x, -y);
+  appendHalfCircle(curve, point.at, point.halfWidth, x, y);
+  appendHalfCircle(curve, point.at, point.halfWidth, -x, -y);
   return curve;
 }
 
@@ -110,10 +120,10 @@ Curve strokeOutline(std::span<const StrokePoint> points, float tolerance) {
   // Corners of the middle line are round on its outer side.
   const FitOptions options{.tolerance = tolerance, .corner = 1.6f};
   Curve outline = fittedCurve(left, options);
-  appendCap(outline, points.back().at, points.back().halfWidth, leftOf(direction), direction);
+  appendCap(outline, points.back(), leftOf(direction), direction);
   const Curve back = fittedCurve(right, options);
   outline.pieces.insert(outline.pieces.end(), back.pieces.begin(), back.pieces.end());
-  appendCap(outline, points.front().at, points.front().halfWidth, -leftOf(first), -first);
+  appendCap(outline, points.front(), -leftOf(first), -first);
   outline.closed = true;
   return outline;
 }

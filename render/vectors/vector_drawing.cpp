@@ -23,6 +23,12 @@ constexpr float standardHeight = 2160.0f;
 constexpr float mostPixels = 12e6f;
 // Of all layers together, five bytes each.
 constexpr double mostLayerPixels = 90e6;
+// Files are to stay below 5 MB: outlines of fills have what lines leave of so many bytes, but no
+// less than that. A piece of a curve and λ of a fill's outline take so many as SVG.
+constexpr double mostBytes = 4.4e6;
+constexpr double leastFillBytes = 0.8e6;
+constexpr double bytesPerPiece = 36.0;
+constexpr double bytesPerOutline = 2.25;
 
 /// A picture's size in pixels.
 struct PixelSize {
@@ -76,9 +82,20 @@ class Drawing {
     parallelFor(layers.size(), 1, [&](std::size_t i) { m_depths[i] = meanDepth(layers[i]); });
     const LayerStack stack(layers, m_view->size());
     m_ranks = paintRanks(stack, m_depths);
+    m_tones.resize(layers.size());
+    parallelFor(layers.size(), 1, [&](std::size_t i) {
+      if (layers[i].filled())
+        m_tones[i] = seenTones({layers[i], i, m_ranks}, stack);
+    });
     std::vector<VectorStructure> structures(m_work.size());
     parallelFor(m_work.size(), 1,
-                [&](std::size_t i) { structures[i] = drawn(m_work[i], layers, i, stack); });
+                [&](std::size_t i) { structures[i] = drawnLines(m_work[i], layers, i, stack); });
+    joinTonesWithin(m_tones, fillOutline(structures));
+    parallelFor(m_work.size(), 1, [&](std::size_t i) {
+      FillShapes fills = fillShapes(m_tones[i], paper(), m_page);
+      structures[i].fills = std::move(fills.shapes);
+      structures[i].fillOpacity = fills.opacity;
+    });
     std::erase_if(structures,
                   [](const VectorStructure& s) { return s.fills.empty() && s.lines.empty(); });
     std::stable_sort(structures.begin(), structures.end(),
@@ -187,15 +204,24 @@ class Drawing {
     joinLines(shown.surface(), *m_view, shown.style, work.lines.lines);
   }
 
-  VectorStructure drawn(Work& work, std::span<const DepthLayer> layers, std::size_t index,
-                        const LayerStack& stack) const {
+  /// How long outlines of fills may be together, beside these lines; pixels.
+  double fillOutline(std::span<const VectorStructure> structures) const {
+    std::size_t pieces = 0;
+    for (const VectorStructure& structure : structures)
+      for (const VectorLines& lines : structure.lines)
+        for (const VectorShape& shape : lines.shapes)
+          for (const Curve& curve : shape.path)
+            pieces += curve.pieces.size();
+    const double left = std::max(mostBytes - bytesPerPiece * double(pieces), leastFillBytes);
+    return left / bytesPerOutline * double(m_view->outputUnit());
+  }
+
+  VectorStructure drawnLines(Work& work, std::span<const DepthLayer> layers, std::size_t index,
+                             const LayerStack& stack) const {
     VectorStructure structure;
     structure.id = work.shown.id;
     structure.depth = m_depths[index];
     structure.paintRank = m_ranks[index];
-    FillShapes fills = fillShapes({layers[index], index, m_ranks, paper()}, stack, m_page);
-    structure.fills = std::move(fills.shapes);
-    structure.fillOpacity = fills.opacity;
     if (!hasLines(work.shown))
       return structure;
     const model::ResolvedStyle& style = work.shown.style;
@@ -243,6 +269,7 @@ class Drawing {
   PageMapping m_page;
   std::vector<float> m_depths;       ///< of each layer
   std::vector<std::size_t> m_ranks;  ///< see FilledLayer
+  std::vector<SeenTones> m_tones;    ///< of each layer
   glm::vec3 m_light{0.0f};
   glm::vec3 m_keyLight{0.0f};  ///< patient frame; 0: there is none
 };

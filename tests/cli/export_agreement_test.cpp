@@ -56,6 +56,7 @@ class ExportAgreementTest : public QObject {
   void initTestCase();
   void inkLiesWhereOursDoes_data();
   void inkLiesWhereOursDoes();
+  void theShadedAbdomenStaysHandy();
 
  private:
   QTemporaryDir m_folder;
@@ -153,6 +154,19 @@ void ExportAgreementTest::inkLiesWhereOursDoes() {
     QVERIFY(vectors.share >= 0.95);
     QVERIFY(picture.share >= 0.95);
   }
+}
+
+// All lines of 267 structures and all rims show through each other.
+void ExportAgreementTest::theShadedAbdomenStaysHandy() {
+  const QString abdomen = SLINE_TEST_DATA "/abdomen/AbdominalAtlas-2015Sept-Slicer4-4Version.mrml";
+  if (!QFileInfo::exists(abdomen))
+    QSKIP("there is no real anatomy to draw");
+  const QString file = m_folder.filePath("open.svg");
+  const Finished exported = runSline({"export", abdomen, "--svg", file, "--gamma", "3.5"});
+  QVERIFY2(exported.code == 0, exported.err.constData());
+  QVERIFY2(QFileInfo(file).size() <= 5'000'000,
+           qPrintable(QString::number(QFileInfo(file).size())));
+  QVERIFY(QFileInfo(file).size() >= 2'000'000);
 }
 
 }  // namespace sline::test

@@ -39,9 +39,9 @@ class Document {
       : m_drawing(drawing),
         m_scene(scene),
         m_writings(writings),
-        // Steps of a hundredth of a usual pen's width or less.
+        // Steps of a fortieth of λ or less.
         m_decimals(
-            std::clamp(int(std::ceil(-std::log10(drawing.sizeMm.y / 720.0f / 50.0f))), 2, 4)) {}
+            std::clamp(int(std::ceil(-std::log10(drawing.sizeMm.y / 720.0f / 40.0f))), 2, 4)) {}
 
   std::string make() {
     const std::string width = number(double(m_drawing.sizeMm.x), 4);
