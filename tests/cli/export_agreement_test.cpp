@@ -156,7 +156,7 @@ void ExportAgreementTest::inkLiesWhereOursDoes() {
   }
 }
 
-// All lines of 267 structures and all rims show through each other.
+// The lines and rims of all structures show through each other.
 void ExportAgreementTest::theShadedAbdomenStaysHandy() {
   const QString abdomen = SLINE_TEST_DATA "/abdomen/AbdominalAtlas-2015Sept-Slicer4-4Version.mrml";
   if (!QFileInfo::exists(abdomen))
