@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace sline::render {
@@ -40,6 +41,9 @@ constexpr std::array<Bend, 9> bends{{{Bend::Way::boxLevel, 0.0f},
 Leader leaderOf(const Column& column, const glm::vec2& place, float height, const Bend& bend = {}) {
   const float inwards = column.left ? 1.0f : -1.0f;
   const float knee = column.edge + inwards * levelPiece;
+  // From a place beside the knee or beyond it the way there would turn back at an acute angle.
+  if (inwards * (place.x - knee) <= 0.0f)
+    return {place, {column.edge, height}};
   if (bend.way == Bend::Way::boxLevel)
     return {place, {knee + bend.far * (place.x - knee), height}, {column.edge, height}};
   constexpr float channel = 3.0f;
@@ -108,7 +112,115 @@ float costOf(float way, const ColumnItem& item) {
   return far > jump ? far + (item.calm <= restDegrees ? dear * dear : dear) : far;
 }
 
+float heightWith(std::span<const ColumnItem> items, float gap) {
+  float height = 0.0f;
+  for (const ColumnItem& item : items)
+    height += item.box.y + (height > 0.0f ? gap : 0.0f);
+  return height;
+}
+
+constexpr float rounding = 1e-3f;
+
+/// The span where a box of that middle and half stands, or else the nearest to it.
+std::size_t spanOf(const std::vector<Span>& spans, float middle, float half) {
+  const auto away = [&](const Span& span) {
+    return std::max({span.low + half - middle, middle - span.high + half, 0.0f});
+  };
+  return std::size_t(
+      std::min_element(spans.begin(), spans.end(),
+                       [&](const Span& a, const Span& b) { return away(a) < away(b); }) -
+      spans.begin());
+}
+
+/// How many of the items, in their order, stand in each span: where they want to, as far as there
+/// is room.
+std::vector<std::size_t> shared(const std::vector<Span>& spans,
+                                const std::vector<ColumnItem>& items, float gap) {
+  std::vector<std::size_t> ends(spans.size(), 0);  // of each span, the first of the items behind it
+  std::size_t at = 0;
+  for (const ColumnItem& item : items) {
+    at = std::max(at, spanOf(spans, item.wanted, 0.5f * item.box.y));
+    for (std::size_t s = at; s < spans.size(); ++s)
+      ++ends[s];
+  }
+  const auto over = [&](std::size_t s) {
+    const std::size_t begin = s == 0 ? 0 : ends[s - 1];
+    return begin < ends[s] &&
+           heightWith({items.data() + begin, ends[s] - begin}, gap) > spans[s].length() + rounding;
+  };
+  for (std::size_t s = 0; s + 1 < spans.size(); ++s)
+    while (over(s))
+      --ends[s];
+  for (std::size_t s = spans.size(); s-- > 1;)
+    while (over(s))
+      ++ends[s - 1];
+  for (std::size_t s = spans.size(); s-- > 1;)
+    ends[s] -= ends[s - 1];
+  return ends;
+}
+
+/// Adds their places within the span.
+void settle(const Column& column, const Span& span, std::span<const ColumnItem> items,
+            std::vector<ColumnPlace>& places) {
+  // With what stands above taken off, wanted heights must only not decrease.
+  std::vector<double> above;
+  std::vector<Pool> pools;
+  double height = 0.0;
+  for (const ColumnItem& item : items) {
+    above.push_back(height);
+    pools.push_back({item.wanted - 0.5 * item.box.y - height, 1});
+    height += item.box.y + column.gap;
+    while (pools.size() > 1 && pools[pools.size() - 2].mean() > pools.back().mean()) {
+      const Pool last = pools.back();
+      pools.pop_back();
+      pools.back().sum += last.sum;
+      pools.back().count += last.count;
+    }
+  }
+  const double lowest = std::max(double(span.low), span.high - (height - column.gap));
+  std::size_t k = 0;
+  for (const Pool& pool : pools)
+    for (std::size_t i = 0; i < pool.count; ++i, ++k) {
+      const ColumnItem& item = items[k];
+      const double top = std::clamp(pool.mean(), double(span.low), lowest) + above[k];
+      const float left = column.left ? column.edge - item.box.x : column.edge;
+      const glm::vec2 corner(left, float(top));
+      places.push_back({{corner, corner + item.box},
+                        leaderOf(column, item.place, corner.y + 0.5f * item.box.y)});
+    }
+}
+
 }  // namespace
+
+std::vector<Span> freeSpans(const Column& column) {
+  std::vector<Span> blocked = column.blocked;
+  std::sort(blocked.begin(), blocked.end(),
+            [](const Span& a, const Span& b) { return a.low < b.low; });
+  std::vector<Span> free;
+  float from = column.top;
+  const auto add = [&](float to) {
+    if (to > from)
+      free.push_back({from, to});
+  };
+  for (const Span& span : blocked) {
+    add(std::min(span.low, column.bottom));
+    from = std::max(from, span.high);
+  }
+  add(column.bottom);
+  if (free.empty())
+    free.push_back({column.top, column.top});
+  return free;
+}
+
+bool fitIn(const Column& column, const std::vector<ColumnItem>& items) {
+  std::size_t next = 0;
+  for (const Span& span : freeSpans(column)) {
+    float at = span.low;
+    while (next < items.size() && at + items[next].box.y <= span.high + rounding)
+      at += items[next++].box.y + column.gap;
+  }
+  return next == items.size();
+}
 
 std::optional<std::pair<std::size_t, std::size_t>> firstCrossing(
     const std::vector<ColumnPlace>& places) {
@@ -134,39 +246,16 @@ bool bendApart(const Column& column, std::vector<ColumnPlace>& places) {
 }
 
 float heightOf(const std::vector<ColumnItem>& items, float gap) {
-  float height = 0.0f;
-  for (const ColumnItem& item : items)
-    height += item.box.y + (height > 0.0f ? gap : 0.0f);
-  return height;
+  return heightWith(items, gap);
 }
 
 std::vector<ColumnPlace> placesIn(const Column& column, const std::vector<ColumnItem>& items) {
-  // With what stands above taken off, wanted heights must only not decrease.
-  std::vector<double> above;
-  std::vector<Pool> pools;
-  double height = 0.0;
-  for (const ColumnItem& item : items) {
-    above.push_back(height);
-    pools.push_back({item.wanted - 0.5 * item.box.y - height, 1});
-    height += item.box.y + column.gap;
-    while (pools.size() > 1 && pools[pools.size() - 2].mean() > pools.back().mean()) {
-      const Pool last = pools.back();
-      pools.pop_back();
-      pools.back().sum += last.sum;
-      pools.back().count += last.count;
-    }
-  }
-  const double lowest = std::max(double(column.top), column.bottom - (height - column.gap));
+  const std::vector<Span> spans = freeSpans(column);
+  const std::vector<std::size_t> counts = shared(spans, items, column.gap);
   std::vector<ColumnPlace> places;
-  for (const Pool& pool : pools)
-    for (std::size_t i = 0; i < pool.count; ++i) {
-      const ColumnItem& item = items[places.size()];
-      const double top = std::clamp(pool.mean(), double(column.top), lowest) + above[places.size()];
-      const float left = column.left ? column.edge - item.box.x : column.edge;
-      const glm::vec2 corner(left, float(top));
-      places.push_back({{corner, corner + item.box},
-                        leaderOf(column, item.place, corner.y + 0.5f * item.box.y)});
-    }
+  places.reserve(items.size());
+  for (std::size_t s = 0; s < spans.size(); ++s)
+    settle(column, spans[s], {items.data() + places.size(), counts[s]}, places);
   return places;
 }
 
@@ -185,7 +274,12 @@ void uncross(const Column& column, std::vector<ColumnItem>& items) {
 std::optional<ColumnPlace> placeAmong(const Column& column, const ColumnItem& item,
                                       const std::vector<ColumnPlace>& others, float reach) {
   const float half = 0.5f * item.box.y;
-  std::vector<float> heights{item.wanted, column.top + half, column.bottom - half};
+  const std::vector<Span> spans = freeSpans(column);
+  std::vector<float> heights{item.wanted};
+  for (const Span& span : spans) {
+    heights.push_back(span.low + half);
+    heights.push_back(span.high - half);
+  }
   for (const ColumnPlace& other : others) {
     heights.push_back(other.box.low.y - column.gap - half);
     heights.push_back(other.box.high.y + column.gap + half);
@@ -193,10 +287,13 @@ std::optional<ColumnPlace> placeAmong(const Column& column, const ColumnItem& it
   std::stable_sort(heights.begin(), heights.end(), [&](float a, float b) {
     return std::abs(a - item.wanted) < std::abs(b - item.wanted);
   });
-  constexpr float rounding = 1e-3f;
+  const auto free = [&](float height) {
+    return std::any_of(spans.begin(), spans.end(), [&](const Span& span) {
+      return height - half >= span.low - rounding && height + half <= span.high + rounding;
+    });
+  };
   for (const float height : heights) {
-    if (std::abs(height - item.wanted) > reach || height - half < column.top - rounding ||
-        height + half > column.bottom + rounding)
+    if (std::abs(height - item.wanted) > reach || !free(height))
       continue;
     const glm::vec2 corner(column.left ? column.edge - item.box.x : column.edge, height - half);
     ColumnPlace place{{corner, corner + item.box}, {}};
@@ -225,6 +322,8 @@ bool pushIn(const Column& column, const ColumnItem& item, std::vector<ColumnItem
   for (std::size_t at = 0; at <= items.size(); ++at) {
     std::vector<ColumnItem> tried = items;
     tried.insert(tried.begin() + std::ptrdiff_t(at), item);
+    if (!fitIn(column, tried))
+      continue;
     std::vector<ColumnPlace> found = placesIn(column, tried);
     float moved = 0.0f;
     bool gentle = true;
