@@ -6,6 +6,7 @@
 #include <array>
 #include <glm/common.hpp>
 #include <limits>
+#include <utility>
 
 #include "render/labels/label_room.h"
 
@@ -91,6 +92,49 @@ float worth(const Trial& trial, const LabelTexts& texts) {
   return scale / (crowded * crowded) / (1.0f + dearness * std::max(tall - 1.0f, 0.0f));
 }
 
+/// Those before the eye, in the picture or not.
+std::vector<ShownLabel> visibleLabels(const model::Scene& scene, const Screen& screen,
+                                      const LabelStyle& style) {
+  std::vector<ShownLabel> labels;
+  int number = 0;
+  for (const model::Annotation& annotation : scene.annotations()) {
+    if (!annotation.visible)
+      continue;
+    ShownLabel label;
+    label.item.id = annotation.id;
+    label.item.kind = annotation.kind;
+    label.item.offset = annotation.offset;
+    label.text = model::textIn(annotation, style.language);
+    label.number = ++number;
+    for (const model::Anchor& anchor : annotation.anchors)
+      if (const auto point = scene.placeOf(anchor))
+        if (const auto place = screen.place(*point))
+          label.item.places.push_back(*place);
+    if (!label.item.places.empty())
+      labels.push_back(std::move(label));
+  }
+  return labels;
+}
+
+/// Of the visible structures' boxes; the whole picture where there are none.
+LabelBox extentOf(const model::Scene& scene, const Screen& screen) {
+  LabelBox anatomy{glm::vec2(std::numeric_limits<float>::infinity()),
+                   glm::vec2(-std::numeric_limits<float>::infinity())};
+  for (const model::Node& node : scene.nodes()) {
+    if (node.isGroup() || node.mesh->bounds().empty() || !scene.resolve(node.id).visible)
+      continue;
+    const model::Box& box = node.mesh->bounds();
+    for (unsigned i = 0; i < 8; ++i)
+      if (const auto corner = screen.place({(i & 1U) != 0U ? box.high.x : box.low.x,
+                                            (i & 2U) != 0U ? box.high.y : box.low.y,
+                                            (i & 4U) != 0U ? box.high.z : box.low.z})) {
+        anatomy.low = glm::min(anatomy.low, *corner);
+        anatomy.high = glm::max(anatomy.high, *corner);
+      }
+  }
+  return anatomy.low.x <= anatomy.high.x ? anatomy : LabelBox{glm::vec2(0.0f), screen.size()};
+}
+
 }  // namespace
 
 float besideColumnMm() {
@@ -133,45 +177,14 @@ ColumnWidths widthsBeside(const LabelTexts& texts) {
 
 ColumnWidths widthsBesideFitted(const model::Scene& scene, const Screen& screen,
                                 const LabelStyle& style) {
-  std::vector<ShownLabel> labels;
-  int number = 0;
-  for (const model::Annotation& annotation : scene.annotations()) {
-    if (!annotation.visible)
-      continue;
-    ShownLabel label{.item = {.id = annotation.id, .kind = annotation.kind},
-                     .text = model::textIn(annotation, style.language),
-                     .number = ++number};
-    for (const model::Anchor& anchor : annotation.anchors)
-      if (const auto point = scene.placeOf(anchor))
-        if (const auto place = screen.place(*point))
-          label.item.places.push_back(*place);
-    label.item.offset = annotation.offset;
-    if (!label.item.places.empty())
-      labels.push_back(std::move(label));
-  }
-  LabelBox anatomy{glm::vec2(std::numeric_limits<float>::infinity()),
-                   glm::vec2(-std::numeric_limits<float>::infinity())};
-  for (const model::Node& node : scene.nodes()) {
-    if (node.isGroup() || node.mesh->bounds().empty() || !scene.resolve(node.id).visible)
-      continue;
-    const model::Box& box = node.mesh->bounds();
-    for (unsigned i = 0; i < 8; ++i)
-      if (const auto corner = screen.place({(i & 1U) != 0U ? box.high.x : box.low.x,
-                                            (i & 2U) != 0U ? box.high.y : box.low.y,
-                                            (i & 4U) != 0U ? box.high.z : box.low.z})) {
-        anatomy.low = glm::min(anatomy.low, *corner);
-        anatomy.high = glm::max(anatomy.high, *corner);
-      }
-  }
-  if (!(anatomy.low.x <= anatomy.high.x))
-    anatomy = {glm::vec2(0.0f), screen.size()};
+  const std::vector<ShownLabel> labels = visibleLabels(scene, screen, style);
   if (labels.empty())
     return {};
-  return widthsBesideFitted(
-      {.labels = labels,
-       .style = style,
-       .space = {.size = screen.size(), .edges = style.edges, .reserved = style.reserved},
-       .anatomy = anatomy});
+  LabelSpace space;
+  space.size = screen.size();
+  space.edges = style.edges;
+  space.reserved = style.reserved;
+  return widthsBesideFitted({labels, style, space, extentOf(scene, screen)});
 }
 
 }  // namespace sline::render

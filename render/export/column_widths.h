@@ -11,7 +11,7 @@ namespace sline::render {
 struct LabelTexts {
   const std::vector<ShownLabel>& labels;
   const LabelStyle& style;
-  LabelSpace space;
+  const LabelSpace& space;
   LabelBox anatomy;  ///< in the picture
 };
 
