@@ -132,33 +132,6 @@ std::size_t spanOf(const std::vector<Span>& spans, float middle, float half) {
       spans.begin());
 }
 
-/// How many of the items, in their order, stand in each span: where they want to, as far as there
-/// is room.
-std::vector<std::size_t> shared(const std::vector<Span>& spans,
-                                const std::vector<ColumnItem>& items, float gap) {
-  std::vector<std::size_t> ends(spans.size(), 0);  // of each span, the first of the items behind it
-  std::size_t at = 0;
-  for (const ColumnItem& item : items) {
-    at = std::max(at, spanOf(spans, item.wanted, 0.5f * item.box.y));
-    for (std::size_t s = at; s < spans.size(); ++s)
-      ++ends[s];
-  }
-  const auto over = [&](std::size_t s) {
-    const std::size_t begin = s == 0 ? 0 : ends[s - 1];
-    return begin < ends[s] &&
-           heightWith({items.data() + begin, ends[s] - begin}, gap) > spans[s].length() + rounding;
-  };
-  for (std::size_t s = 0; s + 1 < spans.size(); ++s)
-    while (over(s))
-      --ends[s];
-  for (std::size_t s = spans.size(); s-- > 1;)
-    while (over(s))
-      ++ends[s - 1];
-  for (std::size_t s = spans.size(); s-- > 1;)
-    ends[s] -= ends[s - 1];
-  return ends;
-}
-
 /// Adds their places within the span.
 void settle(const Column& column, const Span& span, std::span<const ColumnItem> items,
             std::vector<ColumnPlace>& places) {
@@ -189,6 +162,73 @@ void settle(const Column& column, const Span& span, std::span<const ColumnItem> 
                         leaderOf(column, item.place, corner.y + 0.5f * item.box.y)});
     }
 }
+
+/// The sum of squares of what the items stand away from where they want to, in that span.
+float strainIn(const Column& column, const Span& span, std::span<const ColumnItem> items) {
+  std::vector<ColumnPlace> places;
+  settle(column, span, items, places);
+  float strain = 0.0f;
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    const float away = places[k].box.middle().y - items[k].wanted;
+    strain += away * away;
+  }
+  return strain;
+}
+
+/// Which of the items, in their order, stand in which span.
+class Sharing {
+ public:
+  Sharing(const Column& column, const std::vector<ColumnItem>& items)
+      : m_column(column), m_spans(freeSpans(column)), m_items(items), m_ends(m_spans.size(), 0) {
+    // Where they want to, as far as there is room.
+    std::size_t at = 0;
+    for (const ColumnItem& item : items) {
+      at = std::max(at, spanOf(m_spans, item.wanted, 0.5f * item.box.y));
+      for (std::size_t s = at; s < m_ends.size(); ++s)
+        ++m_ends[s];
+    }
+    for (std::size_t s = 0; s + 1 < m_ends.size(); ++s)
+      while (over(s))
+        --m_ends[s];
+    for (std::size_t s = m_ends.size(); s-- > 1;)
+      while (over(s))
+        ++m_ends[s - 1];
+    for (std::size_t s = 0; s + 1 < m_ends.size(); ++s)
+      relax(s);
+  }
+
+  std::size_t spans() const { return m_spans.size(); }
+  const Span& span(std::size_t s) const { return m_spans[s]; }
+  std::span<const ColumnItem> in(std::size_t s) const {
+    return {m_items.data() + begin(s), m_ends[s] - begin(s)};
+  }
+
+ private:
+  std::size_t begin(std::size_t s) const { return s == 0 ? 0 : m_ends[s - 1]; }
+  bool over(std::size_t s) const {
+    return m_ends[s] > begin(s) && heightWith(in(s), m_column.gap) > m_spans[s].length() + rounding;
+  }
+  float strain(std::size_t s) const {
+    return strainIn(m_column, m_spans[s], in(s)) + strainIn(m_column, m_spans[s + 1], in(s + 1));
+  }
+  /// Those next to what parts two spans go to the other while all stand nearer to where they want.
+  void relax(std::size_t s) {
+    for (const int way : {-1, 1})
+      while (way < 0 ? m_ends[s] > begin(s) : m_ends[s] < m_ends[s + 1]) {
+        const float before = strain(s);
+        m_ends[s] += std::size_t(way);
+        if (!over(s) && !over(s + 1) && strain(s) < before)
+          continue;
+        m_ends[s] -= std::size_t(way);
+        break;
+      }
+  }
+
+  const Column& m_column;
+  std::vector<Span> m_spans;
+  const std::vector<ColumnItem>& m_items;
+  std::vector<std::size_t> m_ends;  ///< of each span, the first of the items behind it
+};
 
 }  // namespace
 
@@ -250,12 +290,11 @@ float heightOf(const std::vector<ColumnItem>& items, float gap) {
 }
 
 std::vector<ColumnPlace> placesIn(const Column& column, const std::vector<ColumnItem>& items) {
-  const std::vector<Span> spans = freeSpans(column);
-  const std::vector<std::size_t> counts = shared(spans, items, column.gap);
+  const Sharing sharing(column, items);
   std::vector<ColumnPlace> places;
   places.reserve(items.size());
-  for (std::size_t s = 0; s < spans.size(); ++s)
-    settle(column, spans[s], {items.data() + places.size(), counts[s]}, places);
+  for (std::size_t s = 0; s < sharing.spans(); ++s)
+    settle(column, sharing.span(s), sharing.in(s), places);
   return places;
 }
 

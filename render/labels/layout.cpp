@@ -21,6 +21,7 @@ constexpr float anatomyGapMost = 14.0f;  // the anatomy draws back that far befo
 constexpr float stay = 0.25f;            // of the anatomy's width past its middle: sides stay
 constexpr float slack = 12.0f;           // between a place's height and that of its box
 constexpr float mostAir = 4.0f;          // between boxes of a column, where there is room
+constexpr float leastAir = 1.2f;         // likewise, of columns that are higher than the anatomy
 constexpr float besideGap = 1.8f;        // between a place and a box beside it
 
 /// What becomes of an item in this layout.
@@ -328,9 +329,12 @@ void Layouter::placeColumn(LabelPost post) {
   float room = 0.0f;
   for (const Span& span : freeSpans(airy))
     room += span.length();
-  const float spare = room - heightOf(items);
+  const float height = heightOf(items);
+  const float number = float(std::max<std::size_t>(items.size(), 1));
+  const float anatomy = m_request.obstacles.extent ? m_request.obstacles.extent->size().y : room;
   if (!m_before || m_before->labels.empty())
-    airy.gap += std::clamp(spare / float(2 * items.size() + 1), 0.0f, mostAir);
+    airy.gap += std::clamp((room - height) / (2.0f * number + 1.0f), 0.0f,
+                           std::clamp((anatomy - height) / number, leastAir, mostAir));
   if (!fitIn(airy, items))
     airy.gap = columnGap;
   uncross(airy, items);
