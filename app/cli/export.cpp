@@ -101,7 +101,7 @@ Result<render::ExportOrder> onSheet(render::ExportOrder job, PictureOrder& order
                                     const render::Typesetting& typesetting) {
   job.page.sizeMm = render::sheetFigureMm(job);
   const render::ExportOrder figure = render::sheetFigure(job);
-  order.labels.anatomyShare = render::shareBesidePlate(figure, typesetting);
+  order.labels.sides = render::sidesOfPlate(figure, typesetting);
   order.size = {int(std::lround(100.0f * job.page.sizeMm.x)),
                 int(std::lround(100.0f * job.page.sizeMm.y))};
   const Result<model::Camera> camera = cameraFor(job.scene, order);

@@ -81,7 +81,7 @@ Status prepareLabels(LabelOrder& order, const model::Scene& scene, const glm::ve
   job.page.sizeMm = pageMm;
   job.labels = order.style;
   job.marks = order.marks;
-  order.anatomyShare = render::shareBesidePlate(job, *order.typesetting);
+  order.sides = render::sidesOfPlate(job, *order.typesetting);
   return Unit{};
 }
 

@@ -25,7 +25,7 @@ struct LabelOrder {
   render::ExportMarks marks = render::ExportMarks::none();
   std::string viewName;  ///< of the camera; empty: none
   std::shared_ptr<const render::Typesetting> typesetting;
-  glm::vec2 anatomyShare{1.0f};  ///< of the picture's sides, for views that are fitted
+  model::FreeSides sides;  ///< of the picture, for views that are fitted
 
   bool bare() const {
     return style.mode == render::LabelMode::off && marks == render::ExportMarks::none();

@@ -105,8 +105,8 @@ Result<model::Scene> withOnly(const model::Scene& scene, const std::vector<std::
 
 /// Fits the camera to the vertices themselves; a slanted structure leaves much of its box empty.
 /// What sections take away does not count.
-model::Camera fittedToVisible(const model::Scene& scene, const model::Camera& camera,
-                              float aspect) {
+model::Camera fittedToVisible(const model::Scene& scene, const model::Camera& camera, float aspect,
+                              const model::FreeSides& sides) {
   std::vector<glm::vec3> points;
   for (const model::Node& node : scene.nodes()) {
     if (node.isGroup() || !scene.resolve(node.id).visible)
@@ -115,15 +115,7 @@ model::Camera fittedToVisible(const model::Scene& scene, const model::Camera& ca
         model::keptPoints(*node.mesh, model::planesOf(scene.sectionsOf(node.id)));
     points.insert(points.end(), kept.begin(), kept.end());
   }
-  return model::fitted(camera, points, aspect);
-}
-
-/// The camera that sees so much of the picture's height, from the same place.
-model::Camera framed(model::Camera camera, float share) {
-  camera.heightMm *= share;
-  camera.fovyDegrees =
-      2.0f * glm::degrees(std::atan(share * std::tan(0.5f * glm::radians(camera.fovyDegrees))));
-  return camera;
+  return model::fitted(camera, points, aspect, sides);
 }
 
 Error unknownView(const model::Scene& scene, const std::string& view) {
@@ -331,10 +323,9 @@ Result<model::Camera> cameraFor(const model::Scene& scene, const PictureOrder& o
   const auto view = model::anatomicalViewNamed(model::normalisedName(order.view));
   if (!view)
     return unknownView(scene, order.view);
-  const glm::vec2 share = order.labels.anatomyShare;
-  const float aspect = order.size.aspect() * share.x / share.y;
+  const float aspect = order.size.aspect();
   const model::Camera camera = model::anatomicalCamera(*view, scene.visibleBounds(), aspect);
-  return framed(fittedToVisible(scene, framed(camera, share.y), aspect), 1.0f / share.y);
+  return fittedToVisible(scene, camera, aspect, order.labels.sides);
 }
 
 Status drawToFile(const model::Scene& scene, const model::Camera& camera, const PictureOrder& order,

@@ -6,14 +6,15 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <utility>
 #include <vector>
+
+#include "model/scene/free_sides.h"
 
 namespace sline::model {
 
 namespace {
 
-/// The part of the picture's width or height that a fitted box takes; 5 % stay free on each side.
-constexpr double fittedShare = 0.9;
 /// Inside the box the near plane stands at this part of the far plane's distance: 1 in 4096 leaves
 /// 12 of a 24-bit depth buffer's bits at the far end.
 constexpr double nearestShare = 1.0 / 4096.0;
@@ -55,40 +56,58 @@ struct Extent {
   double size() const { return std::max({right.length(), up.length(), back.length()}); }
 };
 
-/// One axis of a perspective fit. A point at (lateral r, depth b) lies within slope t of an eye at
-/// (er, eb) where |r − er| ≤ t·(eb − b): two half-planes each, of which only the outermost count.
-struct Support {
-  double slope;
-  double above = -std::numeric_limits<double>::infinity();  ///< max of r + t·b
-  double below = -std::numeric_limits<double>::infinity();  ///< max of −r + t·b
-  void add(double lateral, double depth) {
-    above = std::max(above, lateral + slope * depth);
-    below = std::max(below, -lateral + slope * depth);
-  }
-  double nearestEye() const { return (above + below) / (2.0 * slope); }
+/// How far points may lie from the line of sight, per depth from the eye: towards smaller and
+/// towards larger coordinates. One may be negative.
+struct Slopes {
+  double low;
+  double high;
 };
 
-/// The lateral eye position from which the outermost points on both sides lie equally far from the
-/// middle of the picture; found by bisection, since the difference of the two falls monotonically.
+/// Within shares `low` and `high` of a picture whose half is that tangent.
+Slopes slopesWithin(double tangent, double low, double high) {
+  return {(1.0 - 2.0 * low) * tangent, (1.0 - 2.0 * high) * tangent};
+}
+
+/// One axis of a perspective fit. A point at (lateral r, depth b) is seen from an eye at (er, eb)
+/// where r − er ≤ high·(eb − b) and er − r ≤ low·(eb − b): two half-planes each, of which only the
+/// outermost count.
+struct Support {
+  Slopes slopes;
+  double above = -std::numeric_limits<double>::infinity();  ///< max of r + high·b
+  double below = -std::numeric_limits<double>::infinity();  ///< max of −r + low·b
+  void add(double lateral, double depth) {
+    above = std::max(above, lateral + slopes.high * depth);
+    below = std::max(below, -lateral + slopes.low * depth);
+  }
+  double nearestEye() const { return (above + below) / (slopes.low + slopes.high); }
+};
+
+/// The lateral eye position from which the outermost points on both sides lie equally far from
+/// their ends of the picture; found by bisection, since the difference of the two falls
+/// monotonically.
 double centredEye(std::span<const glm::dvec2> lateralAndDepth, const Interval& range,
-                  double eyeDepth) {
-  double low = range.low;
-  double high = range.high;
+                  double eyeDepth, const Slopes& allowed) {
+  const double aside = allowed.high - allowed.low;
+  double farthest = 0.0;
+  for (const glm::dvec2& p : lateralAndDepth)
+    farthest = std::max(farthest, eyeDepth - p.y);
+  double low = range.low - std::max(aside, 0.0) * farthest;
+  double high = range.high + std::max(-aside, 0.0) * farthest;
   for (int step = 0; step < 40 && low < high; ++step) {
     const double eye = 0.5 * (low + high);
     Interval slopes;
     for (const glm::dvec2& p : lateralAndDepth)
       slopes.add((p.x - eye) / (eyeDepth - p.y));
-    (slopes.low + slopes.high > 0.0 ? low : high) = eye;
+    (slopes.low + slopes.high > aside ? low : high) = eye;
   }
   return 0.5 * (low + high);
 }
 
 /// The eye in the camera's axes.
 glm::dvec3 perspectiveFit(const std::vector<glm::dvec3>& points, const Extent& extent,
-                          double tangent, double aspect) {
-  Support horizontal{fittedShare * tangent * aspect};
-  Support vertical{fittedShare * tangent};
+                          const Slopes& across, const Slopes& upwards) {
+  Support horizontal{across};
+  Support vertical{upwards};
   for (const glm::dvec3& p : points) {
     horizontal.add(p.x, p.z);
     vertical.add(p.y, p.z);
@@ -100,10 +119,10 @@ glm::dvec3 perspectiveFit(const std::vector<glm::dvec3>& points, const Extent& e
   std::vector<glm::dvec2> lateral(points.size());
   std::transform(points.begin(), points.end(), lateral.begin(),
                  [](const glm::dvec3& p) { return glm::dvec2(p.x, p.z); });
-  const double right = centredEye(lateral, extent.right, depth);
+  const double right = centredEye(lateral, extent.right, depth, across);
   std::transform(points.begin(), points.end(), lateral.begin(),
                  [](const glm::dvec3& p) { return glm::dvec2(p.y, p.z); });
-  return {right, centredEye(lateral, extent.up, depth), depth};
+  return {right, centredEye(lateral, extent.up, depth, upwards), depth};
 }
 
 std::array<glm::vec3, 8> cornersOf(const Box& box) {
@@ -190,6 +209,11 @@ Camera anatomicalCamera(AnatomicalView view, const Box& bounds, float aspect) {
 }
 
 Camera fitted(Camera camera, std::span<const glm::vec3> points, float aspect) {
+  return fitted(std::move(camera), points, aspect, FreeSides());
+}
+
+Camera fitted(Camera camera, std::span<const glm::vec3> points, float aspect,
+              const FreeSides& sides) {
   if (points.empty())
     return camera;
   const Axes axes = axesOf(camera);
@@ -206,13 +230,21 @@ Camera fitted(Camera camera, std::span<const glm::vec3> points, float aspect) {
   const double focus = glm::length(glm::dvec3(camera.eye) - glm::dvec3(camera.target));
   glm::dvec3 eye(extent.right.middle(), extent.up.middle(), extent.back.middle() + focus);
   if (camera.projection == Projection::orthographic) {
-    const double height = std::max(extent.up.length(), extent.right.length() / double(aspect));
-    if (height > 0.0)
-      camera.heightMm = float(height / fittedShare);
+    const double height =
+        std::max(extent.up.length() / (1.0 - sides.top - sides.bottom),
+                 extent.right.length() / double(aspect) / (1.0 - sides.left - sides.right));
+    if (height > 0.0) {
+      camera.heightMm = float(height);
+      eye.x -= 0.5 * height * double(aspect) * (sides.left - sides.right);
+      eye.y -= 0.5 * height * (sides.bottom - sides.top);
+    }
     if (extent.size() > 0.0)
       eye.z = extent.back.high + extent.size();
   } else if (extent.size() > 0.0) {
-    eye = perspectiveFit(local, extent, halfTangent(camera), double(aspect));
+    const double tangent = halfTangent(camera);
+    eye = perspectiveFit(local, extent,
+                         slopesWithin(tangent * double(aspect), sides.left, sides.right),
+                         slopesWithin(tangent, sides.bottom, sides.top));
   }
   const auto world = [&axes](const glm::dvec3& p) {
     return glm::vec3(p.x * axes.right + p.y * axes.up + p.z * axes.back);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "render/export/column_widths.h"
+
 namespace sline::render {
 
 namespace {
@@ -15,11 +17,6 @@ constexpr float lineHalo = 0.35f;  // on either side of lines
 constexpr float dotHalo = 0.4f;    // around dots
 constexpr float dotRadius = 0.5f;
 constexpr float pinRadius = 0.8f;
-
-float widestText(float pictureWidthMm, const LabelStyle& style) {
-  const float em = style.points * millimetresPerPoint;
-  return std::max(6.0f * em, std::min(14.0f * em, 0.22f * pictureWidthMm));
-}
 
 /// One plate's labels as shapes and text.
 class Setting {
@@ -133,6 +130,18 @@ class Setting {
   LetteringItem m_item;
 };
 
+/// As in the picture before: lines that break anew while a camera turns would jump.
+float textWidthFor(const LabelPlate& plate, const LabelRequest& request, const LabelTurn& turn) {
+  if (turn.before && turn.before->textWidth > 0.0f)
+    return turn.before->textWidth;
+  const LabelBox everywhere{glm::vec2(0.0f), request.space.size};
+  return widthsBeside({.labels = plate.labels,
+                       .style = plate.style,
+                       .space = request.space,
+                       .anatomy = request.obstacles.extent.value_or(everywhere)})
+      .text;
+}
+
 }  // namespace
 
 LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const LabelStyle& style,
@@ -142,17 +151,18 @@ LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const Lab
                    .texts = {},
                    .layout = {}};
   LabelRequest request{.items = {},
-                       .space = {screen.size(), 0.0f, style.edges},
+                       .space = {screen.size(), 0.0f, style.edges, style.reserved},
                        .obstacles = {},
                        .towardsEye = model::cameraFrame(screen.camera()).back,
                        .moving = turn.moving};
+  if (!plate.labels.empty())
+    request.obstacles = obstaclesOf(scene, screen);
+  request.textWidth = textWidthFor(plate, request, turn);
   for (ShownLabel& label : plate.labels) {
-    plate.texts.push_back(textOf(label, style, widestText(screen.size().x, style)));
+    plate.texts.push_back(textOf(label, style, request.textWidth));
     label.item.box = plate.texts.back().box;
     request.items.push_back(label.item);
   }
-  if (!request.items.empty())
-    request.obstacles = obstaclesOf(scene, screen);
   plate.layout = layOutLabels(request, turn.before);
   return plate;
 }
@@ -163,22 +173,6 @@ Lettering letteringOf(const LabelPlate& plate) {
 
 void paintLabels(QPainter& painter, const LabelPlate& plate) {
   paintLettering(painter, letteringOf(plate));
-}
-
-float columnRoomMm(const model::Scene& scene, const LabelStyle& style, float pictureWidthMm) {
-  float widest = 0.0f;
-  int number = 0;
-  for (const model::Annotation& annotation : scene.annotations()) {
-    if (!annotation.visible)
-      continue;
-    ShownLabel label;
-    label.item.kind = annotation.kind;
-    label.text = model::textIn(annotation, style.language);
-    label.number = ++number;
-    widest = std::max(widest, textOf(label, style, widestText(pictureWidthMm, style)).box.x);
-  }
-  constexpr float besideText = 8.0f;  // the output's edge, the leader's level piece, air
-  return widest > 0.0f ? widest + besideText : 0.0f;
 }
 
 }  // namespace sline::render

@@ -35,8 +35,4 @@ Lettering letteringOf(const LabelPlate& plate);
 /// The painter's unit must be a millimetre, from the picture's upper left corner.
 void paintLabels(QPainter& painter, const LabelPlate& plate);
 
-/// What columns of labels need on either side, for a camera that leaves them room. Millimetres;
-/// 0 where no label is visible.
-float columnRoomMm(const model::Scene& scene, const LabelStyle& style, float pictureWidthMm);
-
 }  // namespace sline::render

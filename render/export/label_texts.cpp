@@ -5,6 +5,7 @@
 #include <QFontMetricsF>
 #include <QLocale>
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 // Resources of a static library must be asked for, outside of any namespace.
@@ -42,21 +43,26 @@ struct Word {
   bool joined = false;
 };
 
-/// Words wider than that are divided as programs join them: "L4-L3-Disc", "left_kidney",
-/// "CystWall".
+/// Where programs join words: "L4-L3-Disc", "left_kidney", "CystWall".
+QStringList partsOf(const QString& word) {
+  QStringList parts{word.left(1)};
+  for (qsizetype i = 1; i < word.size(); ++i) {
+    const bool after = QStringLiteral("-_/").contains(word[i - 1]);
+    if (after || (word[i].isUpper() && word[i - 1].isLower()))
+      parts << QString();
+    parts.back() += word[i];
+  }
+  return parts;
+}
+
+/// Words wider than that are divided.
 std::vector<Word> wordsOf(const QString& text, const QFontMetricsF& metrics, qreal widest) {
   std::vector<Word> words;
   for (const QString& word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
-    words.push_back({word, false});
-    if (metrics.horizontalAdvance(word) <= widest)
-      continue;
-    words.back().text = word.left(1);
-    for (qsizetype i = 1; i < word.size(); ++i) {
-      const bool after = QStringLiteral("-_/").contains(word[i - 1]);
-      if (after || (word[i].isUpper() && word[i - 1].isLower()))
-        words.push_back({QString(), true});
-      words.back().text += word[i];
-    }
+    const bool whole = metrics.horizontalAdvance(word) <= widest;
+    const QStringList parts = whole ? QStringList{word} : partsOf(word);
+    for (qsizetype i = 0; i < parts.size(); ++i)
+      words.push_back({parts[i], i > 0});
   }
   return words;
 }
@@ -139,6 +145,78 @@ glm::vec2 paddingOf(model::AnnotationKind kind, const LabelStyle& style) {
     return {0.25f * em, 0.12f * em};
   return kind == model::AnnotationKind::callout ? glm::vec2(0.45f, 0.3f) * em
                                                 : glm::vec2(0.25f, 0.04f) * em;
+}
+
+float widestTextMm(float pictureWidthMm, const LabelStyle& style) {
+  const float em = style.points * millimetresPerPoint;
+  return std::max(6.0f * em, std::min(14.0f * em, 0.22f * pictureWidthMm));
+}
+
+MeasuredText::MeasuredText(const ShownLabel& label, const LabelStyle& style)
+    : m_padding(paddingOf(label.item.kind, style)),
+      m_scale(pixelsToMm(style)),
+      m_lineHeight(lineHeightMm(style)) {
+  if (style.mode != LabelMode::on) {
+    m_fixed = textOf(label, style, 0.0f).box;
+    return;
+  }
+  const QFontMetricsF metrics(labelFont());
+  m_space = float(metrics.horizontalAdvance(QLatin1Char(' ')));
+  const QString text = QString::fromStdString(label.text).trimmed();
+  const QStringList paragraphs = label.item.kind == model::AnnotationKind::callout
+                                     ? text.split(QLatin1Char('\n'))
+                                     : QStringList{fullText(label, style)};
+  for (const QString& paragraph : paragraphs) {
+    Paragraph& words = m_paragraphs.emplace_back();
+    for (const QString& word : paragraph.simplified().split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
+      Word& measured = words.emplace_back();
+      measured.whole = float(metrics.horizontalAdvance(word));
+      for (const QString& part : partsOf(word))
+        measured.parts.push_back(float(metrics.horizontalAdvance(part)));
+    }
+  }
+}
+
+glm::vec2 MeasuredText::boxAt(float widestMm) const {
+  if (m_fixed)
+    return *m_fixed;
+  const float widest = widestMm / m_scale;
+  std::size_t lines = 0;
+  float width = 0.0f;
+  for (const Paragraph& paragraph : m_paragraphs) {
+    // Words as they are divided at that width, each with what stands before it on its line.
+    std::vector<std::pair<float, float>> parts;
+    for (const Word& word : paragraph)
+      if (word.whole <= widest)
+        parts.emplace_back(m_space, word.whole);
+      else
+        for (std::size_t i = 0; i < word.parts.size(); ++i)
+          parts.emplace_back(i == 0 ? m_space : 0.0f, word.parts[i]);
+    const auto fill = [&](float most) {
+      std::pair<std::size_t, float> filled{1, 0.0f};  // lines, the widest
+      float line = 0.0f;
+      for (const auto& [before, part] : parts) {
+        if (line > 0.0f && line + before + part > most) {
+          ++filled.first;
+          line = part;
+        } else {
+          line += (line > 0.0f ? before : 0.0f) + part;
+        }
+        filled.second = std::max(filled.second, line);
+      }
+      return filled;
+    };
+    const std::size_t least = fill(widest).first;
+    float low = 0.0f;
+    float high = widest;
+    for (int i = 0; i < 10; ++i) {
+      const float middle = 0.5f * (low + high);
+      (fill(middle).first > least ? low : high) = middle;
+    }
+    lines += least;
+    width = std::max(width, fill(high).second);
+  }
+  return glm::vec2(width * m_scale, float(lines) * m_lineHeight) + 2.0f * m_padding;
 }
 
 LabelText textOf(const ShownLabel& label, const LabelStyle& style, float widestMm) {

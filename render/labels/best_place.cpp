@@ -15,6 +15,7 @@ constexpr int cells = 64;  // along each side of the structure's box on the scre
 struct Sample {
   model::Hit hit;
   bool seen = false;
+  bool clear = false;  ///< seen, and nothing is drawn over it
 };
 using Samples = std::vector<std::optional<Sample>>;  ///< cells × cells; none: not of the structure
 
@@ -53,7 +54,8 @@ Samples samplesOf(const Sights& sights, model::NodeId structure, const Screen& s
       model::Ray before = ray;
       before.farthest = own->hit.t;
       const auto first = sights.nearest(before);
-      samples[cellAt(x, y)] = Sample{own->hit, !first || first->structure == structure};
+      const bool seen = !first || first->structure == structure;
+      samples[cellAt(x, y)] = Sample{own->hit, seen, seen && !sights.drawnOver(structure, before)};
     }
   return samples;
 }
@@ -86,8 +88,13 @@ std::vector<float> depths(const std::vector<bool>& counts, const glm::vec2& cell
   return depth;
 }
 
+struct Spot {
+  std::size_t cell = 0;
+  float depth = 0.0f;  ///< millimetres from where cells do not count
+};
+
 /// The deepest cell that counts; of equally deep ones the nearest to the middle of all.
-std::optional<std::size_t> deepest(const std::vector<bool>& counts, const glm::vec2& cell) {
+std::optional<Spot> deepest(const std::vector<bool>& counts, const glm::vec2& cell) {
   const std::vector<float> depth = depths(counts, cell);
   glm::vec2 middle(0.0f);
   float number = 0.0f;
@@ -100,18 +107,39 @@ std::optional<std::size_t> deepest(const std::vector<bool>& counts, const glm::v
       middle += place(i);
       number += 1.0f;
     }
-  std::optional<std::size_t> best;
+  std::optional<Spot> best;
   float bestWorth = 0.0f;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (!counts[i])
       continue;
     const float worth = depth[i] - 0.02f * glm::length(place(i) - middle / number);
     if (!best || worth > bestWorth) {
-      best = i;
+      best = Spot{i, depth[i]};
       bestWorth = worth;
     }
   }
   return best;
+}
+
+/// The deepest of the samples of which that is true.
+template <typename Counts>
+std::optional<Spot> deepest(const Samples& samples, const glm::vec2& cell, Counts&& is) {
+  std::vector<bool> counts(samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    counts[i] = samples[i] && is(*samples[i]);
+  return deepest(counts, cell);
+}
+
+/// Where nothing is drawn over the structure, if a dot has room there; else where it is seen; else
+/// anywhere on it.
+std::optional<Spot> bestSpot(const Samples& samples, const glm::vec2& cell) {
+  constexpr float roomForDot = 1.2f;  // millimetres
+  constexpr float mostLost = 0.6f;    // of the depth that there is where it is seen
+  const auto seen = deepest(samples, cell, [](const Sample& one) { return one.seen; });
+  if (!seen)
+    return deepest(samples, cell, [](const Sample&) { return true; });
+  const auto clear = deepest(samples, cell, [](const Sample& one) { return one.clear; });
+  return clear && clear->depth >= std::min(roomForDot, mostLost * seen->depth) ? clear : seen;
 }
 
 }  // namespace
@@ -126,17 +154,13 @@ std::optional<BestPlace> bestPlaceOn(const model::Scene& scene, model::NodeId st
     return std::nullopt;
   const Sights sights(scene, trees);
   const Samples samples = samplesOf(sights, structure, screen, *box);
-  for (const bool hidden : {false, true}) {
-    std::vector<bool> counts(samples.size());
-    for (std::size_t i = 0; i < samples.size(); ++i)
-      counts[i] = samples[i] && (hidden || samples[i]->seen);
-    if (const auto best = deepest(counts, box->size() / float(cells))) {
-      const model::Hit& hit = samples[*best]->hit;
-      const float most = std::max(hit.u + hit.v, 1.0f);
-      return BestPlace{{structure, hit.triangle, {hit.u / most, hit.v / most}}, hidden};
-    }
-  }
-  return std::nullopt;
+  const std::optional<Spot> best = bestSpot(samples, box->size() / float(cells));
+  if (!best)
+    return std::nullopt;
+  const Sample& sample = *samples[best->cell];
+  const float most = std::max(sample.hit.u + sample.hit.v, 1.0f);
+  return BestPlace{{structure, sample.hit.triangle, {sample.hit.u / most, sample.hit.v / most}},
+                   !sample.seen};
 }
 
 }  // namespace sline::render

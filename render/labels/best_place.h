@@ -16,8 +16,9 @@ struct BestPlace {
 };
 
 /// The place on the structure farthest from where it ends, or another structure begins to hide it,
-/// as the screen shows it; of a structure that is all hidden, as if it were alone. Nothing where it
-/// is not visible or not in the picture.
+/// as the screen shows it, and if there is room for a dot not under what lets it show through
+/// either: its lines would run over the dot. Of a structure that is all hidden, as if it were
+/// alone. Nothing where it is not visible or not in the picture.
 std::optional<BestPlace> bestPlaceOn(const model::Scene& scene, model::NodeId structure,
                                      const Screen& screen, SightTrees& trees);
 

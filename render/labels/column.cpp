@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace sline::render {
@@ -40,6 +41,9 @@ constexpr std::array<Bend, 9> bends{{{Bend::Way::boxLevel, 0.0f},
 Leader leaderOf(const Column& column, const glm::vec2& place, float height, const Bend& bend = {}) {
   const float inwards = column.left ? 1.0f : -1.0f;
   const float knee = column.edge + inwards * levelPiece;
+  // From a place beside the knee or beyond it the way there would turn back at an acute angle.
+  if (inwards * (place.x - knee) <= 0.0f)
+    return {place, {column.edge, height}};
   if (bend.way == Bend::Way::boxLevel)
     return {place, {knee + bend.far * (place.x - knee), height}, {column.edge, height}};
   constexpr float channel = 3.0f;
@@ -108,7 +112,155 @@ float costOf(float way, const ColumnItem& item) {
   return far > jump ? far + (item.calm <= restDegrees ? dear * dear : dear) : far;
 }
 
+float heightWith(std::span<const ColumnItem> items, float gap) {
+  float height = 0.0f;
+  for (const ColumnItem& item : items)
+    height += item.box.y + (height > 0.0f ? gap : 0.0f);
+  return height;
+}
+
+constexpr float rounding = 1e-3f;
+
+/// The span where a box of that middle and half stands, or else the nearest to it.
+std::size_t spanOf(const std::vector<Span>& spans, float middle, float half) {
+  const auto away = [&](const Span& span) {
+    return std::max({span.low + half - middle, middle - span.high + half, 0.0f});
+  };
+  return std::size_t(
+      std::min_element(spans.begin(), spans.end(),
+                       [&](const Span& a, const Span& b) { return away(a) < away(b); }) -
+      spans.begin());
+}
+
+/// Adds their places within the span.
+void settle(const Column& column, const Span& span, std::span<const ColumnItem> items,
+            std::vector<ColumnPlace>& places) {
+  // With what stands above taken off, wanted heights must only not decrease.
+  std::vector<double> above;
+  std::vector<Pool> pools;
+  double height = 0.0;
+  for (const ColumnItem& item : items) {
+    above.push_back(height);
+    pools.push_back({item.wanted - 0.5 * item.box.y - height, 1});
+    height += item.box.y + column.gap;
+    while (pools.size() > 1 && pools[pools.size() - 2].mean() > pools.back().mean()) {
+      const Pool last = pools.back();
+      pools.pop_back();
+      pools.back().sum += last.sum;
+      pools.back().count += last.count;
+    }
+  }
+  const double lowest = std::max(double(span.low), span.high - (height - column.gap));
+  std::size_t k = 0;
+  for (const Pool& pool : pools)
+    for (std::size_t i = 0; i < pool.count; ++i, ++k) {
+      const ColumnItem& item = items[k];
+      const double top = std::clamp(pool.mean(), double(span.low), lowest) + above[k];
+      const float left = column.left ? column.edge - item.box.x : column.edge;
+      const glm::vec2 corner(left, float(top));
+      places.push_back({{corner, corner + item.box},
+                        leaderOf(column, item.place, corner.y + 0.5f * item.box.y)});
+    }
+}
+
+/// The sum of squares of what the items stand away from where they want to, in that span.
+float strainIn(const Column& column, const Span& span, std::span<const ColumnItem> items) {
+  std::vector<ColumnPlace> places;
+  settle(column, span, items, places);
+  float strain = 0.0f;
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    const float away = places[k].box.middle().y - items[k].wanted;
+    strain += away * away;
+  }
+  return strain;
+}
+
+/// Which of the items, in their order, stand in which span.
+class Sharing {
+ public:
+  Sharing(const Column& column, const std::vector<ColumnItem>& items)
+      : m_column(column), m_spans(freeSpans(column)), m_items(items), m_ends(m_spans.size(), 0) {
+    // Where they want to, as far as there is room.
+    std::size_t at = 0;
+    for (const ColumnItem& item : items) {
+      at = std::max(at, spanOf(m_spans, item.wanted, 0.5f * item.box.y));
+      for (std::size_t s = at; s < m_ends.size(); ++s)
+        ++m_ends[s];
+    }
+    for (std::size_t s = 0; s + 1 < m_ends.size(); ++s)
+      while (over(s))
+        --m_ends[s];
+    for (std::size_t s = m_ends.size(); s-- > 1;)
+      while (over(s))
+        ++m_ends[s - 1];
+    for (std::size_t s = 0; s + 1 < m_ends.size(); ++s)
+      relax(s);
+  }
+
+  std::size_t spans() const { return m_spans.size(); }
+  const Span& span(std::size_t s) const { return m_spans[s]; }
+  std::span<const ColumnItem> in(std::size_t s) const {
+    return {m_items.data() + begin(s), m_ends[s] - begin(s)};
+  }
+
+ private:
+  std::size_t begin(std::size_t s) const { return s == 0 ? 0 : m_ends[s - 1]; }
+  bool over(std::size_t s) const {
+    return m_ends[s] > begin(s) && heightWith(in(s), m_column.gap) > m_spans[s].length() + rounding;
+  }
+  float strain(std::size_t s) const {
+    return strainIn(m_column, m_spans[s], in(s)) + strainIn(m_column, m_spans[s + 1], in(s + 1));
+  }
+  /// Those next to what parts two spans go to the other while all stand nearer to where they want.
+  void relax(std::size_t s) {
+    for (const int way : {-1, 1})
+      while (way < 0 ? m_ends[s] > begin(s) : m_ends[s] < m_ends[s + 1]) {
+        const float before = strain(s);
+        m_ends[s] += std::size_t(way);
+        if (!over(s) && !over(s + 1) && strain(s) < before)
+          continue;
+        m_ends[s] -= std::size_t(way);
+        break;
+      }
+  }
+
+  const Column& m_column;
+  std::vector<Span> m_spans;
+  const std::vector<ColumnItem>& m_items;
+  std::vector<std::size_t> m_ends;  ///< of each span, the first of the items behind it
+};
+
 }  // namespace
+
+std::vector<Span> freeSpans(const Column& column) {
+  std::vector<Span> blocked = column.blocked;
+  std::sort(blocked.begin(), blocked.end(),
+            [](const Span& a, const Span& b) { return a.low < b.low; });
+  std::vector<Span> free;
+  float from = column.top;
+  const auto add = [&](float to) {
+    if (to > from)
+      free.push_back({from, to});
+  };
+  for (const Span& span : blocked) {
+    add(std::min(span.low, column.bottom));
+    from = std::max(from, span.high);
+  }
+  add(column.bottom);
+  if (free.empty())
+    free.push_back({column.top, column.top});
+  return free;
+}
+
+bool fitIn(const Column& column, const std::vector<ColumnItem>& items) {
+  std::size_t next = 0;
+  for (const Span& span : freeSpans(column)) {
+    float at = span.low;
+    while (next < items.size() && at + items[next].box.y <= span.high + rounding)
+      at += items[next++].box.y + column.gap;
+  }
+  return next == items.size();
+}
 
 std::optional<std::pair<std::size_t, std::size_t>> firstCrossing(
     const std::vector<ColumnPlace>& places) {
@@ -134,39 +286,15 @@ bool bendApart(const Column& column, std::vector<ColumnPlace>& places) {
 }
 
 float heightOf(const std::vector<ColumnItem>& items, float gap) {
-  float height = 0.0f;
-  for (const ColumnItem& item : items)
-    height += item.box.y + (height > 0.0f ? gap : 0.0f);
-  return height;
+  return heightWith(items, gap);
 }
 
 std::vector<ColumnPlace> placesIn(const Column& column, const std::vector<ColumnItem>& items) {
-  // With what stands above taken off, wanted heights must only not decrease.
-  std::vector<double> above;
-  std::vector<Pool> pools;
-  double height = 0.0;
-  for (const ColumnItem& item : items) {
-    above.push_back(height);
-    pools.push_back({item.wanted - 0.5 * item.box.y - height, 1});
-    height += item.box.y + column.gap;
-    while (pools.size() > 1 && pools[pools.size() - 2].mean() > pools.back().mean()) {
-      const Pool last = pools.back();
-      pools.pop_back();
-      pools.back().sum += last.sum;
-      pools.back().count += last.count;
-    }
-  }
-  const double lowest = std::max(double(column.top), column.bottom - (height - column.gap));
+  const Sharing sharing(column, items);
   std::vector<ColumnPlace> places;
-  for (const Pool& pool : pools)
-    for (std::size_t i = 0; i < pool.count; ++i) {
-      const ColumnItem& item = items[places.size()];
-      const double top = std::clamp(pool.mean(), double(column.top), lowest) + above[places.size()];
-      const float left = column.left ? column.edge - item.box.x : column.edge;
-      const glm::vec2 corner(left, float(top));
-      places.push_back({{corner, corner + item.box},
-                        leaderOf(column, item.place, corner.y + 0.5f * item.box.y)});
-    }
+  places.reserve(items.size());
+  for (std::size_t s = 0; s < sharing.spans(); ++s)
+    settle(column, sharing.span(s), sharing.in(s), places);
   return places;
 }
 
@@ -185,7 +313,12 @@ void uncross(const Column& column, std::vector<ColumnItem>& items) {
 std::optional<ColumnPlace> placeAmong(const Column& column, const ColumnItem& item,
                                       const std::vector<ColumnPlace>& others, float reach) {
   const float half = 0.5f * item.box.y;
-  std::vector<float> heights{item.wanted, column.top + half, column.bottom - half};
+  const std::vector<Span> spans = freeSpans(column);
+  std::vector<float> heights{item.wanted};
+  for (const Span& span : spans) {
+    heights.push_back(span.low + half);
+    heights.push_back(span.high - half);
+  }
   for (const ColumnPlace& other : others) {
     heights.push_back(other.box.low.y - column.gap - half);
     heights.push_back(other.box.high.y + column.gap + half);
@@ -193,10 +326,13 @@ std::optional<ColumnPlace> placeAmong(const Column& column, const ColumnItem& it
   std::stable_sort(heights.begin(), heights.end(), [&](float a, float b) {
     return std::abs(a - item.wanted) < std::abs(b - item.wanted);
   });
-  constexpr float rounding = 1e-3f;
+  const auto free = [&](float height) {
+    return std::any_of(spans.begin(), spans.end(), [&](const Span& span) {
+      return height - half >= span.low - rounding && height + half <= span.high + rounding;
+    });
+  };
   for (const float height : heights) {
-    if (std::abs(height - item.wanted) > reach || height - half < column.top - rounding ||
-        height + half > column.bottom + rounding)
+    if (std::abs(height - item.wanted) > reach || !free(height))
       continue;
     const glm::vec2 corner(column.left ? column.edge - item.box.x : column.edge, height - half);
     ColumnPlace place{{corner, corner + item.box}, {}};
@@ -225,6 +361,8 @@ bool pushIn(const Column& column, const ColumnItem& item, std::vector<ColumnItem
   for (std::size_t at = 0; at <= items.size(); ++at) {
     std::vector<ColumnItem> tried = items;
     tried.insert(tried.begin() + std::ptrdiff_t(at), item);
+    if (!fitIn(column, tried))
+      continue;
     std::vector<ColumnPlace> found = placesIn(column, tried);
     float moved = 0.0f;
     bool gentle = true;

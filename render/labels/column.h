@@ -31,13 +31,27 @@ struct ColumnItem {
   float wanted = 0.0f;  ///< height of the box's middle; of its place, or not far from it
 };
 
+/// Heights from `low` down to `high`.
+struct Span {
+  float low = 0.0f;
+  float high = 0.0f;
+  float length() const { return high - low; }
+};
+
 struct Column {
   bool left = true;   ///< of the anatomy: boxes end at `edge`; else they begin there
   float edge = 0.0f;  ///< x of the boxes' sides that face the anatomy
   float top = 0.0f;
   float bottom = 0.0f;
-  float gap = columnGap;  ///< between boxes, at least
+  float gap = columnGap;      ///< between boxes, at least
+  std::vector<Span> blocked;  ///< where no box stands, in any order
 };
+
+/// What is left of the column between what is blocked, from the top; never empty: where all is
+/// blocked, one span without length.
+std::vector<Span> freeSpans(const Column& column);
+/// In that order the items find room in what is free.
+bool fitIn(const Column& column, const std::vector<ColumnItem>& items);
 
 struct ColumnPlace {
   LabelBox box;
@@ -48,7 +62,8 @@ struct ColumnPlace {
 float heightOf(const std::vector<ColumnItem>& items, float gap = columnGap);
 
 /// Boxes in the order of the items from the top, each as near its wanted height as the others
-/// let it: the sum of squares is the least (by pooling adjacent violators). They must fit.
+/// let it: in each free span the sum of squares is the least (by pooling adjacent violators). They
+/// must fit.
 std::vector<ColumnPlace> placesIn(const Column& column, const std::vector<ColumnItem>& items);
 
 /// Two whose leaders cross, neighbours first: their exchange moves least.

@@ -8,21 +8,21 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 #include <tuple>
+#include <utility>
 
+#include "render/labels/label_room.h"
 #include "render/labels/steady_column.h"
 
 namespace sline::render {
 
 namespace {
 
-constexpr float edgePadding = 2.0f;      // between boxes and the output's edge
-constexpr float anatomyGap = 5.0f;       // between a column and the anatomy
 constexpr float anatomyGapMost = 14.0f;  // the anatomy draws back that far before a column follows
 constexpr float stay = 0.25f;            // of the anatomy's width past its middle: sides stay
 constexpr float slack = 12.0f;           // between a place's height and that of its box
 constexpr float mostAir = 4.0f;          // between boxes of a column, where there is room
+constexpr float leastAir = 1.2f;         // likewise, of columns that are higher than the anatomy
 constexpr float besideGap = 1.8f;        // between a place and a box beside it
-constexpr float clearance = 0.4f;        // between a leader and another's box
 
 /// What becomes of an item in this layout.
 struct Fate {
@@ -30,13 +30,6 @@ struct Fate {
   bool tried = false;  ///< on the other side, too
   bool out = false;
 };
-
-glm::vec2 placeOf(const LabelItem& item) {
-  glm::vec2 sum(0.0f);
-  for (const glm::vec2& place : item.places)
-    sum += place;
-  return sum / float(std::max<std::size_t>(item.places.size(), 1));
-}
 
 bool standsBeside(const LabelItem& item) {
   return item.kind == model::AnnotationKind::pin || item.kind == model::AnnotationKind::distance;
@@ -55,30 +48,6 @@ bool jumps(const PlacedLabel& was, const PlacedLabel& is) {
   return was.post != is.post || std::abs(was.box.middle().y - is.box.middle().y) > jump;
 }
 
-/// From the place to the middle of the side of the box that is nearest.
-Leader leaderTo(const LabelBox& box, const glm::vec2& place) {
-  if (box.grown(clearance).contains(place))
-    return {};
-  const glm::vec2 middle = box.middle();
-  const std::array<glm::vec2, 4> ends{{{box.low.x, middle.y},
-                                       {box.high.x, middle.y},
-                                       {middle.x, box.low.y},
-                                       {middle.x, box.high.y}}};
-  const auto nearest =
-      std::min_element(ends.begin(), ends.end(), [&](const auto& a, const auto& b) {
-        return glm::length(a - place) < glm::length(b - place);
-      });
-  return {place, *nearest};
-}
-
-/// Where boxes may stand.
-LabelBox frameOf(const LabelSpace& space) {
-  const auto room = [](float edge) { return std::max(edge, edgePadding); };
-  return {{room(space.edges.left) - space.sideMargin, room(space.edges.top)},
-          {space.size.x - room(space.edges.right) + space.sideMargin,
-           space.size.y - room(space.edges.bottom)}};
-}
-
 class Layouter {
  public:
   Layouter(const LabelRequest& request, const LabelLayout* before)
@@ -91,6 +60,7 @@ class Layouter {
   LabelLayout layOut() {
     setColumns();
     choosePosts();
+    widen();
     // Each round sends an item to the other side or out, so that this ends.
     for (std::size_t rounds = 0; rounds <= 3 * m_fates.size(); ++rounds) {
       place();
@@ -107,19 +77,21 @@ class Layouter {
   const PlacedLabel* before(std::size_t i) const {
     return m_before ? m_before->find(item(i).id) : nullptr;
   }
-  Column column(LabelPost post) const {
-    return {post == LabelPost::left, m_edges[post == LabelPost::left ? 0 : 1], m_frame.low.y,
-            m_frame.high.y};
-  }
+  Column column(LabelPost post) const;
 
   void setColumns();
+  /// Makes room for the widest in each column. While layouts follow each other columns only grow,
+  /// and at once so far that they need not again.
+  void widen();
+  /// Heights of a column where something stands that does not give way.
+  std::vector<Span> blockedIn(LabelPost post) const;
+  bool fit(LabelPost post) const { return fitIn(column(post), inColumn(post)); }
   /// How many degrees the camera has turned since the label last jumped.
   float calm(std::size_t i) const;
   /// Where the camera was then; zero for one that has not.
   glm::vec3 lastJump(std::size_t i) const;
   /// It may not jump in this layout.
   bool rests(std::size_t i) const { return m_request.moving && calm(i) <= restDegrees; }
-  float medianOfPlaces() const;
   void choosePosts();
   LabelPost sideOf(std::size_t i) const;
   /// Until both columns' boxes fit in, those nearest to the middle change sides or go out.
@@ -128,6 +100,8 @@ class Layouter {
   float wantedHeight(std::size_t i) const;
   void place();
   void placeByHand(std::size_t i);
+  /// Part of it is outside the frame or where something is reserved.
+  bool misplaced(std::size_t i) const;
   void placeColumn(LabelPost post);
   /// Those that were there before stay, but for those that must move; false where that fails.
   bool placeSteadily(LabelPost post, const std::vector<ColumnItem>& items);
@@ -143,45 +117,80 @@ class Layouter {
   const LabelRequest& m_request;
   const LabelLayout* m_before;
   LabelBox m_frame;
+  std::array<float, 2> m_near{};  ///< edges of columns that have room there
   std::array<float, 2> m_edges{};
+  std::array<float, 2> m_widths{};
   float m_middle = 0.0f;
   float m_width = 0.0f;  ///< of the anatomy
   std::vector<Fate> m_fates;
   std::vector<std::optional<PlacedLabel>> m_placed;
 };
 
-float Layouter::medianOfPlaces() const {
-  std::vector<float> xs;
-  for (const LabelItem& one : m_request.items)
-    xs.push_back(placeOf(one).x);
-  if (xs.empty())
-    return 0.5f * m_request.space.size.x;
-  std::sort(xs.begin(), xs.end());
-  return 0.5f * (xs[(xs.size() - 1) / 2] + xs[xs.size() / 2]);
-}
-
 void Layouter::setColumns() {
-  float widest = 0.0f;
   LabelBox all{glm::vec2(std::numeric_limits<float>::infinity()),
                glm::vec2(-std::numeric_limits<float>::infinity())};
   for (const LabelItem& item : m_request.items) {
-    widest = std::max(widest, item.box.x);
     all.low = glm::min(all.low, placeOf(item));
     all.high = glm::max(all.high, placeOf(item));
   }
   if (m_request.obstacles.extent)
     all = *m_request.obstacles.extent;
-  // Between the middle of the anatomy and that of the places, so that neither column is crowded.
-  m_middle = 0.5f * (all.middle().x + medianOfPlaces());
+  m_middle = middleBetweenColumns(m_request.items, all.middle().x);
   m_width = all.size().x;
-  m_edges = {all.low.x - anatomyGap, all.high.x + anatomyGap};
+  m_near = {all.low.x - anatomyGap, all.high.x + anatomyGap};
   if (m_before && !m_before->labels.empty()) {
     const float most = anatomyGapMost - anatomyGap;
-    m_edges[0] = std::clamp(m_before->edges[0], m_edges[0] - most, m_edges[0]);
-    m_edges[1] = std::clamp(m_before->edges[1], m_edges[1], m_edges[1] + most);
+    m_near[0] = std::clamp(m_before->edges[0], m_near[0] - most, m_near[0]);
+    m_near[1] = std::clamp(m_before->edges[1], m_near[1], m_near[1] + most);
+    m_widths = m_before->widths;
   }
-  m_edges[0] = std::max(m_edges[0], m_frame.low.x + widest);
-  m_edges[1] = std::min(m_edges[1], m_frame.high.x - widest);
+}
+
+void Layouter::widen() {
+  const bool follows = m_request.moving || (m_before && !m_before->labels.empty());
+  float widest = 0.0f;
+  std::array<float, 2> widths{};
+  for (std::size_t i = 0; i < m_fates.size(); ++i) {
+    widest = std::max(widest, item(i).box.x);
+    if (!m_fates[i].out && isColumn(m_fates[i].post)) {
+      float& width = widths[m_fates[i].post == LabelPost::left ? 0 : 1];
+      width = std::max(width, item(i).box.x);
+    }
+  }
+  for (std::size_t side = 0; side < 2; ++side)
+    if (widths[side] > m_widths[side])
+      m_widths[side] = follows ? widest : widths[side];
+  m_edges = {std::max(m_near[0], m_frame.low.x + m_widths[0]),
+             std::min(m_near[1], m_frame.high.x - m_widths[1])};
+}
+
+Column Layouter::column(LabelPost post) const {
+  return {.left = post == LabelPost::left,
+          .edge = m_edges[post == LabelPost::left ? 0 : 1],
+          .top = m_frame.low.y,
+          .bottom = m_frame.high.y,
+          .gap = columnGap,
+          .blocked = blockedIn(post)};
+}
+
+std::vector<Span> Layouter::blockedIn(LabelPost post) const {
+  const std::size_t side = post == LabelPost::left ? 0 : 1;
+  const float edge = m_edges[side];
+  const Span across = side == 0 ? Span{edge - m_widths[0], edge} : Span{edge, edge + m_widths[1]};
+  std::vector<Span> blocked;
+  const auto block = [&](const LabelBox& box) {
+    if (box.low.x < across.high && box.high.x > across.low)
+      blocked.push_back({box.low.y - clearance, box.high.y + clearance});
+  };
+  for (const LabelBox& box : m_request.space.reserved)
+    block(box.grown(clearance));
+  for (std::size_t i = 0; i < m_placed.size(); ++i)
+    if (m_placed[i] && m_placed[i]->post == LabelPost::byHand) {
+      block(m_placed[i]->box.grown(clearance));
+      if (const auto heights = heightsWithin(m_placed[i]->leader, across.low, across.high))
+        blocked.push_back({heights->low - clearance, heights->high + clearance});
+    }
+  return blocked;
 }
 
 float Layouter::calm(std::size_t i) const {
@@ -225,8 +234,7 @@ void Layouter::choosePosts() {
 }
 
 void Layouter::relieve(LabelPost post) {
-  const float room = m_frame.size().y;
-  while (heightOf(inColumn(post)) > room) {
+  while (!fit(post)) {
     std::optional<std::size_t> nearest;
     for (std::size_t i = 0; i < m_fates.size(); ++i) {
       const auto key = [&](std::size_t k) {
@@ -268,16 +276,17 @@ float Layouter::wantedHeight(std::size_t i) const {
 }
 
 void Layouter::place() {
-  // What does not fit on one side goes to the other and from there out, so that this ends.
-  while (heightOf(inColumn(LabelPost::left)) > m_frame.size().y ||
-         heightOf(inColumn(LabelPost::right)) > m_frame.size().y) {
-    relieve(LabelPost::left);
-    relieve(LabelPost::right);
-  }
   std::fill(m_placed.begin(), m_placed.end(), std::nullopt);
   for (std::size_t i = 0; i < m_fates.size(); ++i)
     if (!m_fates[i].out && m_fates[i].post == LabelPost::byHand)
       placeByHand(i);
+  widen();
+  // What does not fit on one side goes to the other and from there out, so that this ends.
+  while (!fit(LabelPost::left) || !fit(LabelPost::right)) {
+    relieve(LabelPost::left);
+    relieve(LabelPost::right);
+    widen();
+  }
   placeColumn(LabelPost::left);
   placeColumn(LabelPost::right);
   for (std::size_t i = 0; i < m_fates.size(); ++i)
@@ -290,9 +299,20 @@ void Layouter::placeByHand(std::size_t i) {
   const glm::vec2 place = placeOf(item(i));
   const glm::vec2 middle =
       glm::clamp(place + *item(i).offset, m_frame.low + half, m_frame.high - half);
-  const LabelBox box{middle - half, middle + half};
+  const LabelBox box =
+      besideReserved({middle - half, middle + half}, m_frame, m_request.space.reserved);
   m_placed[i] =
       PlacedLabel{item(i).id, LabelPost::byHand, box, leaderTo(box, place), item(i).hidden};
+}
+
+bool Layouter::misplaced(std::size_t i) const {
+  const PlacedLabel& label = *m_placed[i];
+  const std::vector<LabelBox>& reserved = m_request.space.reserved;
+  return !within(label.box, m_frame) ||
+         std::any_of(reserved.begin(), reserved.end(), [&](const LabelBox& one) {
+           return overlap(label.box, one) ||
+                  (label.post != LabelPost::byHand && runsThrough(label.leader, one));
+         });
 }
 
 void Layouter::put(const ColumnItem& one, LabelPost post, const ColumnPlace& place) {
@@ -306,9 +326,17 @@ void Layouter::placeColumn(LabelPost post) {
     return;
   // With air between them where there is room: who comes later then finds a gap.
   Column airy = column(post);
-  const float spare = airy.bottom - airy.top - heightOf(items);
+  float room = 0.0f;
+  for (const Span& span : freeSpans(airy))
+    room += span.length();
+  const float height = heightOf(items);
+  const float number = float(std::max<std::size_t>(items.size(), 1));
+  const float anatomy = m_request.obstacles.extent ? m_request.obstacles.extent->size().y : room;
   if (!m_before || m_before->labels.empty())
-    airy.gap += std::clamp(spare / float(2 * items.size() + 1), 0.0f, mostAir);
+    airy.gap += std::clamp((room - height) / (2.0f * number + 1.0f), 0.0f,
+                           std::clamp((anatomy - height) / number, leastAir, mostAir));
+  if (!fitIn(airy, items))
+    airy.gap = columnGap;
   uncross(airy, items);
   const std::vector<ColumnPlace> places = placesIn(airy, items);
   for (std::size_t k = 0; k < items.size(); ++k)
@@ -333,8 +361,7 @@ bool Layouter::placeSteadily(LabelPost post, const std::vector<ColumnItem>& item
 }
 
 bool Layouter::fits(std::size_t i, const LabelBox& box) const {
-  if (box.low.x < m_frame.low.x || box.low.y < m_frame.low.y || box.high.x > m_frame.high.x ||
-      box.high.y > m_frame.high.y)
+  if (!within(box, m_frame) || overlapAny(box, m_request.space.reserved))
     return false;
   for (std::size_t k = 0; k < m_placed.size(); ++k) {
     if (k == i)
@@ -401,7 +428,7 @@ std::size_t Layouter::loserOf(std::size_t i, std::size_t j) const {
 
 std::optional<std::size_t> Layouter::firstLoser() const {
   for (std::size_t i = 0; i < m_fates.size(); ++i)
-    if (!m_fates[i].out && !m_placed[i])
+    if (!m_fates[i].out && (!m_placed[i] || misplaced(i)))
       return i;
   for (std::size_t i = 0; i < m_placed.size(); ++i)
     for (std::size_t j = i + 1; j < m_placed.size(); ++j)
@@ -423,7 +450,12 @@ void Layouter::giveWay(std::size_t i) {
 }
 
 LabelLayout Layouter::answer() const {
-  LabelLayout layout{.labels = {}, .leftOut = {}, .waiting = {}, .edges = m_edges};
+  LabelLayout layout{.labels = {},
+                     .leftOut = {},
+                     .waiting = {},
+                     .edges = m_edges,
+                     .widths = m_widths,
+                     .textWidth = m_request.textWidth};
   for (std::size_t i = 0; i < m_placed.size(); ++i) {
     const PlacedLabel* was = before(i);
     const bool in = m_placed[i] && !m_fates[i].out;

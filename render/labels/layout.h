@@ -33,6 +33,8 @@ struct LabelSpace {
   glm::vec2 size{0.0f};
   float sideMargin = 0.0f;  ///< beyond the left and right side, where boxes may stand too
   EdgeRoom edges;           ///< where no box stands
+  /// Where neither boxes nor leaders are: something else stands there.
+  std::vector<LabelBox> reserved;
 };
 
 struct LabelRequest {
@@ -44,6 +46,7 @@ struct LabelRequest {
   /// The camera is on its way: who has just jumped does not jump again, but is left out where there
   /// is no other way, until the camera rests or 20° are behind it.
   bool moving = false;
+  float textWidth = 0.0f;  ///< what texts were broken to; handed through, for layouts that follow
 };
 
 /// `beside`: its place, without a leader.
@@ -71,15 +74,19 @@ struct LabelLayout {
   std::vector<model::AnnotationId> leftOut;  ///< for which there was no room
   std::vector<WaitingLabel> waiting;         ///< of those, who was there while the camera turned
   std::array<float, 2> edges{};              ///< of the left and the right column
+  std::array<float, 2> widths{};             ///< of the widest that has stood in each
+  float textWidth = 0.0f;                    ///< LabelRequest::textWidth
   bool operator==(const LabelLayout&) const = default;
 
   const PlacedLabel* find(model::AnnotationId id) const;
 };
 
 /// Holds for every answer: no two boxes overlap, no two leaders cross, no leader runs through a box
-/// of another, and all boxes lie within the space. What finds no such place is left out: what is
-/// hidden before what is seen, later items before earlier ones. The same request and the same
-/// layout before give the same layout.
+/// of another or turns by more than a right angle, all boxes lie within the space, and nothing of
+/// them lies where it is reserved, but for leaders to what was moved by hand. What was moved by
+/// hand stays where it was put and the others give way: in their column, to the other side, or they
+/// are left out. What finds no place is left out: what is hidden before what is seen, later items
+/// before earlier ones. The same request and the same layout before give the same layout.
 LabelLayout layOutLabels(const LabelRequest& request, const LabelLayout* before = nullptr);
 
 }  // namespace sline::render

@@ -35,6 +35,26 @@ model::Ray keptPart(model::Ray ray, std::span<const model::Plane> planes) {
   return ray;
 }
 
+/// The ray meets the box: what it does not meet needs no tree.
+bool reaches(const model::Ray& ray, const model::Box& box) {
+  double enter = double(ray.nearest);
+  double leave = double(ray.farthest);
+  const double room = 1e-5 * double(glm::length(box.size()));
+  for (int i = 0; i < 3; ++i) {
+    const double low = double(box.low[i]) - room - double(ray.origin[i]);
+    const double high = double(box.high[i]) + room - double(ray.origin[i]);
+    const double along = double(ray.direction[i]);
+    if (along == 0.0) {
+      if (low > 0.0 || high < 0.0)
+        return false;
+      continue;
+    }
+    enter = std::max(enter, std::min(low / along, high / along));
+    leave = std::min(leave, std::max(low / along, high / along));
+  }
+  return enter <= leave;
+}
+
 bool seenFromWithin(const model::Mesh& mesh, const model::Hit& hit, const glm::vec3& direction) {
   const auto& [a, b, c] = mesh.triangles()[hit.triangle];
   const glm::vec3 normal = glm::cross(mesh.positions()[b] - mesh.positions()[a],
@@ -74,7 +94,7 @@ const Sights::Body* Sights::find(model::NodeId id) const {
 
 std::optional<Sights::Seen> Sights::meet(const Body& body, const model::Ray& ray) const {
   const model::Ray kept = keptPart(ray, body.planes);
-  if (!(kept.nearest <= kept.farthest))
+  if (!(kept.nearest <= kept.farthest) || !reaches(kept, body.node->mesh->bounds()))
     return std::nullopt;
   std::optional<model::Hit> hit = m_trees.treeOf(body.node->mesh).nearest(kept);
   if (!hit)
@@ -100,6 +120,12 @@ std::optional<Sights::Seen> Sights::nearest(const model::Ray& ray) const {
     }
   }
   return best;
+}
+
+bool Sights::drawnOver(model::NodeId structure, const model::Ray& ray) const {
+  return std::any_of(m_bodies.begin(), m_bodies.end(), [&](const Body& body) {
+    return body.node->id != structure && meet(body, ray);
+  });
 }
 
 std::vector<model::MeshPtr> Sights::withoutTree() const {

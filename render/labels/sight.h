@@ -39,6 +39,8 @@ class Sights {
   std::optional<Seen> nearest(const model::Ray& ray) const;
   /// The nearest of that structure alone, whether it hides anything or not.
   std::optional<Seen> nearestOf(model::NodeId structure, const model::Ray& ray) const;
+  /// Another structure that is drawn is on the ray, whether it hides anything or not.
+  bool drawnOver(model::NodeId structure, const model::Ray& ray) const;
   /// Meshes without which `hidden` would have to wait for a tree.
   std::vector<model::MeshPtr> withoutTree() const;
   /// Visible, and not taken away by a section.

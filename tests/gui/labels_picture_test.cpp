@@ -184,6 +184,51 @@ class LabelsPictureTest : public QObject {
     sendMouse(f.viewport(), QEvent::MouseButtonRelease, from - QPoint(96, 0));
   }
 
+  /// Neither texts nor leaders are under the cube, the bar, the letters or the time.
+  void labelsKeepClearOfMarks() {
+    Labels f;
+    f.control<QAction>("showFrameTime").setChecked(true);
+    model::Scene scene = f.session.scene();
+    for (std::uint32_t i = 0; i < 26; ++i) {
+      const model::NodeId on = i % 2 == 0 ? f.liver : f.bladder;
+      const std::uint32_t count = scene.find(on)->mesh->triangleCount();
+      scene = model::withAnnotation(
+                  scene, {.anchors = {model::SurfacePoint{on, (i * 2477U) % count, {0.3f, 0.3f}}},
+                          .text = "a structure of a long name, " + std::to_string(i)})
+                  .scene;
+    }
+    f.session.apply("labels", {.scene = scene, .changed = true});
+    const auto marks = [&f] {
+      QList<QRectF> boxes;
+      for (const char* name : {"orientationCube", "scaleBar", "frameTime", "letterLeft",
+                               "letterRight", "letterTop", "letterBottom"}) {
+        const QWidget& mark = f.control<QWidget>(name);
+        if (mark.isVisible())
+          boxes << QRectF(mark.geometry());
+      }
+      return boxes;
+    };
+    for (int step = 0; step < 5; ++step) {
+      const widgets::LabelSheet& sheet = f.sheet();
+      QVERIFY(marks().size() >= 6);
+      QVERIFY(sheet.plate.layout.labels.size() > 12);
+      const double scale = double(sheet.wish.pixelsPerMm);
+      for (const render::PlacedLabel& label : sheet.plate.layout.labels)
+        for (const QRectF& mark : marks()) {
+          const QRectF box = widgets::boxOf(sheet, label.id);
+          QVERIFY2(!box.intersects(mark), qPrintable(QString("step %1").arg(step)));
+          const auto& leader = label.leader;
+          for (std::size_t i = 1; i < leader.size(); ++i)
+            for (double t = 0.0; t <= 1.0; t += 0.02) {
+              const QPointF a(double(leader[i - 1].x), double(leader[i - 1].y));
+              const QPointF b(double(leader[i].x), double(leader[i].y));
+              QVERIFY(!mark.contains(scale * (a + t * (b - a))));
+            }
+        }
+      f.key(Qt::Key_Right);
+    }
+  }
+
   /// Sorting the meshes is no reason to wait for a picture, nor is a new document's.
   void anotherDocumentHasItsOwn() {
     Labels f;

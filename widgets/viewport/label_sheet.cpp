@@ -41,7 +41,7 @@ render::LabelBox extentOf(const render::LabelPlate& plate) {
 bool same(const LabelWish& a, const LabelWish& b) {
   const auto tied = [](const LabelWish& w) {
     return std::tie(w.style.mode, w.style.points, w.style.language, w.style.onDark, w.size,
-                    w.pixelsPerMm, w.ratio, w.document);
+                    w.style.reserved, w.pixelsPerMm, w.ratio, w.document);
   };
   return tied(a) == tied(b);
 }

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "model/edit/annotations.h"
+#include "render/export/column_widths.h"
 #include "widgets/annotations/annotation_texts.h"
 #include "widgets/viewport/navigation.h"
 
@@ -73,7 +74,6 @@ void PictureLabels::setDark(bool dark) {
 
 LabelWish PictureLabels::wish(bool moving) const {
   constexpr float millimetresPerInch = 25.4f;
-  constexpr float letter = 28.0f;  // R, L and the like at the sides, with their margin: pixels
   const QWidget& picture = m_place.picture;
   LabelWish wish{.style = m_style,
                  .size = {float(picture.width()), float(picture.height())},
@@ -81,7 +81,9 @@ LabelWish PictureLabels::wish(bool moving) const {
                  .ratio = picture.devicePixelRatioF(),
                  .document = m_place.session.document().opening,
                  .moving = moving};
-  wish.style.edges.left = wish.style.edges.right = letter / wish.pixelsPerMm;
+  for (const QRectF& mark : m_place.marks())
+    wish.style.reserved.push_back(
+        {vec(mark.topLeft()) / wish.pixelsPerMm, vec(mark.bottomRight()) / wish.pixelsPerMm});
   return wish;
 }
 
@@ -89,13 +91,19 @@ bool PictureLabels::waits() const {
   return m_layer->sheet() && m_layer->sheet()->waits();
 }
 
-float PictureLabels::shareBeside(const model::Scene& scene) const {
+float PictureLabels::shareBeside(const model::Scene& scene, const model::Camera& camera) const {
   constexpr float least = 0.5f;
-  if (m_style.mode == render::LabelMode::off)
-    return 1.0f;
   const LabelWish now = wish();
-  const float width = now.size.x / now.pixelsPerMm;
-  return std::max(least, 1.0f - 2.0f * render::columnRoomMm(scene, m_style, width) / width);
+  const glm::vec2 size = now.size / now.pixelsPerMm;
+  if (m_style.mode == render::LabelMode::off || !(size.x > 0.0f) || !(size.y > 0.0f))
+    return 1.0f;
+  // The same on both sides: the anatomy turns, and labels go with it.
+  const render::ColumnWidths widths =
+      render::widthsBesideFitted(scene, render::Screen(camera, size), now.style);
+  const float widest = std::max(widths.left, widths.right);
+  if (!(widest > 0.0f))
+    return 1.0f;
+  return std::clamp(1.0f - 2.0f * (widest + render::besideColumnMm()) / size.x, least, 1.0f);
 }
 
 void PictureLabels::took(const LabelSheetPtr& sheet, const model::Camera& camera) {

@@ -23,6 +23,8 @@ class PictureLabels : public QObject {
     Session& session;
     Picker& picker;
     std::function<Picker::Question(const QPointF&)> question;
+    /// Where other marks are, pixels: no label is there.
+    std::function<std::vector<QRectF>()> marks;
   };
   explicit PictureLabels(Place place);
 
@@ -38,8 +40,8 @@ class PictureLabels : public QObject {
   LabelWish wish(bool moving = false) const;
   /// Some are left out until the camera rests.
   bool waits() const;
-  /// What labels beside the anatomy leave of the picture's width, 0 … 1.
-  float shareBeside(const model::Scene& scene) const;
+  /// What labels beside the anatomy leave of the picture's width, 0 … 1, as that camera looks.
+  float shareBeside(const model::Scene& scene, const model::Camera& camera) const;
   /// The labels of the picture that is shown from now on; null: they are not known yet.
   void took(const LabelSheetPtr& sheet, const model::Camera& camera);
   /// All of the picture's labels are known.

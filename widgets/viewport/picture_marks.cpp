@@ -63,8 +63,8 @@ void PictureMarks::setBackground(render::Background background) {
   m_section->setDark(dark);
 }
 
-void PictureMarks::placeCorner(QWidget& mark, Qt::Corner corner) {
-  QRect box(QPoint(), mark.sizeHint());
+QRect PictureMarks::cornerBox(const QSize& size, Qt::Corner corner) const {
+  QRect box(QPoint(), size);
   const QRect room = m_picture.rect().adjusted(margin, m_headroom + margin, -margin, -margin);
   if (corner == Qt::TopRightCorner)
     box.moveTopRight(room.topRight());
@@ -72,7 +72,51 @@ void PictureMarks::placeCorner(QWidget& mark, Qt::Corner corner) {
     box.moveBottomRight(room.bottomRight());
   else
     box.moveBottomLeft(room.bottomLeft());
-  mark.setGeometry(box);
+  return box;
+}
+
+void PictureMarks::placeCorner(QWidget& mark, Qt::Corner corner) {
+  mark.setGeometry(cornerBox(mark.sizeHint(), corner));
+}
+
+std::vector<QRectF> PictureMarks::places() const {
+  std::vector<QRectF> places;
+  const auto add = [&places](const QRect& box) {
+    constexpr qreal air = 4.0;
+    places.push_back(QRectF(box).adjusted(-air, -air, air, air));
+  };
+  if (m_headroom > 0)
+    add({0, 0, m_picture.width(), m_headroom});
+  if (m_choice.cube)
+    add(cornerBox(m_cube->sizeHint(), Qt::TopRightCorner));
+  if (m_choice.scaleBar)
+    add(cornerBox(m_scaleBar->sizeHint(), Qt::BottomLeftCorner));
+  // Words and letters change while the camera turns; labels are not to give way each time.
+  const auto sizeOf = [](const QLabel& label, const QString& text) {
+    return label.fontMetrics().boundingRect(text).size() + QSize(4, 2);
+  };
+  if (m_choice.frameTime)
+    add(cornerBox(sizeOf(*m_time, timeText(9999.0, 0.5f)), Qt::BottomRightCorner));
+  const QSize letters = sizeOf(*m_letters[0], QStringLiteral("SLA"));
+  const QPoint middle = m_picture.rect().center();
+  for (std::size_t i = 0; i < m_letters.size(); ++i) {
+    QRect box(QPoint(), letters);
+    box.moveCenter(middle);
+    placeAtEdge(box, i);
+    add(box);
+  }
+  return places;
+}
+
+void PictureMarks::placeAtEdge(QRect& box, std::size_t edge) const {
+  if (edge == 0)
+    box.moveLeft(margin);
+  else if (edge == 1)
+    box.moveRight(m_picture.width() - margin);
+  else if (edge == 2)
+    box.moveTop(m_headroom + margin);
+  else
+    box.moveBottom(m_picture.height() - margin);
 }
 
 void PictureMarks::place(const model::Camera& camera, const glm::vec3& pivot, bool scene) {
@@ -98,23 +142,20 @@ void PictureMarks::placeLetters(const model::Camera& camera) {
     label.adjustSize();
     QRect box = label.rect();
     box.moveCenter(middle);
-    if (i == 0)
-      box.moveLeft(margin);
-    else if (i == 1)
-      box.moveRight(m_picture.width() - margin);
-    else if (i == 2)
-      box.moveTop(m_headroom + margin);
-    else
-      box.moveBottom(m_picture.height() - margin);
+    placeAtEdge(box, i);
     label.setGeometry(box);
     label.setVisible(m_scene);
   }
 }
 
-void PictureMarks::showTime(double milliseconds, float scale) {
+QString PictureMarks::timeText(double milliseconds, float scale) {
   const QString time = tr("%1 ms").arg(QLocale().toString(milliseconds, 'f', 0));
   const QString size = QLocale().toString(int(std::lround(100.0f * scale)));
-  m_time->setText(scale < 1.0f ? tr("%1 at %2 % size").arg(time, size) : time);
+  return scale < 1.0f ? tr("%1 at %2 % size").arg(time, size) : time;
+}
+
+void PictureMarks::showTime(double milliseconds, float scale) {
+  m_time->setText(timeText(milliseconds, scale));
   m_time->adjustSize();
   placeCorner(*m_time, Qt::BottomRightCorner);
 }

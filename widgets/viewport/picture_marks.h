@@ -4,6 +4,7 @@
 #include <QObject>
 #include <array>
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "render/picture/picture.h"
 #include "widgets/viewport/cube_mark.h"
@@ -38,6 +39,8 @@ class PictureMarks : public QObject {
   void place(const model::Camera& camera, const glm::vec3& pivot, bool scene);
   /// So many pixels at the upper edge are covered by something else.
   void setHeadroom(int pixels) { m_headroom = pixels; }
+  /// Where marks stand or may stand, whatever they say now, with air around them: pixels.
+  std::vector<QRectF> places() const;
   void showTime(double milliseconds, float scale);
   /// Near the mouse; plain text.
   void showName(const QString& name, const QPoint& mouse);
@@ -45,6 +48,10 @@ class PictureMarks : public QObject {
 
  private:
   void placeLetters(const model::Camera& camera);
+  QRect cornerBox(const QSize& size, Qt::Corner corner) const;
+  static QString timeText(double milliseconds, float scale);
+  /// Moves a box, centred in the picture, to its left, right, upper or lower edge.
+  void placeAtEdge(QRect& box, std::size_t edge) const;
   void placeCorner(QWidget& mark, Qt::Corner corner);
 
   QWidget& m_picture;

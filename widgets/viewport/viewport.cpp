@@ -54,11 +54,12 @@ Viewport::Viewport(Session& session, QWidget* parent)
   m_nameRest.setSingleShot(true);
   m_nameRest.setInterval(nameAfter);
   m_flightTick.setInterval(flightStep);
+  m_marks = new PictureMarks(*this);
   m_labels = new PictureLabels({.picture = *this,
                                 .session = session,
                                 .picker = m_picker,
-                                .question = [this](const QPointF& at) { return question(at); }});
-  m_marks = new PictureMarks(*this);
+                                .question = [this](const QPointF& at) { return question(at); },
+                                .marks = [this] { return m_marks->places(); }});
   m_marks->setBackground(m_background);
   connect(&m_rest, &QTimer::timeout, this, &Viewport::rest);
   connect(&m_nameRest, &QTimer::timeout, this, &Viewport::wantName);
@@ -340,13 +341,15 @@ void Viewport::setPivot(const glm::vec3& pivot) {
   placeMarks();
 }
 
-float Viewport::aspectBesideLabels() const {
-  return aspect() * m_labels->shareBeside(m_session.scene());
+float Viewport::aspectBesideLabels(const model::Camera& camera) const {
+  return aspect() * m_labels->shareBeside(m_session.scene(), camera);
 }
 
 void Viewport::showFrom(model::AnatomicalView view) {
   pivotToMiddle();
-  flyTo(cameraFrom(m_session.scene(), view, aspectBesideLabels()));
+  const model::Scene& scene = m_session.scene();
+  const model::Camera there = cameraFrom(scene, view, aspect());
+  flyTo(cameraFrom(scene, view, aspectBesideLabels(there)));
 }
 
 void Viewport::lookFrom(const CubePart& from) {
@@ -362,7 +365,7 @@ void Viewport::fitTo(const NodeIds& ids) {
   if (bounds.empty())
     return;
   m_pivot = bounds.centre();
-  flyTo(fitted(m_camera, m_session.scene(), ids, aspectBesideLabels()));
+  flyTo(fitted(m_camera, m_session.scene(), ids, aspectBesideLabels(m_camera)));
 }
 
 void Viewport::setBackground(render::Background background) {
@@ -390,10 +393,17 @@ void Viewport::setKeyLight(bool on) {
 void Viewport::setHeadroom(int pixels) {
   m_marks->setHeadroom(pixels);
   placeMarks();
+  labelsGiveWay();
 }
 
 void Viewport::chooseMarks(const MarkChoice& choice) {
   m_marks->choose(choice);
+  labelsGiveWay();
+}
+
+void Viewport::labelsGiveWay() {
+  if (!shownScene().annotations().empty())
+    refresh();
 }
 
 void Viewport::documentChange(const Document& before, const Document& now) {
@@ -411,7 +421,7 @@ void Viewport::documentChange(const Document& before, const Document& now) {
     m_quality = {};
     pivotToMiddle();
     stopFlight();
-    m_camera = overview(now.scene, aspectBesideLabels());
+    m_camera = overview(now.scene, aspectBesideLabels(overview(now.scene, aspect())));
   }
   if (!another && m_session.previewing() && before.scene.sections() != now.scene.sections()) {
     m_cutting = true;

@@ -150,7 +150,9 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   glm::vec2 size2() const { return {float(width()), float(height())}; }
   float aspect() const { return size2().x / size2().y; }
   /// Of the part of the picture that labels leave to the anatomy.
-  float aspectBesideLabels() const;
+  /// To marks that are elsewhere now.
+  void labelsGiveWay();
+  float aspectBesideLabels(const model::Camera& camera) const;
 
   Session& m_session;
   QString m_driver;

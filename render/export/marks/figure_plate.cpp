@@ -9,7 +9,7 @@ FigurePlate figurePlate(const ExportOrder& order, SightTrees& trees, const Label
     return plate;
   LabelStyle style = order.labels;
   style.onDark = order.look.background == Background::dark;
-  style.edges = plate.marks.edges;
+  style.reserved = plate.marks.boxes;
   plate.labels =
       labelPlate(order.scene, Screen(order.camera, order.page.sizeMm), style, trees, turn);
   return plate;

@@ -111,6 +111,7 @@ class MarkLayout {
                                [&](const LabelBox& other) { return overlap(box, other); }))
       return false;
     m_boxes.push_back(box);
+    m_marks.boxes.push_back(box.grown(gap));
     m_marks.lettering.items.push_back(std::move(item));
     return true;
   }

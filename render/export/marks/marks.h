@@ -14,7 +14,9 @@ inline constexpr float markMargin = 3.0f;
 /// An item for each mark: "side L", "view", "section 1" …, "scale".
 struct Marks {
   Lettering lettering;
-  EdgeRoom edges;  ///< what they take; labels keep out of it (LabelStyle::edges)
+  EdgeRoom edges;  ///< what they take at each edge, for films, where they come and go
+  /// What each takes, with air around it; labels and leaders keep out of it (LabelStyle::reserved).
+  std::vector<LabelBox> boxes;
 };
 
 /// Of the order's scene, camera and page those marks that are wanted, in the labels' size and

@@ -4,7 +4,9 @@
 #include <QImage>
 #include <algorithm>
 #include <cstring>
+#include <glm/common.hpp>
 
+#include "render/export/column_widths.h"
 #include "render/export/marks/figure_plate.h"
 
 namespace sline::render {
@@ -19,6 +21,29 @@ LabelReport reportOf(const LabelPlate& plate) {
     else
       report.leftOut.push_back(label.text);
   return report;
+}
+
+/// At least so much of the page's sides is for the anatomy.
+constexpr float leastShare = 0.3f;
+
+/// What marks take of the page's width and height, both sides together.
+glm::vec2 roomOfMarks(const ExportOrder& order) {
+  const EdgeRoom edges = marksOf(order).edges;
+  // What is said of sections may take more lines, in a corner that anatomy seldom reaches.
+  const float rows = std::max(std::min(edges.top, edges.bottom), edges.top > 0.0f ? 6.0f : 0.0f);
+  return {2.0f * std::max(edges.left, edges.right), 2.0f * rows};
+}
+
+glm::vec2 shareBeside(const glm::vec2& room, const glm::vec2& page) {
+  // Fitted cameras leave 5 % on either side anyway.
+  constexpr float airOfCameras = 1.06f;
+  return glm::clamp(airOfCameras * (1.0f - room / page), glm::vec2(leastShare), glm::vec2(1.0f));
+}
+
+model::FreeSides sidesOfShare(const glm::vec2& share) {
+  const double x = 0.5 * (1.0 - 0.9 * double(share.x));
+  const double y = 0.5 * (1.0 - 0.9 * double(share.y));
+  return {.left = x, .right = x, .top = y, .bottom = y};
 }
 
 }  // namespace
@@ -47,22 +72,41 @@ LabelReport drawPlate(Image& image, const ExportOrder& given, const Typesetting&
   return plate.labels ? reportOf(*plate.labels) : LabelReport{};
 }
 
-glm::vec2 shareBesidePlate(const ExportOrder& order, const Typesetting&) {
-  // Fitted cameras leave 5 % on either side anyway.
-  constexpr float airOfCameras = 1.06f;
-  constexpr float least = 0.3f;
+model::FreeSides sidesOfPlate(const ExportOrder& order, const Typesetting&) {
   const glm::vec2 page = order.page.sizeMm;
-  const EdgeRoom edges = marksOf(order).edges;
-  // What is said of sections may take more lines, in a corner that anatomy seldom reaches.
-  const float rows = std::max(std::min(edges.top, edges.bottom), edges.top > 0.0f ? 6.0f : 0.0f);
-  glm::vec2 room(2.0f * std::max(edges.left, edges.right), 2.0f * rows);
-  glm::vec2 share = glm::min(glm::vec2(1.0f), airOfCameras * (1.0f - room / page));
+  const glm::vec2 marks = roomOfMarks(order);
+  model::FreeSides sides = sidesOfShare(shareBeside(marks, page));
+  if (order.labels.mode == LabelMode::off)
+    return sides;
+  LabelStyle style = order.labels;
+  style.edges.top = style.edges.bottom = 0.5f * marks.y;
+  const ColumnWidths widths = widthsBesideFitted(order.scene, Screen(order.camera, page), style);
+  if (widths.text <= 0.0f)
+    return sides;
+  // What the anatomy's outline is more than its points.
+  constexpr float outline = 1.0f;
+  const float free = 0.5f * marks.x + 2.0f * outline;
+  const auto column = [&](float width) {
+    return width > 0.0f ? width + besideColumnMm() + outline : free;
+  };
+  glm::vec2 across = glm::vec2(column(widths.left), column(widths.right)) / page.x;
+  across *= std::min(1.0f, (1.0f - leastShare) / (across.x + across.y));
+  const double row = std::min(0.35, double(0.5f * marks.y + outline) / double(page.y));
+  return {.left = double(across.x), .right = double(across.y), .top = row, .bottom = row};
+}
+
+glm::vec2 shareBesidePlate(const ExportOrder& order, const Typesetting&) {
+  const glm::vec2 page = order.page.sizeMm;
+  const glm::vec2 marks = roomOfMarks(order);
+  glm::vec2 share = shareBeside(marks, page);
   if (order.labels.mode != LabelMode::off) {
-    const float columns = columnRoomMm(order.scene, order.labels, page.x);
-    if (columns > 0.0f)
-      share.x = std::min(share.x, 1.0f - (2.0f * columns + room.x) / page.x);
+    const ColumnWidths widths =
+        widthsBesideFitted(order.scene, Screen(order.camera, page), order.labels);
+    const float widest = std::max(widths.left, widths.right);
+    if (widest > 0.0f)
+      share.x = std::min(share.x, 1.0f - (2.0f * (widest + besideColumnMm()) + marks.x) / page.x);
   }
-  return glm::max(share, glm::vec2(least));
+  return glm::max(share, glm::vec2(leastShare));
 }
 
 }  // namespace sline::render

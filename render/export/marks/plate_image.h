@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/scene/free_sides.h"
 #include "render/export/order/export_order.h"
 #include "render/export/typesetting.h"
 #include "render/picture/image.h"
@@ -24,8 +25,13 @@ struct LabelReport {
 /// is the picture's.
 LabelReport drawPlate(Image& image, const ExportOrder& order, const Typesetting& typesetting);
 
-/// The share of the page's width and height that columns of labels and marks leave to the anatomy,
-/// 0 … 1: for a camera that is to be fitted, whose direction is the order's.
+/// What columns of labels and marks take at the page's sides, for a camera that is to be fitted,
+/// whose direction is the order's: each column is as wide as what stands in it, and lines are
+/// broken so that the anatomy between them is as large as it can be.
+model::FreeSides sidesOfPlate(const ExportOrder& order, const Typesetting& typesetting);
+
+/// The share of the page's width and height that they leave to the anatomy, 0 … 1, from whatever
+/// side it is seen.
 glm::vec2 shareBesidePlate(const ExportOrder& order, const Typesetting& typesetting);
 
 }  // namespace sline::render

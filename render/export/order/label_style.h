@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "render/labels/shapes.h"
 
@@ -23,6 +24,8 @@ struct LabelStyle {
   std::string language;  ///< BCP 47 tag; of texts and numbers
   bool onDark = false;   ///< light ink, dark halo
   EdgeRoom edges;        ///< where no text stands: other marks do
+  /// Boxes around other marks, of the output: neither texts nor leaders are there.
+  std::vector<LabelBox> reserved;
 };
 
 }  // namespace sline::render

@@ -7,6 +7,8 @@
 #include <glm/mat4x4.hpp>
 #include <limits>
 
+#include "model/scene/free_sides.h"
+
 namespace sline::model {
 namespace {
 
@@ -62,6 +64,8 @@ class CameraTest : public QObject {
   void fitsBoxWithMargin_data();
   void fitsBoxWithMargin();
   void fitsPointsTighterThanTheirBox();
+  void fitsWithinSides_data();
+  void fitsWithinSides();
   void fitKeepsDirection();
   void scaledSceneGivesSamePicture_data();
   void scaledSceneGivesSamePicture();
@@ -163,6 +167,40 @@ void CameraTest::fitsPointsTighterThanTheirBox() {
   QVERIFY(close(std::max({-seen.low.x, seen.high.x, -seen.low.y, seen.high.y}), 0.9f, 2e-4f));
   QVERIFY(close(seen.low.x, -seen.high.x, 2e-4f));
   QVERIFY(close(seen.low.y, -seen.high.y, 2e-4f));
+}
+
+void CameraTest::fitsWithinSides_data() {
+  QTest::addColumn<QList<double>>("sides");  // left, right, top, bottom
+  QTest::addColumn<bool>("orthographic");
+  for (const bool orthographic : {false, true}) {
+    const char* how = orthographic ? "orthographic" : "perspective";
+    QTest::addRow("as usual, %s", how) << QList{0.05, 0.05, 0.05, 0.05} << orthographic;
+    QTest::addRow("wide at the left, %s", how) << QList{0.3, 0.1, 0.02, 0.02} << orthographic;
+    QTest::addRow("all in the right half, %s", how) << QList{0.55, 0.05, 0.2, 0.02} << orthographic;
+    QTest::addRow("low and at the left, %s", how) << QList{0.02, 0.4, 0.6, 0.02} << orthographic;
+  }
+}
+
+void CameraTest::fitsWithinSides() {
+  QFETCH(QList<double>, sides);
+  QFETCH(bool, orthographic);
+  const Box box = boxOf({12, -60, -200}, {140, 90, 260});
+  const float aspect = 1.4f;
+  Camera camera = anatomicalCamera(AnatomicalView::anterior, box, aspect);
+  camera.projection = orthographic ? Projection::orthographic : Projection::perspective;
+  const CameraFrame before = cameraFrame(camera);
+  camera = fitted(camera, corners(box), aspect,
+                  {.left = sides[0], .right = sides[1], .top = sides[2], .bottom = sides[3]});
+  QVERIFY(close(cameraFrame(camera).back, before.back, 1e-6f));
+  const Box seen = projectedBounds(camera, box, aspect, corners(box));
+  // What is free beyond the sides, in halves of the picture.
+  const float left = seen.low.x + 1.0f - 2.0f * float(sides[0]);
+  const float right = 1.0f - seen.high.x - 2.0f * float(sides[1]);
+  const float top = 1.0f - seen.high.y - 2.0f * float(sides[2]);
+  const float bottom = seen.low.y + 1.0f - 2.0f * float(sides[3]);
+  QVERIFY(close(left, right, 1e-3f));
+  QVERIFY(close(top, bottom, 1e-3f));
+  QVERIFY(close(std::min(left, top), 0.0f, 1e-3f));
 }
 
 void CameraTest::fitKeepsDirection() {

@@ -75,6 +75,43 @@ LabelRequest randomRequest(std::uint32_t seed, int most) {
   return request;
 }
 
+/// Marks such as a window has: a cube in a corner, a bar in another, letters at the sides.
+std::vector<LabelBox> marksOf(const glm::vec2& size) {
+  const glm::vec2 middle = 0.5f * size;
+  return {{{size.x - 24.0f, 2.0f}, {size.x - 2.0f, 24.0f}},
+          {{2.0f, size.y - 9.0f}, {38.0f, size.y - 2.0f}},
+          {{2.0f, middle.y - 3.0f}, {8.0f, middle.y + 3.0f}},
+          {{size.x - 8.0f, middle.y - 3.0f}, {size.x - 2.0f, middle.y + 3.0f}},
+          {{middle.x - 4.0f, 2.0f}, {middle.x + 4.0f, 7.0f}}};
+}
+
+/// What of a layout lies where it must not; empty where nothing does.
+QString inReserved(const LabelRequest& request, const LabelLayout& layout) {
+  for (const PlacedLabel& label : layout.labels)
+    for (const LabelBox& mark : request.space.reserved) {
+      if (overlap(label.box, mark))
+        return QString("%1 covers a mark").arg(label.id.value);
+      for (const Line& line : linesOf(label.leader))
+        if (label.post != LabelPost::byHand && meets(line, mark))
+          return QString("the leader of %1 runs through a mark").arg(label.id.value);
+    }
+  return {};
+}
+
+/// The cosine of the sharpest turn of the leader: 1 where it goes on straight, negative where it
+/// turns back.
+double sharpestTurn(const Leader& leader) {
+  double sharpest = 1.0;
+  for (std::size_t i = 2; i < leader.size(); ++i) {
+    const glm::dvec2 a = glm::dvec2(leader[i - 1]) - glm::dvec2(leader[i - 2]);
+    const glm::dvec2 b = glm::dvec2(leader[i]) - glm::dvec2(leader[i - 1]);
+    const double lengths = std::sqrt((a.x * a.x + a.y * a.y) * (b.x * b.x + b.y * b.y));
+    if (lengths > 1e-9)
+      sharpest = std::min(sharpest, (a.x * b.x + a.y * b.y) / lengths);
+  }
+  return sharpest;
+}
+
 /// What of the promises does not hold; empty where all do.
 QString broken(const LabelRequest& request, const LabelLayout& layout) {
   if (layout.labels.size() + layout.leftOut.size() != request.items.size())
@@ -201,6 +238,102 @@ class LabelLayoutTest : public QObject {
     const LabelLayout layout = layOutLabels(request);
     QCOMPARE(layout.find({4})->box.middle(), request.items[3].places.front() + glm::vec2(-20, 5));
     QCOMPARE(layout.find({4})->post, LabelPost::byHand);
+  }
+
+  void nothingIsWhereMarksAre() {
+    int placed = 0;
+    for (std::uint32_t seed = 0; seed < 300; ++seed) {
+      LabelRequest request = randomRequest(seed, 40);
+      request.space.reserved = marksOf(request.space.size);
+      const LabelLayout first = layOutLabels(request);
+      for (const LabelLayout& layout : {first, layOutLabels(request, &first)}) {
+        const QString fault = broken(request, layout) + inReserved(request, layout);
+        QVERIFY2(fault.isEmpty(), qPrintable(QString("seed %1: %2").arg(seed).arg(fault)));
+      }
+      placed += int(first.labels.size());
+    }
+    QVERIFY2(placed > 2000, qPrintable(QString("only %1 labels found room").arg(placed)));
+  }
+
+  /// Beside a mark in the middle of a column's edge there is room above and below it.
+  void columnsGoAroundMarks() {
+    LabelRequest request = roomy();
+    for (LabelItem& item : request.items)
+      item.places.front() = {112.0f, 90.0f + 0.5f * float(item.id.value)};
+    request.items.push_back({.id = {9}, .places = {{228.0f, 95.0f}}, .box = {30.0f, 4.5f}});
+    request.space.reserved = {{{2.0f, 85.0f}, {108.0f, 105.0f}}};
+    const LabelLayout layout = layOutLabels(request);
+    QCOMPARE(layout.leftOut.size(), std::size_t(0));
+    QCOMPARE(inReserved(request, layout), QString());
+    const auto above = std::count_if(layout.labels.begin(), layout.labels.end(), [](const auto& l) {
+      return l.post == LabelPost::left && l.box.high.y <= 85.0f;
+    });
+    const auto below = std::count_if(layout.labels.begin(), layout.labels.end(), [](const auto& l) {
+      return l.post == LabelPost::left && l.box.low.y >= 105.0f;
+    });
+    QVERIFY2(above >= 2 && below >= 2,
+             qPrintable(QString("%1 above, %2 below").arg(above).arg(below)));
+  }
+
+  void leadersDoNotTurnBack() {
+    for (std::uint32_t seed = 0; seed < 300; ++seed) {
+      const LabelRequest request = randomRequest(seed, 40);
+      for (const PlacedLabel& label : layOutLabels(request).labels)
+        QVERIFY2(sharpestTurn(label.leader) > -1e-3,
+                 qPrintable(QString("seed %1: %2 turns back").arg(seed).arg(label.id.value)));
+    }
+  }
+
+  /// Places one below the other: their labels stand in that order.
+  void orderAlongColumnsIsThatOfPlaces() {
+    LabelRequest request = roomy();
+    std::mt19937 random(3);
+    std::vector<float> heights;
+    for (LabelItem& item : request.items) {
+      item.places.front() = {item.id.value % 2 == 0 ? 125.0f : 215.0f,
+                             float(random() % 1700) / 10.0f + 10.0f};
+      item.box.y = item.id.value % 3 == 0 ? 13.0f : 4.5f;
+    }
+    const LabelLayout layout = layOutLabels(request);
+    QCOMPARE(layout.labels.size(), request.items.size());
+    for (const PlacedLabel& one : layout.labels)
+      for (const PlacedLabel& two : layout.labels)
+        if (one.post == two.post && one.leader.front().y < two.leader.front().y)
+          QVERIFY(one.box.middle().y < two.box.middle().y);
+  }
+
+  /// A long label takes nothing of the other column's room.
+  void columnsAreAsWideAsWhatStandsInThem() {
+    LabelRequest request = roomy();
+    request.space.size.x = 210.0f;
+    for (LabelItem& item : request.items)
+      item.places.front().x -= 70.0f;
+    request.obstacles.size = request.space.size;
+    request.obstacles.extent = LabelBox{{37.0f, 10.0f}, {158.0f, 180.0f}};
+    request.items.back().box.x = 45.0f;  // the rightmost place's
+    const LabelLayout layout = layOutLabels(request);
+    QCOMPARE(layout.leftOut.size(), std::size_t(0));
+    QCOMPARE(layout.find({8})->post, LabelPost::right);
+    for (const PlacedLabel& label : layout.labels)
+      QVERIFY2(!overlap(label.box, *request.obstacles.extent), "a label covers the anatomy");
+  }
+
+  /// Put into a column: those there make room in their column, and nobody is lost.
+  void othersGiveWayToTheHand() {
+    const LabelRequest before = roomy();
+    const LabelLayout first = layOutLabels(before);
+    for (std::size_t moved = 0; moved < before.items.size(); ++moved)
+      for (std::size_t onto = 0; onto < before.items.size(); ++onto) {
+        if (moved == onto)
+          continue;
+        LabelRequest request = before;
+        const glm::vec2 there = first.find(request.items[onto].id)->box.middle();
+        request.items[moved].offset = there - request.items[moved].places.front();
+        const LabelLayout layout = layOutLabels(request, &first);
+        QCOMPARE(layout.leftOut.size(), std::size_t(0));
+        QCOMPARE(layout.find(request.items[moved].id)->box.middle(), there);
+        QVERIFY2(broken(request, layout).isEmpty(), qPrintable(broken(request, layout)));
+      }
   }
 
   void pinsStandBeside() {

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/labels/label_room.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <utility>
+
+namespace sline::render {
+
+glm::vec2 placeOf(const LabelItem& item) {
+  glm::vec2 sum(0.0f);
+  for (const glm::vec2& place : item.places)
+    sum += place;
+  return sum / float(std::max<std::size_t>(item.places.size(), 1));
+}
+
+float middleBetweenColumns(const std::vector<LabelItem>& items, float anatomyMiddle) {
+  if (items.empty())
+    return anatomyMiddle;
+  std::vector<float> xs;
+  for (const LabelItem& one : items)
+    xs.push_back(placeOf(one).x);
+  std::sort(xs.begin(), xs.end());
+  return 0.5f * (anatomyMiddle + 0.5f * (xs[(xs.size() - 1) / 2] + xs[xs.size() / 2]));
+}
+
+LabelBox frameOf(const LabelSpace& space) {
+  const auto room = [](float edge) { return std::max(edge, edgePadding); };
+  return {{room(space.edges.left) - space.sideMargin, room(space.edges.top)},
+          {space.size.x - room(space.edges.right) + space.sideMargin,
+           space.size.y - room(space.edges.bottom)}};
+}
+
+bool within(const LabelBox& box, const LabelBox& frame) {
+  constexpr float rounding = 1e-3f;
+  const LabelBox room = frame.grown(rounding);
+  return box.low.x >= room.low.x && box.low.y >= room.low.y && box.high.x <= room.high.x &&
+         box.high.y <= room.high.y;
+}
+
+bool overlapAny(const LabelBox& box, const std::vector<LabelBox>& others) {
+  return std::any_of(others.begin(), others.end(),
+                     [&](const LabelBox& other) { return overlap(box, other); });
+}
+
+LabelBox besideReserved(const LabelBox& box, const LabelBox& frame,
+                        const std::vector<LabelBox>& reserved) {
+  const auto free = [&](const LabelBox& moved) { return !overlapAny(moved, reserved); };
+  if (free(box))
+    return box;
+  std::optional<LabelBox> best;
+  float least = 0.0f;
+  for (const LabelBox& one : reserved) {
+    const std::array<glm::vec2, 4> ways{{{one.low.x - clearance - box.high.x, 0.0f},
+                                         {one.high.x + clearance - box.low.x, 0.0f},
+                                         {0.0f, one.low.y - clearance - box.high.y},
+                                         {0.0f, one.high.y + clearance - box.low.y}}};
+    for (const glm::vec2& way : ways) {
+      const LabelBox moved{box.low + way, box.high + way};
+      const float far = glm::length(way);
+      if ((!best || far < least) && within(moved, frame) && free(moved)) {
+        best = moved;
+        least = far;
+      }
+    }
+  }
+  return best.value_or(box);
+}
+
+std::optional<Span> heightsWithin(const Leader& leader, float low, float high) {
+  std::optional<Span> heights;
+  for (std::size_t k = 1; k < leader.size(); ++k) {
+    glm::vec2 a = leader[k - 1];
+    glm::vec2 b = leader[k];
+    if (a.x > b.x)
+      std::swap(a, b);
+    if (b.x < low || a.x > high)
+      continue;
+    const float length = b.x - a.x;
+    for (const float x : {std::max(a.x, low), std::min(b.x, high)}) {
+      const float y = length > 0.0f ? a.y + (x - a.x) / length * (b.y - a.y) : a.y;
+      const float other = length > 0.0f ? y : b.y;
+      heights = heights
+                    ? Span{std::min({heights->low, y, other}), std::max({heights->high, y, other})}
+                    : Span{std::min(y, other), std::max(y, other)};
+    }
+  }
+  return heights;
+}
+
+Leader leaderTo(const LabelBox& box, const glm::vec2& place) {
+  if (box.grown(clearance).contains(place))
+    return {};
+  const glm::vec2 middle = box.middle();
+  const std::array<glm::vec2, 4> ends{{{box.low.x, middle.y},
+                                       {box.high.x, middle.y},
+                                       {middle.x, box.low.y},
+                                       {middle.x, box.high.y}}};
+  const auto nearest =
+      std::min_element(ends.begin(), ends.end(), [&](const auto& a, const auto& b) {
+        return glm::length(a - place) < glm::length(b - place);
+      });
+  return {place, *nearest};
+}
+
+}  // namespace sline::render

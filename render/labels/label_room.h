@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// The room that labels have in the output's plane.
+#pragma once
+
+#include <optional>
+
+#include "render/labels/column.h"
+#include "render/labels/layout.h"
+
+namespace sline::render {
+
+/// Millimetres between boxes and the output's edge.
+inline constexpr float edgePadding = 2.0f;
+/// Between a column and the anatomy.
+inline constexpr float anatomyGap = 5.0f;
+/// Between a leader and another's box.
+inline constexpr float clearance = 0.4f;
+
+/// What the item points at; of a distance the middle.
+glm::vec2 placeOf(const LabelItem& item);
+/// Whose place lies to the left of that x has its label in the left column: between the middle of
+/// the anatomy and that of the places, so that neither column is crowded.
+float middleBetweenColumns(const std::vector<LabelItem>& items, float anatomyMiddle);
+/// Where boxes may stand.
+LabelBox frameOf(const LabelSpace& space);
+/// No more than rounding lies outside.
+bool within(const LabelBox& box, const LabelBox& frame);
+bool overlapAny(const LabelBox& box, const std::vector<LabelBox>& others);
+/// The nearest place for the box within the frame where nothing is reserved; as it is where none is
+/// found beside what it covers.
+LabelBox besideReserved(const LabelBox& box, const LabelBox& frame,
+                        const std::vector<LabelBox>& reserved);
+/// The heights at which the leader is between those two x.
+std::optional<Span> heightsWithin(const Leader& leader, float low, float high);
+/// From the place to the middle of the side of the box that is nearest.
+Leader leaderTo(const LabelBox& box, const glm::vec2& place);
+
+}  // namespace sline::render

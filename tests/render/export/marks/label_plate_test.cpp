@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plates: columns no wider than they must be, the anatomy as large as it can be beside them.
+#include <QTest>
+#include <glm/geometric.hpp>
+
+#include "render/export/column_widths.h"
+#include "render/export/marks/figure_plate.h"
+#include "render/export/marks/plate_image.h"
+#include "render/labels/label_room.h"
+#include "tests/support/shapes.h"
+
+namespace sline::test {
+
+using namespace render;
+
+namespace {
+
+const char* const longText =
+    "Musculus iliacus sinister cum fascia iliaca et nervo femorali, qui inter iliacum et psoam "
+    "descendit";
+
+/// A ball as wide as high with labels all around its front.
+model::Scene labelled(const std::vector<std::string>& texts) {
+  model::Scene scene;
+  model::Node node;
+  node.name = "Ball";
+  node.mesh = sphere(50.0f, 4);
+  node.style.gamma = Gamma::clamped(5.0f);
+  const model::NodeId id = scene.append(std::move(node));
+  const model::Mesh& mesh = *scene.find(id)->mesh;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const float turn = 2.4f * float(i);
+    const glm::vec3 way(0.7f * std::sin(turn), -0.6f, 0.75f * std::cos(turn));
+    std::uint32_t best = 0;
+    float farthest = -1e9f;
+    for (std::uint32_t k = 0; k < mesh.triangleCount(); ++k)
+      if (const float along = glm::dot(model::placeOn(mesh, {id, k, {0.3f, 0.3f}}), way);
+          along > farthest) {
+        farthest = along;
+        best = k;
+      }
+    scene.appendAnnotation(
+        {.anchors = {model::SurfacePoint{id, best, {0.3f, 0.3f}}}, .text = texts[i]});
+  }
+  return scene;
+}
+
+std::vector<std::string> shortTexts(std::size_t number) {
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < number; ++i)
+    texts.push_back("Nervus " + std::to_string(i));
+  return texts;
+}
+
+ExportOrder orderOf(const model::Scene& scene, const glm::vec2& page) {
+  ExportOrder order;
+  order.scene = scene;
+  order.page.sizeMm = page;
+  order.labels.mode = LabelMode::on;
+  order.viewName = "anterior";
+  order.camera = model::anatomicalCamera(model::AnatomicalView::anterior, scene.visibleBounds(),
+                                         page.x / page.y);
+  return order;
+}
+
+void fit(ExportOrder& order, const Typesetting& typesetting) {
+  const model::Mesh& mesh = *order.scene.nodes().back().mesh;
+  const glm::vec2 page = order.page.sizeMm;
+  order.camera = model::fitted(order.camera, mesh.positions(), page.x / page.y,
+                               sidesOfPlate(order, typesetting));
+}
+
+LabelBox anatomyOf(const ExportOrder& order) {
+  return *obstaclesOf(order.scene, Screen(order.camera, order.page.sizeMm)).extent;
+}
+
+}  // namespace
+
+class LabelPlateTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase() {
+    Result<std::unique_ptr<Typesetting>> made = Typesetting::create();
+    QVERIFY(made.ok());
+    m_typesetting = std::move(*made);
+  }
+
+  /// What is measured by words is as large as what is set.
+  void measuredAsSet_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<int>("kind");
+    QTest::newRow("word") << "Os" << 0;
+    QTest::newRow("long") << longText << 0;
+    QTest::newRow("joined") << "Sacrum-L5-IntervertebralDisc with left_kidney" << 0;
+    QTest::newRow("callout") << "One line\n\nand another that is much longer than the first" << 1;
+    QTest::newRow("none") << "" << 2;
+  }
+  void measuredAsSet() {
+    QFETCH(QString, text);
+    QFETCH(int, kind);
+    ShownLabel label;
+    label.text = text.toStdString();
+    label.item.kind = model::AnnotationKind(kind);
+    for (const LabelMode mode : {LabelMode::on, LabelMode::numbers, LabelMode::blank}) {
+      const LabelStyle style{.mode = mode, .language = {}};
+      const MeasuredText measured(label, style);
+      for (float width = 12.0f; width < 60.0f; width += 1.7f) {
+        const glm::vec2 set = textOf(label, style, width).box;
+        const glm::vec2 box = measured.boxAt(width);
+        QVERIFY2(std::abs(box.x - set.x) < 0.4f && std::abs(box.y - set.y) < 1e-3f,
+                 qPrintable(QString("at %1: %2 × %3, set %4 × %5")
+                                .arg(width)
+                                .arg(box.x)
+                                .arg(box.y)
+                                .arg(set.x)
+                                .arg(set.y)));
+      }
+    }
+  }
+
+  /// One long label among short ones is broken: the anatomy is nearly as large as without it.
+  void oneLongLabelDoesNotMakeTheAnatomySmall() {
+    for (const glm::vec2 page : {glm::vec2(210, 297), glm::vec2(160, 120)}) {
+      std::vector<std::string> texts = shortTexts(10);
+      ExportOrder plain = orderOf(labelled(texts), page);
+      fit(plain, *m_typesetting);
+      texts[4] = longText;
+      ExportOrder with = orderOf(labelled(texts), page);
+      fit(with, *m_typesetting);
+      const float share = anatomyOf(with).size().x / anatomyOf(plain).size().x;
+      QVERIFY2(share > 0.9f, qPrintable(QString::number(double(share))));
+    }
+  }
+
+  void anatomyFillsWhatColumnsLeave_data() {
+    QTest::addColumn<QSizeF>("page");
+    QTest::addColumn<int>("labels");
+    for (const int labels : {3, 8, 17, 30}) {
+      QTest::addRow("A4, %d labels", labels) << QSizeF(210, 297) << labels;
+      QTest::addRow("A4 on its side, %d labels", labels) << QSizeF(297, 210) << labels;
+      QTest::addRow("a screen, %d labels", labels) << QSizeF(254, 159) << labels;
+    }
+  }
+  void anatomyFillsWhatColumnsLeave() {
+    QFETCH(QSizeF, page);
+    QFETCH(int, labels);
+    std::vector<std::string> texts = shortTexts(std::size_t(labels));
+    texts[1] = "Musculus obturatorius internus sinister";
+    ExportOrder order = orderOf(labelled(texts), {float(page.width()), float(page.height())});
+    fit(order, *m_typesetting);
+    const LabelPlate plate = *figurePlate(order).labels;
+    QCOMPARE(plate.layout.leftOut.size(), std::size_t(0));
+    const LabelBox anatomy = anatomyOf(order);
+    float left = edgePadding;
+    float right = edgePadding;
+    for (const PlacedLabel& label : plate.layout.labels) {
+      QVERIFY2(!overlap(label.box, anatomy), "a label covers the anatomy");
+      float& side = label.post == LabelPost::left ? left : right;
+      side = std::max(side, label.box.size().x + besideColumnMm());
+    }
+    const glm::vec2 room(order.page.sizeMm.x - left - right, order.page.sizeMm.y - 22.0f);
+    const float filled = std::max(anatomy.size().x / room.x, anatomy.size().y / room.y);
+    QVERIFY2(filled > 0.93f, qPrintable(QString::number(double(filled))));
+  }
+
+  /// Pictures that follow each other break lines as the first did.
+  void linesStayWhileTheCameraTurns() {
+    std::vector<std::string> texts = shortTexts(8);
+    texts[2] = longText;
+    ExportOrder order = orderOf(labelled(texts), {160, 120});
+    fit(order, *m_typesetting);
+    SightTrees trees;
+    const auto at = [&](float away, const LabelTurn& turn) {
+      model::Camera camera = order.camera;
+      camera.eye = camera.target + away * (camera.eye - camera.target);
+      return labelPlate(order.scene, Screen(camera, order.page.sizeMm), order.labels, trees, turn);
+    };
+    const LabelPlate first = at(1.0f, {});
+    const LabelPlate near = at(0.7f, {.before = &first.layout, .moving = true});
+    for (std::size_t i = 0; i < near.texts.size(); ++i)
+      QCOMPARE(near.texts[i].lines, first.texts[i].lines);
+    QVERIFY(at(0.7f, {}).texts[2].lines != first.texts[2].lines ||
+            at(1.6f, {}).texts[2].lines != first.texts[2].lines);
+  }
+
+ private:
+  std::unique_ptr<Typesetting> m_typesetting;
+};
+
+}  // namespace sline::test
+
+QTEST_APPLESS_MAIN(sline::test::LabelPlateTest)
+#include "label_plate_test.moc"
