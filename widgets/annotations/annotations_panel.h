@@ -10,7 +10,6 @@ class QAction;
 class QCheckBox;
 class QComboBox;
 class QHBoxLayout;
-class QPlainTextEdit;
 class QSpinBox;
 class QToolButton;
 class QTreeView;
@@ -18,6 +17,7 @@ class QTreeView;
 namespace sline::widgets {
 
 class AnnotationList;
+class LabelField;
 
 /// All annotations in a list, below it what can be said of the active one, above it how labels are
 /// shown in the window, which is a preference.
@@ -61,7 +61,7 @@ class AnnotationsPanel : public QWidget {
   QSpinBox* m_points = nullptr;
   QTreeView* m_list = nullptr;
   QWidget* m_details = nullptr;
-  QPlainTextEdit* m_text = nullptr;
+  LabelField* m_text = nullptr;
   QComboBox* m_kind = nullptr;
   QToolButton* m_colour = nullptr;
   QComboBox* m_views = nullptr;
