@@ -153,16 +153,14 @@ class LabelsPanelTest : public QObject {
     QCOMPARE(f.shownLines(), QStringList{"right lobe"});
     // One step with the typing before it.
     QCOMPARE(f.steps(), before);
-    f.window.preferences().set("labels/language", "la");
-    f.words().clear();
-    QCOMPARE(f.words().placeholderText(), QStringLiteral("right lobe"));
-    f.window.preferences().set("labels/language", "");
-    f.session.undo();
     f.session.undo();
     QCOMPARE(f.only().text, std::string("liver"));
     QCOMPARE(f.words().toPlainText(), QStringLiteral("liver"));
-    // As a label it says what is written.
     f.session.redo();
+    f.window.preferences().set("labels/language", "la");
+    f.words().clear();
+    QCOMPARE(f.words().placeholderText(), QStringLiteral("right lobe"));
+    // As a label it says what is written.
     f.pick("annotationKind", 0);
     QCOMPARE(f.said(0, 1), QStringLiteral("***right lobe***"));
     QVERIFY(f.words().toolTip().isEmpty());
