@@ -183,7 +183,6 @@ void AnnotationsPanel::makeText() {
   m_text->setObjectName(QStringLiteral("annotationText"));
   m_text->setAccessibleName(tr("What the label says"));
   m_text->setTabChangesFocus(true);
-  m_text->setFixedHeight(2 * fontMetrics().lineSpacing() + 14);
   m_text->installEventFilter(this);
   connect(m_text, &QPlainTextEdit::textChanged, this, &AnnotationsPanel::write);
 }
@@ -245,6 +244,10 @@ QWidget* AnnotationsPanel::makeDetails() {
   grid->addWidget(m_views, 2, 0);
   grid->addWidget(m_release, 2, 1, 1, 2);
   return m_details;
+}
+
+int AnnotationsPanel::heightOf(int lines) const {
+  return lines * fontMetrics().lineSpacing() + 14;
 }
 
 const model::Annotation* AnnotationsPanel::active() const {
@@ -413,6 +416,7 @@ void AnnotationsPanel::showActive() {
   if (!annotation) {
     m_text->clear();
     m_text->setToolTip({});
+    m_text->setFixedHeight(heightOf(2));
     m_text->setPlaceholderText(tr("Choose a label"));
     return;
   }
@@ -424,6 +428,7 @@ void AnnotationsPanel::showActive() {
                                                                                : own->second);
   const bool callout = annotation->kind == AnnotationKind::callout;
   m_text->setMarkup(callout);
+  m_text->setFixedHeight(heightOf(callout ? 5 : 2));
   m_text->setToolTip(callout ? LabelField::markupHint() : QString());
   m_text->setPlaceholderText(plainWordsIn(*annotation, tag));
   if (m_text->toPlainText() != text)

@@ -38,6 +38,7 @@ class AnnotationsPanel : public QWidget {
   QWidget* makeDetails();
   void makeText();
   void makeChoices();
+  int heightOf(int lines) const;  ///< of the field for words
   const model::Annotation* active() const;
   void change(const QString& step, const model::Annotation& annotation, const QString& series = {});
   void remove();
