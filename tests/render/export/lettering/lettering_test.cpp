@@ -187,7 +187,7 @@ class LetteringTest : public QObject {
         const QRectF frame(QPointF(double(box.low.x), double(box.low.y)),
                            QPointF(double(box.high.x), double(box.high.y)));
         QVERIFY(frame.contains(outlineOf(set).boundingRect()));
-        const bool list = plate.texts[0].list;
+        const bool list = QString(text).contains("\n- ");
         QVERIFY(set.anchor == (left && !list ? TextAnchor::end : TextAnchor::start));
         QCOMPARE(lettering.items.front().name.find('*'), std::string::npos);
       }
@@ -209,6 +209,7 @@ class LetteringTest : public QObject {
   void nothingIsNothing() {
     for (const char* text : {"", " \n ", "\n\n"})
       QVERIFY(callout(text).lines.empty());
+    QCOMPARE(callout("a\n \n\n").lines.size(), std::size_t(1));
     QVERIFY(callout("****").lines == std::vector{TextLine(QStringLiteral("****"))});
   }
 
