@@ -10,7 +10,8 @@ packages=(
   libclang-rt-14-dev
   # Qt, a display for its tests; meshes and volumes, pixel files
   qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
-  libqt6opengl6-dev libgl-dev libglx-mesa0 fonts-dejavu-core xvfb xauth libx11-dev
+  libqt6opengl6-dev libgl-dev libglx-mesa0 fonts-dejavu-core fonts-dejavu-extra xvfb
+  xauth libx11-dev
   libvtk9-dev libglew-dev
   libopenimageio-dev openimageio-tools libopencv-dev
   # other programs' opinion of our vector drawings and sheets

@@ -3245,6 +3245,13 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::LabelField</name>
+    <message>
+        <source>**bold** (%1), *italic* (%2); lines that begin with “- ” are a list</source>
+        <translation>**fett** (%1), *kursiv* (%2); Zeilen, die mit „- “ beginnen, werden eine Liste</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::LabelTool</name>
     <message>
         <source>Move Label</source>

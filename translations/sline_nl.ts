@@ -3245,6 +3245,13 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::LabelField</name>
+    <message>
+        <source>**bold** (%1), *italic* (%2); lines that begin with “- ” are a list</source>
+        <translation>**vet** (%1), *cursief* (%2); regels die met ‘- ’ beginnen, worden een lijst</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::LabelTool</name>
     <message>
         <source>Move Label</source>

@@ -12,6 +12,7 @@
 #include "model/edit/views.h"
 #include "model/files/scene_file.h"
 #include "model/geometry/nearest_point.h"
+#include "model/scene/markup.h"
 #include "render/labels/best_place.h"
 
 namespace sline::cli {
@@ -246,9 +247,12 @@ Exit list(const model::Scene& scene) {
     std::cout << annotation.id.value << '\t' << kindNames[std::size_t(annotation.kind)] << '\t';
     const auto* point = std::get_if<model::SurfacePoint>(&annotation.anchors.front());
     const model::Node* node = point ? scene.find(point->structure) : nullptr;
-    std::cout << (node ? node->name : "") << '\t' << annotation.text;
+    const auto words = [&annotation](const std::string& text) {
+      return onOneLine(model::plainText(annotation.kind, text));
+    };
+    std::cout << (node ? node->name : "") << '\t' << words(annotation.text);
     for (const auto& [language, text] : annotation.texts)
-      std::cout << '\t' << language << '=' << text;
+      std::cout << '\t' << language << '=' << words(text);
     std::cout << '\n';
   }
   return std::cout.flush() ? Exit::done : Exit::failed;
@@ -287,9 +291,10 @@ void declareAnnotate(CLI::App& command, AnnotateFlags& flags) {
   };
   command.add_option("SCENE", flags.scene, "A scene file (sline), which is changed")->required();
   command
-      .add_option("--label", flags.label,
-                  "What it says, as plain text; without it, what the structure is called, in every "
-                  "language in which its name is known")
+      .add_option(
+          "--label", flags.label,
+          "What it says, as plain text, a callout's with markup (see below); without it, what "
+          "the structure is called, in every language in which its name is known")
       ->type_name("TEXT");
   repeatable(command.add_option("--on", flags.on,
                                 "The structure it points at; may be given again, without --label"))
@@ -325,9 +330,14 @@ void declareAnnotate(CLI::App& command, AnnotateFlags& flags) {
   command.footer(
       "The numbers of new annotations go to standard output. `sline render --labels on` draws "
       "them.\n\n"
+      "A callout's text may have lines, **bold** and *italic* words, one within the other, and "
+      "lines that begin with \"- \", which become items of a list. \\*, \\- and \\\\ are "
+      "these signs themselves. There is no HTML; other kinds of labels show signs as they are.\n\n"
       "  sline annotate abdomen.sline --on liver --on spleen --on \"left kidney\"\n"
       "  sline annotate pelvis.sline --label Promontory --on sacrum --at 0,-20,110 --text "
       "de=Promontorium\n"
+      "  sline annotate pelvis.sline --kind callout --on bladder --label $'**Bladder**\\n- "
+      "*detrusor*\\n- trigone'\n"
       "  sline annotate pelvis.sline --list\n"
       "  sline render abdomen.sline -o abdomen.png --labels on --language la");
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <iostream>
 
+#include "app/cli/names.h"
 #include "app/cli/progress.h"
 
 namespace sline::cli {
@@ -99,10 +100,10 @@ void drawLabels(render::Image& image, const model::Scene& scene, const model::Ca
   job.marks = order.marks;
   const render::LabelReport report = render::drawPlate(image, job, *order.typesetting);
   for (const std::string& text : report.leftOut)
-    warn("there is no room for the label \"" + text + "\"");
+    warn("there is no room for the label \"" + onOneLine(text) + "\"");
   if (order.style.mode == LabelMode::numbers)
     for (const render::LabelReport::Line& line : report.key)
-      std::cout << line.number << '\t' << line.text << '\n';
+      std::cout << line.number << '\t' << onOneLine(line.text) << '\n';
 }
 
 }  // namespace sline::cli

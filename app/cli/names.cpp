@@ -72,4 +72,10 @@ Result<std::vector<model::NodeId>> nodesNamed(const model::Scene& scene, std::st
   return unknownName("structure or group", name, names);
 }
 
+std::string onOneLine(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }, ' ');
+  return text;
+}
+
 }  // namespace sline::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names as people type them on a command line.
+// Names as people type them on a command line, and as they are shown there.
 #pragma once
 
 #include <span>
@@ -21,5 +21,8 @@ Result<std::vector<model::NodeId>> nodesNamed(const model::Scene& scene, std::st
 
 /// "no <what> is named X" and the near names, as a wrong use.
 Error unknownName(std::string_view what, std::string_view name, std::span<const std::string> names);
+
+/// Words come from files: what would move the terminal's cursor is left out.
+std::string onOneLine(std::string text);
 
 }  // namespace sline::cli

@@ -6,7 +6,9 @@
 #include <iomanip>
 #include <iostream>
 
+#include "app/cli/names.h"
 #include "model/geometry/topology.h"
+#include "model/scene/markup.h"
 
 namespace sline::cli {
 
@@ -27,8 +29,10 @@ SceneSummary summaryOf(const model::Scene& scene) {
   summary.views = scene.views();
   static constexpr std::array<const char*, 4> kinds{"label", "callout", "pin", "distance"};
   for (const model::Annotation& annotation : scene.annotations()) {
-    AnnotationInfo info{
-        kinds[std::size_t(annotation.kind)], annotation.text, {}, annotation.visible};
+    AnnotationInfo info{kinds[std::size_t(annotation.kind)],
+                        model::plainText(annotation.kind, annotation.text),
+                        {},
+                        annotation.visible};
     for (const model::Anchor& anchor : annotation.anchors)
       if (const auto place = scene.placeOf(anchor))
         info.places.push_back(*place);
@@ -79,7 +83,7 @@ void printViewsAndAnnotations(const SceneSummary& summary) {
   if (!summary.views.empty())
     std::cout << '\n';
   for (const AnnotationInfo& annotation : summary.annotations) {
-    std::cout << annotation.kind << " \"" << annotation.text << '"';
+    std::cout << annotation.kind << " \"" << onOneLine(annotation.text) << '"';
     for (const glm::vec3& p : annotation.places)
       std::cout << (&p == &annotation.places.front() ? " at (" : " to (") << p.x << ", " << p.y
                 << ", " << p.z << ')';

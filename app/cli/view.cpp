@@ -10,6 +10,7 @@
 #include "app/cli/thumbnail.h"
 #include "model/edit/views.h"
 #include "model/files/scene_file.h"
+#include "model/scene/markup.h"
 
 namespace sline::cli {
 
@@ -225,15 +226,9 @@ void printJson(const model::Scene& scene) {
     root["views"].push_back(jsonView(scene, view));
   root["labels"] = Json::array();
   for (const model::Annotation& annotation : scene.annotations())
-    root["labels"].push_back({{"id", annotation.id.value}, {"text", annotation.text}});
+    root["labels"].push_back({{"id", annotation.id.value},
+                              {"text", model::plainText(annotation.kind, annotation.text)}});
   std::cout << jsonText(root, 2) << '\n';
-}
-
-/// Names come from files: what would move the terminal's cursor is left out.
-std::string onOneLine(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }, ' ');
-  return text;
 }
 
 void printList(const model::Scene& scene) {

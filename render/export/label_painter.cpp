@@ -40,7 +40,7 @@ class Setting {
  private:
   /// A test's lines must not tell their answers.
   std::string nameOf(std::size_t i) const {
-    return m_plate.style.mode == LabelMode::on ? m_plate.texts[i].lines.join(' ').toStdString()
+    return m_plate.style.mode == LabelMode::on ? plainText(m_plate.texts[i].lines).toStdString()
                                                : std::to_string(m_plate.labels[i].number);
   }
 
@@ -100,6 +100,8 @@ class Setting {
   TextAnchor anchorOf(std::size_t i, const PlacedLabel& placed) const {
     if (m_plate.style.mode == LabelMode::numbers)
       return TextAnchor::middle;
+    if (m_plate.texts[i].list)
+      return TextAnchor::start;
     const float place = m_plate.labels[i].item.places.front().x;
     if (placed.post == LabelPost::left ||
         (placed.post == LabelPost::beside && placed.box.high.x < place))
@@ -116,7 +118,7 @@ class Setting {
                     : anchor == TextAnchor::middle ? placed.box.middle().x
                                                    : placed.box.low.x + padding;
     // Capitals stand in the middle of their line.
-    const float first = placed.box.middle().y - 0.5f * height * float(text.lines.size() - 1);
+    const float first = placed.box.middle().y - 0.5f * height * (float(text.lines.size()) - 1.0f);
     m_item.text = LetteringText{.lines = text.lines,
                                 .at = {x, first + 0.5f * capHeightMm(m_plate.style.points)},
                                 .leading = height,

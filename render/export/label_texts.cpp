@@ -5,6 +5,9 @@
 #include <QFontMetricsF>
 #include <QLocale>
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -21,8 +24,20 @@ float pixelsToMm(const LabelStyle& style) {
   return style.points * millimetresPerPoint / float(labelFontPixels);
 }
 
+/// Some 800 lines: more than fit on any page.
+constexpr std::size_t mostBytes = 20'000;
+
+std::string bounded(const std::string& text) {
+  if (text.size() <= mostBytes)
+    return text;
+  std::size_t end = mostBytes;
+  while ((text[end] & '\xc0') == '\x80')  // within a character of UTF-8
+    --end;
+  return text.substr(0, end) + "\u2026";
+}
+
 QString fullText(const ShownLabel& label, const LabelStyle& style) {
-  QString text = QString::fromStdString(label.text).simplified();
+  QString text = QString::fromStdString(bounded(label.text)).simplified();
   if (!label.lengthMm)
     return text;
   const QLocale locale(QString::fromStdString(style.language.empty() ? "en" : style.language));
@@ -32,86 +47,203 @@ QString fullText(const ShownLabel& label, const LabelStyle& style) {
   return text.isEmpty() ? length : text + QLatin1Char(' ') + length;
 }
 
+/// Advances in the font's pixels.
+class Ruler {
+ public:
+  qreal width(const TextRun& run) const {
+    return m_metrics[std::size_t(run.style.bold) + 2 * std::size_t(run.style.italic)]
+        .horizontalAdvance(run.text);
+  }
+  qreal width(const TextLine& line) const {
+    qreal width = 0.0;
+    for (const TextRun& run : line.runs)
+      width += this->width(run);
+    return width;
+  }
+
+ private:
+  std::array<QFontMetricsF, 4> m_metrics{QFontMetricsF(labelFont()),
+                                         QFontMetricsF(labelFont({.bold = true})),
+                                         QFontMetricsF(labelFont({.italic = true})),
+                                         QFontMetricsF(labelFont({.bold = true, .italic = true}))};
+};
+
 /// Two digits: badges are all of one width.
-float badgeMm(const QFontMetricsF& metrics, const LabelStyle& style) {
-  return float(metrics.horizontalAdvance(QStringLiteral("00"))) * pixelsToMm(style);
+float badgeMm(const Ruler& ruler, const LabelStyle& style) {
+  return float(ruler.width(TextLine(QStringLiteral("00")))) * pixelsToMm(style);
 }
 
 /// A word, or a part of one: joined to what stands before it.
 struct Word {
-  QString text;
+  TextLine text;
   bool joined = false;
+  qreal width = 0.0;
 };
 
-/// Where programs join words: "L4-L3-Disc", "left_kidney", "CystWall".
-QStringList partsOf(const QString& word) {
-  QStringList parts{word.left(1)};
-  for (qsizetype i = 1; i < word.size(); ++i) {
-    const bool after = QStringLiteral("-_/").contains(word[i - 1]);
-    if (after || (word[i].isUpper() && word[i - 1].isLower()))
-      parts << QString();
-    parts.back() += word[i];
-  }
-  return parts;
+/// What a writer began on a line of its own.
+struct Paragraph {
+  std::vector<Word> words;
+  bool bullet = false;
+};
+
+bool parts(QChar c) {
+  constexpr QChar unbroken(0x00a0);
+  constexpr QChar narrowUnbroken(0x202f);
+  return c.isSpace() && c != unbroken && c != narrowUnbroken;
 }
 
-/// Words wider than that are divided.
-std::vector<Word> wordsOf(const QString& text, const QFontMetricsF& metrics, qreal widest) {
+/// Divided as programs join words: "L4-L3-Disc", "left_kidney", "CystWall".
+std::vector<Word> divided(const Word& word) {
+  std::vector<Word> pieces(1);
+  QChar before;
+  for (const TextRun& run : word.text.runs)
+    for (const QChar c : run.text) {
+      const bool after = QStringLiteral("-_/").contains(before);
+      if (!before.isNull() && (after || (c.isUpper() && before.isLower())))
+        pieces.push_back({.text = {}, .joined = true});
+      append(pieces.back().text, QStringView(&c, 1), run.style);
+      before = c;
+    }
+  return pieces;
+}
+
+/// Those that are wider than `widest` are divided.
+std::vector<Word> wordsOf(const TextLine& line, const Ruler& ruler, qreal widest) {
+  std::vector<Word> whole;
+  bool within = false;
+  for (const TextRun& run : line.runs)
+    for (const QChar c : run.text) {
+      if (!parts(c) && !std::exchange(within, true))
+        whole.emplace_back();
+      within = !parts(c);
+      if (within)
+        append(whole.back().text, QStringView(&c, 1), run.style);
+    }
   std::vector<Word> words;
-  for (const QString& word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
-    const bool whole = metrics.horizontalAdvance(word) <= widest;
-    const QStringList parts = whole ? QStringList{word} : partsOf(word);
-    for (qsizetype i = 0; i < parts.size(); ++i)
-      words.push_back({parts[i], i > 0});
-  }
+  for (const Word& word : whole)
+    if (ruler.width(word.text) <= widest)
+      words.push_back(word);
+    else
+      for (Word& piece : divided(word))
+        words.push_back(std::move(piece));
+  for (Word& word : words)
+    word.width = ruler.width(word.text);
   return words;
 }
 
-/// As few lines as there must be, each about as long as the others.
-QStringList broken(const QString& text, const QFontMetricsF& metrics, qreal widest) {
-  const std::vector<Word> words = wordsOf(text, metrics, widest);
-  const auto fill = [&](qreal width) {
-    QStringList lines;
-    for (const Word& word : words) {
-      const QString space = word.joined ? QString() : QStringLiteral(" ");
-      const QString longer = lines.isEmpty() ? word.text : lines.back() + space + word.text;
-      if (!lines.isEmpty() && metrics.horizontalAdvance(longer) <= width)
-        lines.back() = longer;
-      else
-        lines.push_back(word.text);
-    }
-    return lines;
-  };
-  const QStringList lines = fill(widest);
-  // The narrowest width that needs no more lines.
-  qreal low = 0.0;
-  qreal high = widest;
-  for (int i = 0; i < 12; ++i) {
-    const qreal middle = 0.5 * (low + high);
-    (fill(middle).size() > lines.size() ? low : high) = middle;
+/// Breaks the paragraphs of one text into lines.
+class LineBreaker {
+ public:
+  LineBreaker(std::vector<Paragraph> paragraphs, const Ruler& ruler)
+      : m_paragraphs(std::move(paragraphs)), m_ruler(ruler) {}
+
+  static TextLine bullet() {
+    return {QString::fromUtf8(model::bulletSign.data(), qsizetype(model::bulletSign.size()))};
   }
-  return fill(high);
+
+  /// As few lines as there must be, the longest as short as it can.
+  std::vector<TextLine> lines(qreal widest) const {
+    const std::vector<TextLine> lines = filled(widest);
+    qreal low = 0.0;
+    qreal high = widest;
+    for (int i = 0; i < 12; ++i) {
+      const qreal middle = 0.5 * (low + high);
+      (filled(middle).size() > lines.size() ? low : high) = middle;
+    }
+    return filled(high);
+  }
+
+ private:
+  std::vector<TextLine> filled(qreal width) const {
+    std::vector<TextLine> lines;
+    for (const Paragraph& paragraph : m_paragraphs)
+      add(paragraph, width, lines);
+    return lines;
+  }
+
+  /// An item's lines are indented by as much as its bullet needs.
+  void add(const Paragraph& paragraph, qreal width, std::vector<TextLine>& lines) const {
+    const qreal indent = paragraph.bullet ? m_ruler.width(bullet()) : 0.0;
+    lines.push_back(paragraph.bullet ? bullet() : TextLine());
+    qreal used = 0.0;
+    bool first = true;
+    for (const Word& word : paragraph.words) {
+      const model::LetterStyle style =
+          first ? model::LetterStyle() : spaceStyle(lines.back(), word);
+      const TextRun space{.text = QStringLiteral(" "), .style = style};
+      const qreal gap = first || word.joined ? 0.0 : m_ruler.width(space);
+      if (!first && indent + used + gap + word.width > width) {
+        lines.emplace_back().indent = float(indent / labelFontPixels);
+        used = 0.0;
+      } else if (!first) {
+        used += gap;
+        if (!word.joined)
+          append(lines.back(), space.text, space.style);
+      }
+      for (const TextRun& run : word.text.runs)
+        append(lines.back(), run.text, run.style);
+      used += word.width;
+      first = false;
+    }
+  }
+
+  static model::LetterStyle spaceStyle(const TextLine& before, const Word& word) {
+    const model::LetterStyle style = word.text.runs.front().style;
+    return before.runs.back().style == style ? style : model::LetterStyle();
+  }
+
+  std::vector<Paragraph> m_paragraphs;
+  const Ruler& m_ruler;
+};
+
+std::vector<TextLine> broken(const QString& text, const Ruler& ruler, qreal widest) {
+  std::vector<Word> words = wordsOf(TextLine(text), ruler, widest);
+  if (words.empty())
+    return {};
+  return LineBreaker({{.words = std::move(words)}}, ruler).lines(widest);
 }
 
-/// A callout's lines begin where its writer began them, too.
-QStringList writtenLines(const ShownLabel& label, const QFontMetricsF& metrics, qreal widest) {
-  QStringList lines;
-  for (const QString& line : QString::fromStdString(label.text).trimmed().split(QLatin1Char('\n')))
-    lines << (line.trimmed().isEmpty() ? QStringList{QString()}
-                                       : broken(line.simplified(), metrics, widest));
-  return lines;
+std::vector<Paragraph> paragraphsOf(const std::string& text, const Ruler& ruler, qreal widest) {
+  const qreal indent = ruler.width(LineBreaker::bullet());
+  std::vector<Paragraph> paragraphs;
+  for (const model::MarkedLine& line : model::markedLines(bounded(text))) {
+    TextLine marked;
+    for (const model::MarkedRun& run : line.runs)
+      append(marked, QString::fromStdString(run.text), run.style);
+    paragraphs.push_back({.words = wordsOf(marked, ruler, widest - (line.bullet ? indent : 0.0)),
+                          .bullet = line.bullet});
+  }
+  return paragraphs;
+}
+
+void setCallout(LabelText& text, const std::string& words, const Ruler& ruler, qreal widest) {
+  std::vector<Paragraph> paragraphs = paragraphsOf(words, ruler, widest);
+  text.list = std::any_of(paragraphs.begin(), paragraphs.end(),
+                          [](const Paragraph& paragraph) { return paragraph.bullet; });
+  text.lines = LineBreaker(std::move(paragraphs), ruler).lines(widest);
+}
+
+/// The family of all four fonts.
+QString labelFamily() {
+  useLabelFont();
+  QString family;
+  for (const char* file : {"labels", "labels-bold", "labels-oblique", "labels-bold-oblique"}) {
+    const int id = QFontDatabase::addApplicationFont(
+        QStringLiteral(":/fonts/%1.ttf").arg(QLatin1String(file)));
+    const QStringList families = QFontDatabase::applicationFontFamilies(id);
+    if (family.isEmpty() && !families.isEmpty())
+      family = families.front();
+  }
+  return family;
 }
 
 }  // namespace
 
-QFont labelFont() {
-  static const QString family = [] {
-    useLabelFont();
-    const int id = QFontDatabase::addApplicationFont(QStringLiteral(":/fonts/labels.ttf"));
-    const QStringList families = QFontDatabase::applicationFontFamilies(id);
-    return families.isEmpty() ? QString() : families.front();
-  }();
+QFont labelFont(const model::LetterStyle& style) {
+  static const QString family = labelFamily();
   QFont font(family);
+  font.setBold(style.bold);
+  font.setItalic(style.italic);
   font.setPixelSize(labelFontPixels);
   font.setHintingPreference(QFont::PreferNoHinting);
   font.setKerning(true);
@@ -121,9 +253,16 @@ QFont labelFont() {
   return font;
 }
 
-float textWidthMm(const QString& text, float points) {
-  return float(QFontMetricsF(labelFont()).horizontalAdvance(text)) * points * millimetresPerPoint /
-         float(labelFontPixels);
+qreal advanceOf(const TextLine& line) {
+  qreal width = 0.0;
+  for (const TextRun& run : line.runs)
+    width += QFontMetricsF(labelFont(run.style)).horizontalAdvance(run.text);
+  return width;
+}
+
+float textWidthMm(const TextLine& line, float points) {
+  return (float(advanceOf(line)) / float(labelFontPixels) + line.indent) * points *
+         millimetresPerPoint;
 }
 
 float capHeightMm(float points) {
@@ -160,67 +299,72 @@ MeasuredText::MeasuredText(const ShownLabel& label, const LabelStyle& style)
     m_fixed = textOf(label, style, 0.0f).box;
     return;
   }
-  const QFontMetricsF metrics(labelFont());
-  m_space = float(metrics.horizontalAdvance(QLatin1Char(' ')));
-  const QString text = QString::fromStdString(label.text).trimmed();
-  const QStringList paragraphs = label.item.kind == model::AnnotationKind::callout
-                                     ? text.split(QLatin1Char('\n'))
-                                     : QStringList{fullText(label, style)};
-  for (const QString& paragraph : paragraphs) {
-    Paragraph& words = m_paragraphs.emplace_back();
-    for (const QString& word : paragraph.simplified().split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
-      Word& measured = words.emplace_back();
-      measured.whole = float(metrics.horizontalAdvance(word));
-      for (const QString& part : partsOf(word))
-        measured.parts.push_back(float(metrics.horizontalAdvance(part)));
-    }
+  const Ruler ruler;
+  m_space = float(ruler.width(TextLine(QStringLiteral(" "))));
+  const auto measured = [&ruler](const Word& word) {
+    WordWidths widths{.whole = float(word.width), .parts = {}};
+    for (const Word& part : divided(word))
+      widths.parts.push_back(float(ruler.width(part.text)));
+    return widths;
+  };
+  constexpr qreal undivided = std::numeric_limits<qreal>::infinity();
+  std::vector<Paragraph> paragraphs;
+  if (label.item.kind == model::AnnotationKind::callout)
+    paragraphs = paragraphsOf(label.text, ruler, undivided);
+  else
+    paragraphs.push_back({.words = wordsOf(TextLine(fullText(label, style)), ruler, undivided)});
+  for (const Paragraph& paragraph : paragraphs) {
+    ParagraphWidths& own = m_paragraphs.emplace_back();
+    own.indent = paragraph.bullet ? float(ruler.width(LineBreaker::bullet())) : 0.0f;
+    std::transform(paragraph.words.begin(), paragraph.words.end(), std::back_inserter(own.words),
+                   measured);
   }
+}
+
+MeasuredText::Filled MeasuredText::fill(float widest, float most) const {
+  Filled filled;
+  for (const ParagraphWidths& paragraph : m_paragraphs) {
+    ++filled.lines;
+    float line = paragraph.indent;
+    bool begun = false;
+    const auto add = [&](float before, float width) {
+      if (begun && line + before + width > most) {
+        ++filled.lines;
+        line = paragraph.indent + width;
+      } else {
+        line += (begun ? before : 0.0f) + width;
+      }
+      filled.width = std::max(filled.width, line);
+      begun = true;
+    };
+    for (const WordWidths& word : paragraph.words)
+      if (word.whole <= widest - paragraph.indent)
+        add(m_space, word.whole);
+      else
+        for (std::size_t i = 0; i < word.parts.size(); ++i)
+          add(i == 0 ? m_space : 0.0f, word.parts[i]);
+    filled.width = std::max(filled.width, line);
+  }
+  return filled;
 }
 
 glm::vec2 MeasuredText::boxAt(float widestMm) const {
   if (m_fixed)
     return *m_fixed;
   const float widest = widestMm / m_scale;
-  std::size_t lines = 0;
-  float width = 0.0f;
-  for (const Paragraph& paragraph : m_paragraphs) {
-    // Words as they are divided at that width, each with what stands before it on its line.
-    std::vector<std::pair<float, float>> parts;
-    for (const Word& word : paragraph)
-      if (word.whole <= widest)
-        parts.emplace_back(m_space, word.whole);
-      else
-        for (std::size_t i = 0; i < word.parts.size(); ++i)
-          parts.emplace_back(i == 0 ? m_space : 0.0f, word.parts[i]);
-    const auto fill = [&](float most) {
-      std::pair<std::size_t, float> filled{1, 0.0f};  // lines, the widest
-      float line = 0.0f;
-      for (const auto& [before, part] : parts) {
-        if (line > 0.0f && line + before + part > most) {
-          ++filled.first;
-          line = part;
-        } else {
-          line += (line > 0.0f ? before : 0.0f) + part;
-        }
-        filled.second = std::max(filled.second, line);
-      }
-      return filled;
-    };
-    const std::size_t least = fill(widest).first;
-    float low = 0.0f;
-    float high = widest;
-    for (int i = 0; i < 10; ++i) {
-      const float middle = 0.5f * (low + high);
-      (fill(middle).first > least ? low : high) = middle;
-    }
-    lines += least;
-    width = std::max(width, fill(high).second);
+  const std::size_t least = fill(widest, widest).lines;
+  float low = 0.0f;
+  float high = widest;
+  for (int i = 0; i < 12; ++i) {
+    const float middle = 0.5f * (low + high);
+    (fill(widest, middle).lines > least ? low : high) = middle;
   }
-  return glm::vec2(width * m_scale, float(lines) * m_lineHeight) + 2.0f * m_padding;
+  const float height = float(std::max<std::size_t>(least, 1)) * m_lineHeight;
+  return glm::vec2(fill(widest, high).width * m_scale, height) + 2.0f * m_padding;
 }
 
 LabelText textOf(const ShownLabel& label, const LabelStyle& style, float widestMm) {
-  const QFontMetricsF metrics(labelFont());
+  const Ruler ruler;
   const float scale = pixelsToMm(style);
   const glm::vec2 padding = paddingOf(label.item.kind, style);
   LabelText text;
@@ -232,16 +376,16 @@ LabelText textOf(const ShownLabel& label, const LabelStyle& style, float widestM
   if (style.mode == LabelMode::numbers)
     text.lines = {QString::number(label.number)};
   else if (label.item.kind == model::AnnotationKind::callout)
-    text.lines = writtenLines(label, metrics, qreal(widestMm / scale));
+    setCallout(text, label.text, ruler, qreal(widestMm / scale));
   else
-    text.lines = broken(fullText(label, style), metrics, qreal(widestMm / scale));
-  qreal width = 0.0;
-  for (const QString& line : text.lines)
-    width = std::max(width, metrics.horizontalAdvance(line));
-  const float height = float(std::max<qsizetype>(text.lines.size(), 1)) * lineHeightMm(style);
-  text.box = glm::vec2(float(width) * scale, height) + 2.0f * padding;
+    text.lines = broken(fullText(label, style), ruler, qreal(widestMm / scale));
+  float width = 0.0f;
+  for (const TextLine& line : text.lines)
+    width = std::max(width, textWidthMm(line, style.points));
+  const float height = float(std::max<std::size_t>(text.lines.size(), 1)) * lineHeightMm(style);
+  text.box = glm::vec2(width, height) + 2.0f * padding;
   if (style.mode == LabelMode::numbers)
-    text.box.x = std::max({text.box.x, text.box.y, badgeMm(metrics, style) + 2.0f * padding.x});
+    text.box.x = std::max({text.box.x, text.box.y, badgeMm(ruler, style) + 2.0f * padding.x});
   return text;
 }
 

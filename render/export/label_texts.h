@@ -3,27 +3,30 @@
 #pragma once
 
 #include <QFont>
-#include <QStringList>
 #include <glm/vec2.hpp>
 #include <optional>
 #include <vector>
 
 #include "render/export/order/label_style.h"
+#include "render/export/text_lines.h"
 #include "render/labels/anchors.h"
 
 namespace sline::render {
 
 /// The font of labels, `labelFontPixels` high: the same on every machine. Needs a QGuiApplication.
 inline constexpr int labelFontPixels = 100;
-QFont labelFont();
+QFont labelFont(const model::LetterStyle& style = {});
 
 struct LabelText {
-  QStringList lines;    ///< plain text
+  std::vector<TextLine> lines;
+  bool list = false;    ///< some are items: all begin at the same side, wherever the label stands
   glm::vec2 box{0.0f};  ///< millimetres, with padding
 };
 
-/// Of that text in that size, millimetres.
-float textWidthMm(const QString& text, float points);
+/// Of its runs one after the other, without its indent, in the font's pixels.
+qreal advanceOf(const TextLine& line);
+/// With its indent in that size, millimetres.
+float textWidthMm(const TextLine& line, float points);
 /// Of capitals, millimetres.
 float capHeightMm(float points);
 
@@ -32,9 +35,10 @@ glm::vec2 paddingOf(model::AnnotationKind kind, const LabelStyle& style);
 float lineHeightMm(const LabelStyle& style);
 /// Of a blank line, the same for every text: its length gives nothing away.
 float blankWidthMm(const LabelStyle& style);
-/// A distance has its length, in the language's digits, behind its text. Lines are broken between
-/// words so that none is wider than `widestMm`, unless a word is; a callout's also where its text
-/// has them.
+/// A distance has its length, in the language's digits, behind its text. A callout's text is marked
+/// up (model/scene/markup.h), and its lines begin where its writer began them, too. Lines are
+/// broken between words so that none is wider than `widestMm`, unless a word is. A text that no
+/// page has room for is cut short.
 LabelText textOf(const ShownLabel& label, const LabelStyle& style, float widestMm);
 /// No lines of labels are wider, unless a word is.
 float widestTextMm(float pictureWidthMm, const LabelStyle& style);
@@ -48,13 +52,22 @@ class MeasuredText {
 
  private:
   /// A word's parts, as `textOf` divides it where the whole is too wide. Pixels of the font.
-  struct Word {
+  struct WordWidths {
     float whole = 0.0f;
     std::vector<float> parts;
   };
-  using Paragraph = std::vector<Word>;
+  struct ParagraphWidths {
+    std::vector<WordWidths> words;
+    float indent = 0.0f;  ///< of an item of a list
+  };
+  struct Filled {
+    std::size_t lines = 0;
+    float width = 0.0f;  ///< of the widest line
+  };
+  /// Words that are wider than `widest` divided, in lines no wider than `most`.
+  Filled fill(float widest, float most) const;
 
-  std::vector<Paragraph> m_paragraphs;
+  std::vector<ParagraphWidths> m_paragraphs;
   std::optional<glm::vec2> m_fixed;  ///< the box of what is never broken
   glm::vec2 m_padding{0.0f};
   float m_space = 0.0f;

@@ -111,20 +111,34 @@ QPainterPath painterPath(const Path& path) {
   return made;
 }
 
+std::vector<float> runPlaces(const LetteringText& text, const TextLine& line) {
+  const float em = text.points * millimetresPerPoint;
+  const float width = textWidthMm(line, text.points);
+  float left = text.anchor == TextAnchor::end      ? -width
+               : text.anchor == TextAnchor::middle ? -0.5f * width
+                                                   : 0.0f;
+  left += line.indent * em;
+  std::vector<float> places;
+  for (const TextRun& run : line.runs) {
+    places.push_back(left);
+    left += float(QFontMetricsF(labelFont(run.style)).horizontalAdvance(run.text)) * em /
+            float(labelFontPixels);
+  }
+  return places;
+}
+
 QPainterPath outlineOf(const LetteringText& text) {
-  const QFont font = labelFont();
-  const QFontMetricsF metrics(font);
   const qreal scale = qreal(text.points * millimetresPerPoint) / labelFontPixels;
   QPainterPath letters;
   qreal baseline = qreal(text.at.y);
-  for (const QString& line : text.lines) {
-    const qreal width = scale * metrics.horizontalAdvance(line);
-    const qreal left = qreal(text.at.x) - (text.anchor == TextAnchor::end      ? width
-                                           : text.anchor == TextAnchor::middle ? 0.5 * width
-                                                                               : 0.0);
-    QPainterPath path;
-    path.addText(0.0, 0.0, font, line);
-    letters.addPath(QTransform(scale, 0.0, 0.0, scale, left, baseline).map(path));
+  for (const TextLine& line : text.lines) {
+    const std::vector<float> places = runPlaces(text, line);
+    for (std::size_t i = 0; i < line.runs.size(); ++i) {
+      QPainterPath path;
+      path.addText(0.0, 0.0, labelFont(line.runs[i].style), line.runs[i].text);
+      const qreal left = qreal(text.at.x + places[i]);
+      letters.addPath(QTransform(scale, 0.0, 0.0, scale, left, baseline).map(path));
+    }
     baseline += qreal(text.leading);
   }
   letters.setFillRule(Qt::WindingFill);

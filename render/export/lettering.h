@@ -5,13 +5,13 @@
 
 #include <QPainter>
 #include <QPainterPath>
-#include <QStringList>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "model/base/units.h"
+#include "render/export/text_lines.h"
 #include "render/vectors/path.h"
 
 namespace sline::render {
@@ -19,9 +19,9 @@ namespace sline::render {
 /// What of a line of text stands at its place.
 enum class TextAnchor { start, middle, end };
 
-/// Set in `labelFont()`.
+/// Set in `labelFont`, each run in that of its style.
 struct LetteringText {
-  QStringList lines;     ///< plain text
+  std::vector<TextLine> lines;
   glm::vec2 at{0.0f};    ///< on the first line's baseline
   float leading = 0.0f;  ///< from one baseline to the next
   float points = 10.0f;  ///< of the font
@@ -76,6 +76,8 @@ Path circle(const glm::vec2& middle, float radius);
 Path roundedBox(const glm::vec2& low, const glm::vec2& high, float radius);
 
 QPainterPath painterPath(const Path& path);
+/// Where each run of a line begins, millimetres from `LetteringText::at`.
+std::vector<float> runPlaces(const LetteringText& text, const TextLine& line);
 /// The letters' outlines, to be filled by the winding rule.
 QPainterPath outlineOf(const LetteringText& text);
 QColor painterColour(const Colour& colour);

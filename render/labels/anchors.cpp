@@ -3,6 +3,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "model/scene/markup.h"
+
 namespace sline::render {
 
 namespace {
@@ -31,6 +33,10 @@ std::optional<float> lengthOf(const model::Annotation& annotation, const model::
 }
 
 }  // namespace
+
+std::string plainText(const ShownLabel& label) {
+  return model::plainText(label.item.kind, label.text);
+}
 
 std::vector<ShownLabel> shownLabels(const model::Scene& scene, const Screen& screen,
                                     const std::string& language, SightTrees& trees) {

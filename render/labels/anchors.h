@@ -14,13 +14,16 @@ namespace sline::render {
 
 struct ShownLabel {
   LabelItem item;    ///< whoever knows fonts gives it its box
-  std::string text;  ///< in the language asked for, else the scene's own
+  std::string text;  ///< in the language asked for, else the scene's own; a callout's with markers
   /// From 1, in the order of the scene's annotations, among all that are visible: the same from
   /// every side.
   int number = 0;
   std::optional<Colour> colour;
   std::optional<float> lengthMm;  ///< of a distance
 };
+
+/// Its text where styles cannot be.
+std::string plainText(const ShownLabel& label);
 
 /// In the order of the scene. Not shown is what is not visible (a scene that shows a saved view,
 /// model/edit/views.h, says so as the view does), what is on a structure that is not drawn or on a

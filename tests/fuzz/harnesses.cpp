@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/edit/letter_style.h"
 #include "model/files/mesh_codec.h"
 #include "model/files/scene_file.h"
 #include "model/files/scene_json.h"
@@ -142,6 +143,35 @@ std::string meshCodec(std::string_view bytes) {
   return again.ok() && model::encodedMesh(*again) == once ? "" : "decoded again it is another mesh";
 }
 
+/// What callouts show are bytes of their text in order; another style for some of them changes no
+/// word. The first byte says where the selection is.
+std::string markup(std::string_view bytes) {
+  const std::string text(bytes.substr(std::min<std::size_t>(1, bytes.size())));
+  std::size_t last = 0;
+  for (const model::MarkupLine& line : model::parsedMarkup(text))
+    for (const model::MarkupSpan& span : line.spans) {
+      if (span.begin < last || span.end <= span.begin || span.end > text.size())
+        return "a span is out of order";
+      last = span.end;
+    }
+  if (text.empty())
+    return {};
+  const auto byte = std::size_t(std::uint8_t(bytes.front()));
+  const model::TextRange selection{byte % 16 * text.size() / 16,
+                                   (byte % 16 + byte / 16 + 1) * text.size() / 16};
+  const model::LetterMark mark =
+      byte % 2 == 0 ? model::LetterMark::bold : model::LetterMark::italic;
+  const model::MarkedText made =
+      model::withLetterStyle(text, {selection.begin, std::min(selection.end, text.size())}, mark);
+  const auto words = [](const std::string& marked) {
+    return model::plainText(model::AnnotationKind::callout, marked);
+  };
+  // An empty pair is typed into, and may be read as a part of others until then.
+  if (selection.begin < selection.end && words(made.text) != words(text))
+    return "another style has changed words";
+  return made.selection.end > made.text.size() ? "the selection is outside of the text" : "";
+}
+
 /// The whole way in: what a reader hands on is mended, smoothed and refined, or decimated, and
 /// saved. Refinement makes much of little by design, so the input is kept small.
 std::string wholeImport(std::string_view bytes) {
@@ -188,6 +218,7 @@ constexpr Harness table[] = {
     {"scene_file", sceneFile},
     {"scene_json", sceneJson},
     {"mesh_codec", meshCodec},
+    {"markup", markup},
     {"import", wholeImport},
 };
 }  // namespace

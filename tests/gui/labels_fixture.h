@@ -66,7 +66,7 @@ struct Labels : WindowFixture {
     const widgets::LabelSheet& now = sheet();
     for (std::size_t i = 0; i < now.plate.labels.size(); ++i)
       if (now.plate.layout.find(now.plate.labels[i].item.id))
-        all << now.plate.texts[i].lines.join('/');
+        all << render::plainText(now.plate.texts[i].lines, QChar('/'));
     return all;
   }
   model::NodeId structureOf(const model::Annotation& annotation, std::size_t place = 0) {

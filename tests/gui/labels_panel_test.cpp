@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The panel of labels: list, words, kinds, views, how they are shown; labels for many at once.
+#include <QApplication>
 #include <QCheckBox>
 #include <QColorDialog>
 #include <QComboBox>
@@ -126,6 +127,43 @@ class LabelsPanelTest : public QObject {
     QTest::keyClicks(&f.words(), QStringLiteral("Lappen"));
     QCOMPARE(f.only().texts.at("de"), std::string("Lappen"));
     QCOMPARE(f.only().text, std::string("liver"));
+  }
+
+  /// The list, its tips and the field's hint for another language say the words alone.
+  void calloutsAreMarkedUpHere() {
+    Panel f;
+    f.make(f.liver, {}, Qt::Key_T, Qt::ShiftModifier);
+    f.open();
+    f.choose(0);
+    QVERIFY(f.words().toolTip().contains("*italic* (Ctrl+I)"));
+    f.words().setFocus();
+    f.words().selectAll();
+    QTest::keyClicks(&f.words(), QStringLiteral("right lobe"));
+    const int before = f.steps();
+    f.words().selectAll();
+    QTest::keyClick(&f.words(), Qt::Key_I, Qt::ControlModifier);
+    QVERIFY(!QApplication::activeModalWidget());
+    QCOMPARE(f.only().text, std::string("*right lobe*"));
+    QCOMPARE(f.words().textCursor().selectedText(), QStringLiteral("right lobe"));
+    QTest::keyClick(&f.words(), Qt::Key_B, Qt::ControlModifier);
+    QCOMPARE(f.words().toPlainText(), QStringLiteral("***right lobe***"));
+    QCOMPARE(f.said(0, 1), QStringLiteral("right lobe"));
+    QCOMPARE(f.cell(0, 1).data(Qt::ToolTipRole).toString(), QStringLiteral("<p>right lobe</p>"));
+    QCOMPARE(f.cell(0, 1).data(Qt::EditRole).toString(), QStringLiteral("***right lobe***"));
+    QCOMPARE(f.shownLines(), QStringList{"right lobe"});
+    // One step with the typing before it.
+    QCOMPARE(f.steps(), before);
+    f.session.undo();
+    QCOMPARE(f.only().text, std::string("liver"));
+    QCOMPARE(f.words().toPlainText(), QStringLiteral("liver"));
+    f.session.redo();
+    f.window.preferences().set("labels/language", "la");
+    f.words().clear();
+    QCOMPARE(f.words().placeholderText(), QStringLiteral("right lobe"));
+    // As a label it says what is written.
+    f.pick("annotationKind", 0);
+    QCOMPARE(f.said(0, 1), QStringLiteral("***right lobe***"));
+    QVERIFY(f.words().toolTip().isEmpty());
   }
 
   void kindLockAndPlaceAreChanged() {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Labels in the picture: made, moved, edited and taken away by mouse and keys.
 #include <QAbstractItemView>
+#include <QApplication>
+#include <QClipboard>
+#include <QMimeData>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -251,6 +254,95 @@ class LabelsTest : public QObject {
     QTest::keyClick(&f.editor(), Qt::Key_Return);
     QCOMPARE(f.only().text, std::string("one\ntwo"));
     QCOMPARE(f.shownLines(), QStringList{QStringLiteral("one/two")});
+  }
+
+  /// Ctrl+I imports files elsewhere in the window.
+  void calloutsAreMarkedUp() {
+    Labels f;
+    f.key(Qt::Key_T, Qt::ShiftModifier);
+    f.click(f.middleOf(f.liver));
+    QVERIFY(f.typing());
+    QVERIFY(f.editor().toolTip().contains("**bold** (Ctrl+B)"));
+    const auto press = [&f](Qt::Key key, Qt::KeyboardModifiers keys = {}) {
+      QTest::keyClick(&f.editor(), key, keys);
+      return f.editor().toPlainText();
+    };
+    QTest::keyClicks(&f.editor(), QStringLiteral("Ren dexter"));
+    press(Qt::Key_Home);
+    press(Qt::Key_Right, Qt::ControlModifier | Qt::ShiftModifier);  // with the blank behind it
+    QCOMPARE(press(Qt::Key_B, Qt::ControlModifier), QStringLiteral("**Ren** dexter"));
+    QCOMPARE(f.editor().textCursor().selectedText(), QStringLiteral("Ren"));
+    QCOMPARE(press(Qt::Key_Z, Qt::ControlModifier), QStringLiteral("Ren dexter"));
+    QCOMPARE(press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier),
+             QStringLiteral("**Ren** dexter"));
+    press(Qt::Key_Home);
+    press(Qt::Key_End, Qt::ShiftModifier);
+    QCOMPARE(press(Qt::Key_I, Qt::ControlModifier), QStringLiteral("***Ren** dexter*"));
+    QVERIFY(!QApplication::activeModalWidget());
+    QCOMPARE(press(Qt::Key_I, Qt::ControlModifier), QStringLiteral("**Ren** dexter"));
+    press(Qt::Key_End);
+    press(Qt::Key_Return, Qt::ShiftModifier);
+    press(Qt::Key_B, Qt::ControlModifier);
+    QTest::keyClicks(&f.editor(), QStringLiteral("x"));
+    QCOMPARE(press(Qt::Key_Return), QStringLiteral("**Ren** dexter\n**x**"));
+    QCOMPARE(f.only().text, std::string("**Ren** dexter\n**x**"));
+    QCOMPARE(f.shownLines(), QStringList{QStringLiteral("Ren dexter/x")});
+    const render::TextLine& line = f.sheet().plate.texts.front().lines.front();
+    QVERIFY(line.runs.front() == (render::TextRun{"Ren", {.bold = true}}));
+    // The same words that are not bold look different.
+    const QImage heavy = f.whole();
+    f.change([](model::Annotation& annotation) { annotation.text = "Ren dexter\nx"; });
+    QCOMPARE(f.shownLines(), QStringList{QStringLiteral("Ren dexter/x")});
+    QVERIFY(f.whole() != heavy);
+    f.undo();
+    f.undo();
+    QVERIFY(f.annotations().empty());
+  }
+
+  /// A label's asterisks are its own.
+  void labelsAreNotMarkedUp() {
+    Labels f;
+    f.key(Qt::Key_T);
+    f.click(f.middleOf(f.liver));
+    QVERIFY(f.typing());
+    QVERIFY(!f.editor().toolTip().contains("bold"));
+    f.editor().selectAll();
+    QTest::keyClick(&f.editor(), Qt::Key_B, Qt::ControlModifier);
+    QCOMPARE(f.editor().toPlainText(), QStringLiteral("liver"));
+    QTest::keyClicks(&f.editor(), QStringLiteral("**L5**"));
+    QTest::keyClick(&f.editor(), Qt::Key_Return);
+    QCOMPARE(f.shownLines(), QStringList{QStringLiteral("**L5**")});
+  }
+
+  void pastedTextIsPlain_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("html");
+    QTest::addColumn<QString>("pasted");
+    const QString html = QStringLiteral(
+        "<html><body><p><b>Ren</b> <span style='color:red'>dexter</span></p><p>&lt;i&gt;<img "
+        "src='file:///etc/passwd'></p></body></html>");
+    QTest::newRow("word processor") << "Ren dexter\r\nx\vy" << html << "Ren dexter\nx\ny";
+    QTest::newRow("html alone") << QString() << html << "Ren dexter\n<i>";
+    QTest::newRow("html as text") << "<b>Ren</b>" << QString() << "<b>Ren</b>";
+  }
+  void pastedTextIsPlain() {
+    QFETCH(QString, text);
+    QFETCH(QString, html);
+    QFETCH(QString, pasted);
+    Labels f;
+    f.key(Qt::Key_T, Qt::ShiftModifier);
+    f.click(f.middleOf(f.liver));
+    QVERIFY(f.typing());
+    auto data = std::make_unique<QMimeData>();
+    if (!text.isNull())
+      data->setText(text);
+    if (!html.isNull())
+      data->setHtml(html);
+    QGuiApplication::clipboard()->setMimeData(data.release());
+    QTest::keyClick(&f.editor(), Qt::Key_V, Qt::ControlModifier);
+    QCOMPARE(f.editor().toPlainText(), pasted);
+    QTest::keyClick(&f.editor(), Qt::Key_Return);
+    QCOMPARE(f.only().text, pasted.toStdString());
   }
 
   /// Nothing of HTML is understood, wherever words are shown.

@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <glm/geometric.hpp>
 
+#include "model/scene/markup.h"
 #include "widgets/annotations/label_look.h"
 
 namespace sline::widgets {
@@ -47,9 +48,13 @@ QString wordsIn(const model::Annotation& annotation, const std::string& language
   return QString::fromStdString(model::textIn(annotation, language));
 }
 
+QString plainWordsIn(const model::Annotation& annotation, const std::string& language) {
+  return QString::fromStdString(model::plainTextIn(annotation, language)).simplified();
+}
+
 QString shownText(const model::Scene& scene, const model::Annotation& annotation,
                   const std::string& language) {
-  const QString text = wordsIn(annotation, language).simplified();
+  const QString text = plainWordsIn(annotation, language);
   if (text.isEmpty() && annotation.kind == model::AnnotationKind::distance) {
     const auto from = scene.placeOf(annotation.anchors.front());
     const auto to = scene.placeOf(annotation.anchors.back());

@@ -17,8 +17,11 @@ QString placeText(Session& session, const model::Annotation& annotation);
 
 /// What the structure is called in that language; empty: as people see it in the list.
 QString offeredText(Session& session, model::NodeId structure, const std::string& language);
-/// What it says in that language; where it has no words there, in the scene's own.
+/// What it says in that language; where it has no words there, in the scene's own. As it is
+/// written: a callout's markers included.
 QString wordsIn(const model::Annotation& annotation, const std::string& language);
+/// The same in one line, without markers.
+QString plainWordsIn(const model::Annotation& annotation, const std::string& language);
 /// With other words in the language. One without any words of the scene's own gets these, too; no
 /// words in another language: the scene's own hold there again.
 model::Annotation withText(model::Annotation annotation, const std::string& language,

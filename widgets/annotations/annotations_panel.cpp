@@ -12,7 +12,6 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPainter>
-#include <QPlainTextEdit>
 #include <QScopedValueRollback>
 #include <QSpinBox>
 #include <QToolButton>
@@ -24,6 +23,7 @@
 #include "model/edit/annotations.h"
 #include "widgets/annotations/annotation_list.h"
 #include "widgets/annotations/annotation_texts.h"
+#include "widgets/annotations/label_field.h"
 #include "widgets/annotations/label_look.h"
 
 namespace sline::widgets {
@@ -179,11 +179,10 @@ void AnnotationsPanel::makeList() {
 }
 
 void AnnotationsPanel::makeText() {
-  m_text = new QPlainTextEdit;
+  m_text = new LabelField;
   m_text->setObjectName(QStringLiteral("annotationText"));
   m_text->setAccessibleName(tr("What the label says"));
   m_text->setTabChangesFocus(true);
-  m_text->setFixedHeight(2 * fontMetrics().lineSpacing() + 14);
   m_text->installEventFilter(this);
   connect(m_text, &QPlainTextEdit::textChanged, this, &AnnotationsPanel::write);
 }
@@ -245,6 +244,10 @@ QWidget* AnnotationsPanel::makeDetails() {
   grid->addWidget(m_views, 2, 0);
   grid->addWidget(m_release, 2, 1, 1, 2);
   return m_details;
+}
+
+int AnnotationsPanel::heightOf(int lines) const {
+  return lines * fontMetrics().lineSpacing() + 14;
 }
 
 const model::Annotation* AnnotationsPanel::active() const {
@@ -412,6 +415,8 @@ void AnnotationsPanel::showActive() {
   m_details->setEnabled(annotation);
   if (!annotation) {
     m_text->clear();
+    m_text->setToolTip({});
+    m_text->setFixedHeight(heightOf(2));
     m_text->setPlaceholderText(tr("Choose a label"));
     return;
   }
@@ -421,7 +426,11 @@ void AnnotationsPanel::showActive() {
   const QString text = QString::fromStdString(tag.empty()                      ? annotation->text
                                               : own == annotation->texts.end() ? std::string()
                                                                                : own->second);
-  m_text->setPlaceholderText(wordsIn(*annotation, tag).simplified());
+  const bool callout = annotation->kind == AnnotationKind::callout;
+  m_text->setMarkup(callout);
+  m_text->setFixedHeight(heightOf(callout ? 5 : 2));
+  m_text->setToolTip(callout ? LabelField::markupHint() : QString());
+  m_text->setPlaceholderText(plainWordsIn(*annotation, tag));
   if (m_text->toPlainText() != text)
     m_text->setPlainText(text);
   showChoices(*annotation);

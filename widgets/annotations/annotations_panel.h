@@ -10,7 +10,6 @@ class QAction;
 class QCheckBox;
 class QComboBox;
 class QHBoxLayout;
-class QPlainTextEdit;
 class QSpinBox;
 class QToolButton;
 class QTreeView;
@@ -18,6 +17,7 @@ class QTreeView;
 namespace sline::widgets {
 
 class AnnotationList;
+class LabelField;
 
 /// All annotations in a list, below it what can be said of the active one, above it how labels are
 /// shown in the window, which is a preference.
@@ -38,6 +38,7 @@ class AnnotationsPanel : public QWidget {
   QWidget* makeDetails();
   void makeText();
   void makeChoices();
+  int heightOf(int lines) const;  ///< of the field for words
   const model::Annotation* active() const;
   void change(const QString& step, const model::Annotation& annotation, const QString& series = {});
   void remove();
@@ -61,7 +62,7 @@ class AnnotationsPanel : public QWidget {
   QSpinBox* m_points = nullptr;
   QTreeView* m_list = nullptr;
   QWidget* m_details = nullptr;
-  QPlainTextEdit* m_text = nullptr;
+  LabelField* m_text = nullptr;
   QComboBox* m_kind = nullptr;
   QToolButton* m_colour = nullptr;
   QComboBox* m_views = nullptr;

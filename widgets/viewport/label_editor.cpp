@@ -7,7 +7,7 @@
 
 namespace sline::widgets {
 
-LabelEditor::LabelEditor(QWidget* picture) : QPlainTextEdit(picture) {
+LabelEditor::LabelEditor(QWidget* picture) : LabelField(picture) {
   setObjectName(QStringLiteral("labelText"));
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -20,7 +20,9 @@ LabelEditor::LabelEditor(QWidget* picture) : QPlainTextEdit(picture) {
 
 void LabelEditor::open(const QPoint& place, const Words& words) {
   setAccessibleName(tr("What the label says"));
-  setToolTip(words.lines ? tr("Return takes it over, Shift+Return begins a line, Esc forgets it")
+  setMarkup(words.lines);
+  setToolTip(words.lines ? tr("Return takes it over, Shift+Return begins a line, Esc forgets it") +
+                               QLatin1Char('\n') + markupHint()
                          : tr("Return takes it over, Esc forgets it"));
   m_place = place;
   m_lines = words.lines;
@@ -79,12 +81,12 @@ void LabelEditor::keyPressEvent(QKeyEvent* event) {
     finish();
     parentWidget()->setFocus(Qt::OtherFocusReason);
   } else {
-    QPlainTextEdit::keyPressEvent(event);
+    LabelField::keyPressEvent(event);
   }
 }
 
 void LabelEditor::focusOutEvent(QFocusEvent* event) {
-  QPlainTextEdit::focusOutEvent(event);
+  LabelField::focusOutEvent(event);
   // Its own menu, or another window before this one, is no going elsewhere.
   if (event->reason() != Qt::PopupFocusReason && event->reason() != Qt::ActiveWindowFocusReason)
     finish();

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QPlainTextEdit>
+#include "widgets/annotations/label_field.h"
 
 namespace sline::widgets {
 
 /// A small field over the picture in which a label's words are typed. Return takes them over, as
-/// does whoever goes elsewhere; Esc forgets them. Plain text, whatever is pasted.
-class LabelEditor : public QPlainTextEdit {
+/// does whoever goes elsewhere; Esc forgets them.
+class LabelEditor : public LabelField {
   Q_OBJECT
  public:
   explicit LabelEditor(QWidget* picture);
 
   struct Words {
     QString text;        ///< offered, and selected
-    bool lines = false;  ///< Shift+Return begins another one
+    bool lines = false;  ///< a callout's: marked up, and Shift+Return begins another one
     float points = 10.0f;
   };
   /// Beside the place, where all of it is in the picture.

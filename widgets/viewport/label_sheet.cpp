@@ -66,8 +66,20 @@ render::LabelPlate textAlone(const render::LabelPlate& plate, std::size_t i,
   return alone;
 }
 
+/// With what their looks depend on.
+QString keyOf(const std::vector<render::TextLine>& lines) {
+  QString key;
+  for (const render::TextLine& line : lines) {
+    key += QLatin1Char('\n') + QString::number(double(line.indent));
+    for (const render::TextRun& run : line.runs)
+      key +=
+          QStringLiteral(" %1%2 ").arg(int(run.style.bold)).arg(int(run.style.italic)) + run.text;
+  }
+  return key;
+}
+
 QString keyOf(const LabelWish& wish, const render::LabelPlate& alone) {
-  const QStringList& lines = alone.texts[0].lines;
+  const std::vector<render::TextLine>& lines = alone.texts[0].lines;
   const render::LabelPost post = alone.layout.labels[0].post;
   // One line fills its box, whichever way it is aligned.
   const bool right = lines.size() > 1 &&
@@ -79,7 +91,7 @@ QString keyOf(const LabelWish& wish, const render::LabelPlate& alone) {
                           QString::number(double(wish.pixelsPerMm) * wish.ratio),
                           QString::number(int(alone.labels[0].item.kind)),
                           QString::number(int(right))};
-  return looks.join(QLatin1Char(' ')) + QLatin1Char('\n') + lines.join(QLatin1Char('\n'));
+  return looks.join(QLatin1Char(' ')) + keyOf(lines);
 }
 
 /// Leaders and places, without texts and their frames.

@@ -200,8 +200,7 @@ Result<AnkiDeck> ankiCards(const ExportOrder& order, const ExportProgress& progr
                                   std::to_string(label.item.id.value) + '\n' + label.text));
     note.question = addPicture(deck, std::move(*question));
     note.answer = addPicture(deck, std::move(*answer));
-    for (const QString& line : plate.texts[i].lines)
-      note.label += (note.label.empty() ? "" : " ") + line.toStdString();
+    note.label = plainText(plate.texts[i].lines).toStdString();
     deck.notes.push_back(std::move(note));
   }
   return deck;

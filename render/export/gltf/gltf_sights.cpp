@@ -7,6 +7,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
 
+#include "model/scene/markup.h"
+
 namespace sline::render {
 
 namespace {
@@ -115,13 +117,13 @@ Json annotationNode(const model::Scene& scene, const model::Annotation& annotati
       places.push_back(jsonPoint(*place));
   Json extras{{"annotation", kindNames[std::size_t(annotation.kind)]},
               {"id", annotation.id.value},
-              {"text", annotation.text}};
-  if (!annotation.texts.empty())
-    extras["texts"] = annotation.texts;
+              {"text", model::plainText(annotation.kind, annotation.text)}};
+  for (const auto& [tag, text] : annotation.texts)
+    extras["texts"][tag] = model::plainText(annotation.kind, text);
   if (annotation.colour)
     extras["colour"] = jsonColour(*annotation.colour);
   extras["places"] = places;
-  return {{"name", model::textIn(annotation, language)},
+  return {{"name", model::plainTextIn(annotation, language)},
           {"translation", places.front()},
           {"extras", std::move(extras)}};
 }

@@ -17,9 +17,9 @@ LabelReport reportOf(const LabelPlate& plate) {
   LabelReport report;
   for (const ShownLabel& label : plate.labels)
     if (plate.layout.find(label.item.id))
-      report.key.push_back({label.number, label.text});
+      report.key.push_back({label.number, plainText(label)});
     else
-      report.leftOut.push_back(label.text);
+      report.leftOut.push_back(plainText(label));
   return report;
 }
 

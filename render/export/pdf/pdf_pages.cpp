@@ -2,7 +2,6 @@
 #include "render/export/pdf/pdf_pages.h"
 
 #include <QByteArrayList>
-#include <QFontMetricsF>
 #include <QPageLayout>
 #include <QPageSize>
 #include <QPdfWriter>
@@ -120,21 +119,18 @@ Result<QByteArray> PdfPages::finish() {
 }
 
 void setText(QPainter& painter, const LetteringText& text) {
-  const QFont font = labelFont();
   const qreal scale = qreal(text.points * millimetresPerPoint) / labelFontPixels;
-  const QFontMetricsF metrics(font);
   painter.save();
-  painter.setFont(font);
   painter.setPen(painterColour(text.ink));
   painter.translate(qreal(text.at.x), qreal(text.at.y));
   painter.scale(scale, scale);
   qreal baseline = 0.0;
-  for (const QString& line : text.lines) {
-    const qreal width = metrics.horizontalAdvance(line);
-    const qreal left = text.anchor == TextAnchor::end      ? -width
-                       : text.anchor == TextAnchor::middle ? -0.5 * width
-                                                           : 0.0;
-    painter.drawText(QPointF(left, baseline), line);
+  for (const TextLine& line : text.lines) {
+    const std::vector<float> places = runPlaces(text, line);
+    for (std::size_t i = 0; i < line.runs.size(); ++i) {
+      painter.setFont(labelFont(line.runs[i].style));
+      painter.drawText(QPointF(qreal(places[i]) / scale, baseline), line.runs[i].text);
+    }
     baseline += qreal(text.leading) / scale;
   }
   painter.restore();

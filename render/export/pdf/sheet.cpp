@@ -117,7 +117,7 @@ class Sheet {
     const FigurePlate numbered = plateIn(LabelMode::numbers);
     for (const ShownLabel& label : numbered.labels->labels)
       if (numbered.labels->layout.find(label.item.id))
-        m_numbers.push_back({label.number, QString::fromStdString(label.text).simplified()});
+        m_numbers.push_back({label.number, QString::fromStdString(plainText(label)).simplified()});
     if (hasLabels(m_given.scene) || m_order.labels.mode != LabelMode::numbers)
       return;
     for (const model::Annotation& annotation : m_order.scene.annotations())

@@ -39,7 +39,9 @@ LetteringText fitted(const QString& text, const glm::vec2& middle, float width, 
     words.pop_front();
   }
   const QString rest = elidedText(words.join(QLatin1Char(' ')), smallText, width);
-  set.lines = first.isEmpty() ? QStringList{rest} : QStringList{first, rest};
+  set.lines = {rest};
+  if (!first.isEmpty())
+    set.lines.insert(set.lines.begin(), first);
   set.at.y =
       middle.y + 0.5f * capHeightMm(smallText) - 0.5f * set.leading * float(set.lines.size() - 1);
   return set;

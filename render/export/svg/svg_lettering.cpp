@@ -97,24 +97,36 @@ class Layer {
     addPath(shape.path, shape.pen, more);
   }
 
+  static std::string runText(const TextRun& run) {
+    const std::string text = xmlText(run.text.toStdString());
+    if (run.style == model::LetterStyle{})
+      return text;
+    return std::string("<tspan") + (run.style.bold ? " font-weight=\"bold\"" : "") +
+           (run.style.italic ? " font-style=\"italic\"" : "") + ">" + text + "</tspan>";
+  }
+
   void addText(const LetteringText& text) {
     constexpr std::array<const char*, 3> anchors{"start", "middle", "end"};
-    const std::string x = number(double(text.at.x), m_decimals);
-    const auto y = [&](qsizetype line) {
-      return number(double(text.at.y + float(line) * text.leading), m_decimals);
+    const float em = text.points * millimetresPerPoint;
+    const auto place = [&](std::size_t line) {
+      return " x=\"" + number(double(text.at.x + text.lines[line].indent * em), m_decimals) +
+             "\" y=\"" + number(double(text.at.y + float(line) * text.leading), m_decimals) + "\">";
     };
-    m_text += "<text font-size=\"" + number(double(text.points * millimetresPerPoint), 4) +
-              "\" text-anchor=\"" + anchors[std::size_t(text.anchor)] + "\" fill=\"" +
-              hex(text.ink) + "\"";
+    const auto words = [&](std::size_t line) {
+      std::string all;
+      for (const TextRun& run : text.lines[line].runs)
+        all += runText(run);
+      return all;
+    };
+    m_text += "<text font-size=\"" + number(double(em), 4) + "\" text-anchor=\"" +
+              anchors[std::size_t(text.anchor)] + "\" fill=\"" + hex(text.ink) + "\"";
     if (text.lines.size() == 1) {
-      m_text += " x=\"" + x + "\" y=\"" + y(0) + "\">" + xmlText(text.lines[0].toStdString()) +
-                "</text>\n";
+      m_text += place(0) + words(0) + "</text>\n";
       return;
     }
     m_text += ">";
-    for (qsizetype i = 0; i < text.lines.size(); ++i)
-      m_text += "<tspan x=\"" + x + "\" y=\"" + y(i) + "\">" +
-                xmlText(text.lines[i].toStdString()) + "</tspan>";
+    for (std::size_t i = 0; i < text.lines.size(); ++i)
+      m_text += "<tspan" + place(i) + words(i) + "</tspan>";
     m_text += "</text>\n";
   }
 

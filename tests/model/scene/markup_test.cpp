@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/scene/markup.h"
+
+#include <QElapsedTimer>
+#include <QtTest>
+
+#include "tests/support/mutator.h"
+
+using namespace sline::model;
+
+namespace {
+
+/// Runs as they are told apart here: <b>, <i> and <bi> around what is not plain, "• " before items.
+QString spelt(const std::vector<MarkedLine>& lines) {
+  QStringList all;
+  for (const MarkedLine& line : lines) {
+    QString one = line.bullet ? QStringLiteral("• ") : QString();
+    for (const MarkedRun& run : line.runs) {
+      const QString tag =
+          QLatin1String(run.style.bold ? "b" : "") + QLatin1String(run.style.italic ? "i" : "");
+      const QString text = QString::fromStdString(run.text);
+      one += tag.isEmpty() ? text : QStringLiteral("<%1>%2</>").arg(tag, text);
+    }
+    all << one;
+  }
+  return all.join('|');
+}
+
+/// Every byte of every span is one of the text's, in order.
+bool spansAreSound(std::string_view text) {
+  std::size_t last = 0;
+  for (const MarkupLine& line : parsedMarkup(text)) {
+    if (line.begin < last || line.end > text.size() || line.content < line.begin)
+      return false;
+    last = line.content;
+    for (const MarkupSpan& span : line.spans) {
+      if (span.begin < last || span.end <= span.begin || span.end > line.end)
+        return false;
+      last = span.end;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+class MarkupTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void texts_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("shown");
+    const auto row = [](const char* name, const char* text, const char* shown) {
+      QTest::newRow(name) << QString::fromUtf8(text) << QString::fromUtf8(shown);
+    };
+    row("plain", "Arteria renalis", "Arteria renalis");
+    row("bold", "the **renal** artery", "the <b>renal</> artery");
+    row("italic", "the *arteria renalis*", "the <i>arteria renalis</>");
+    row("within a word", "in**ter**lobar", "in<b>ter</>lobar");
+    row("all of it", "***both***", "<bi>both</>");
+    row("italic in bold", "**a *b* c**", "<b>a </><bi>b</><b> c</>");
+    row("bold in italic", "*a **b** c*", "<i>a </><bi>b</><i> c</>");
+    row("italic ends with bold", "**a *b***", "<b>a </><bi>b</>");
+    row("bold ends with italic", "*a **b***", "<i>a </><bi>b</>");
+    row("bold lasts longer", "***a* b**", "<bi>a</><b> b</>");
+    row("italic lasts longer", "***a** b*", "<bi>a</><i> b</>");
+    row("one after the other", "**a***b*", "<b>a</><i>b</>");
+    row("bold to bold", "**a****b**", "<b>ab</>");
+    row("both to italic", "***a****b*", "<bi>a</><i>b</>");
+    row("umlauts", "**Öffnung** *für* ÿ", "<b>Öffnung</> <i>für</> ÿ");
+    // What has no partner.
+    row("lone asterisk", "L5*", "L5*");
+    row("footnotes", "p* and q*", "p* and q*");
+    row("product", "5 * 3 * 2", "5 * 3 * 2");
+    row("bold not ended", "**a", "**a");
+    row("bold not begun", "a**", "a**");
+    row("italic not ended in bold", "**a *b**", "<b>a *b</>");
+    row("bold not ended in italic", "*a **b*", "<i>a **b</>");
+    row("too few at the end", "**a*", "**a*");
+    row("too many at the end", "**Note***", "<b>Note</>*");
+    row("too many at the beginning", "***a**", "*<b>a</>");
+    row("the nearer beginning", "2*x or *italic*", "2*x or <i>italic</>");
+    row("not over lines", "**a\nb**", "**a|b**");
+    row("blank within", "** a **", "** a **");
+    row("nothing within", "****", "****");
+    row("seven in a row", "*******a*******", "*******a*******");
+    // Lists.
+    row("list", "Parts:\n- one\n- *two*", "Parts:|• one|• <i>two</>");
+    row("indented item", "  -   one", "• one");
+    row("no item", "-one\n–\n-", "-one|–|-");
+    row("markers do not span items", "- *a\n- b*", "• *a|• b*");
+    row("asterisk as bullet is none", "* a\n* b", "* a|* b");
+    // Escapes.
+    row("escaped", "\\*a\\*", "*a*");
+    row("escaped in bold", "**\\*a\\***", "<b>*a*</>");
+    row("escaped item", "\\- a", "- a");
+    row("escaped escape", "\\\\*a*", "\\<i>a</>");
+    row("other escapes stay", "C:\\new \\_ \\", "C:\\new \\_ \\");
+    // No HTML.
+    row("tags", "<b>a</b> &amp; *c*", "<b>a</b> &amp; <i>c</>");
+    row("blank lines", "\n \na\n\nb\r\n \n", "a||b");
+    row("nothing", "", "");
+  }
+  void texts() {
+    QFETCH(QString, text);
+    QFETCH(QString, shown);
+    QCOMPARE(spelt(markedLines(text.toStdString())), shown);
+    QVERIFY(spansAreSound(text.toStdString()));
+  }
+
+  void plainTexts() {
+    const std::string text = "**Ureter**\n- *a*\n- b\\*";
+    QCOMPARE(plainText(AnnotationKind::callout, text), std::string("Ureter\n• a\n• b*"));
+    for (const AnnotationKind kind :
+         {AnnotationKind::label, AnnotationKind::pin, AnnotationKind::distance})
+      QCOMPARE(plainText(kind, text), text);
+    Annotation annotation{.kind = AnnotationKind::callout, .text = "**a**"};
+    annotation.texts["de"] = "*b*";
+    QCOMPARE(plainTextIn(annotation, ""), std::string("a"));
+    QCOMPARE(plainTextIn(annotation, "de"), std::string("b"));
+    QCOMPARE(plainTextIn(annotation, "la"), std::string("a"));
+  }
+
+  /// A hundred times as much takes about a hundred times as long: a parser that looks back for each
+  /// marker would take ten thousand times.
+  void longTextsTakeNoLonger_data() {
+    QTest::addColumn<QByteArray>("piece");
+    for (const char* piece : {"*", "**", "*a", "**a", "a*", "*a ", "**a *b ", "*a**b", "***a ",
+                              "a**b*", "\\", "\\*", "- ", "- *\n", "\n", "****a"})
+      QTest::newRow(piece) << QByteArray(piece);
+  }
+  void longTextsTakeNoLonger() {
+    QFETCH(QByteArray, piece);
+    const auto milliseconds = [&piece](qsizetype bytes) {
+      const std::string text = piece.repeated(bytes / piece.size()).toStdString();
+      QElapsedTimer timer;
+      timer.start();
+      const bool sound =
+          spansAreSound(text) && plainText(AnnotationKind::callout, text).size() <= 3 * text.size();
+      return sound ? double(timer.nsecsElapsed()) / 1e6 : 1e9;
+    };
+    milliseconds(20'000);
+    const double little = std::max(milliseconds(20'000), 0.2);
+    const double much = milliseconds(2'000'000);
+    QVERIFY2(much < 1000.0 * little,
+             qPrintable(QStringLiteral("%1 ms, %2 ms").arg(little).arg(much)));
+  }
+
+  void spoiltTextsAreParsed() {
+    sline::test::Mutator spoil(11,
+                               {[](sline::test::Mutator& random, QByteArray& bytes, qsizetype at) {
+                                 bytes.insert(at, "**** \\\n- *"[random.below(10)]);
+                               }});
+    QByteArray text("**Ureter** *dexter*\n- the **upper *third***\n- a\\*b, 5 * 3\n");
+    for (int i = 0; i < 20'000; ++i) {
+      const QByteArray spoilt = spoil(text);
+      const std::string bytes(spoilt.constData(), std::size_t(spoilt.size()));
+      QVERIFY2(spansAreSound(bytes), spoilt.toHex());
+      std::size_t letters = 0;
+      for (const MarkedLine& line : markedLines(bytes))
+        for (const MarkedRun& run : line.runs)
+          letters += std::size_t(std::count(run.text.begin(), run.text.end(), 'e'));
+      QCOMPARE(letters, std::size_t(spoilt.count('e')));
+    }
+  }
+};
+
+QTEST_APPLESS_MAIN(MarkupTest)
+#include "markup_test.moc"

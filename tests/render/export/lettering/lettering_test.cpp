@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+// Texts of labels and callouts: their fonts, how wide their runs are, where their lines end.
+#include <QElapsedTimer>
+#include <QFontInfo>
+#include <QRawFont>
+#include <QtTest>
+
+#include "render/export/label_painter.h"
+#include "render/export/label_texts.h"
+#include "render/export/typesetting.h"
+
+namespace sline::test {
+
+using namespace render;
+using model::LetterStyle;
+
+namespace {
+
+constexpr LetterStyle plain{};
+constexpr LetterStyle bold{.bold = true};
+constexpr LetterStyle italic{.italic = true};
+constexpr LetterStyle both{.bold = true, .italic = true};
+
+ShownLabel shown(model::AnnotationKind kind, const QString& text) {
+  ShownLabel label;
+  label.item.id = {1};
+  label.item.kind = kind;
+  label.text = text.toStdString();
+  return label;
+}
+
+LabelText callout(const QString& text, float widestMm = 60.0f) {
+  return textOf(shown(model::AnnotationKind::callout, text), {.mode = LabelMode::on}, widestMm);
+}
+
+TextLine lineOf(const std::vector<TextRun>& runs) {
+  TextLine line;
+  line.runs = runs;
+  return line;
+}
+
+LetteringText textAt(std::vector<TextLine> lines, TextAnchor anchor) {
+  return {.lines = std::move(lines), .at = {50.0f, 20.0f}, .leading = 5.0f, .anchor = anchor};
+}
+
+}  // namespace
+
+class LetteringTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase() {
+    auto made = Typesetting::create();
+    QVERIFY(made.ok());
+    m_typesetting = std::move(*made);
+  }
+
+  /// Those that are built in, not what the machine makes of a font that it lacks.
+  void fontsAreTheirOwn_data() {
+    QTest::addColumn<bool>("isBold");
+    QTest::addColumn<bool>("isItalic");
+    QTest::addColumn<QString>("file");
+    QTest::newRow("plain") << false << false << ":/fonts/labels.ttf";
+    QTest::newRow("bold") << true << false << ":/fonts/labels-bold.ttf";
+    QTest::newRow("oblique") << false << true << ":/fonts/labels-oblique.ttf";
+    QTest::newRow("both") << true << true << ":/fonts/labels-bold-oblique.ttf";
+  }
+  void fontsAreTheirOwn() {
+    QFETCH(bool, isBold);
+    QFETCH(bool, isItalic);
+    QFETCH(QString, file);
+    const LetterStyle style{.bold = isBold, .italic = isItalic};
+    const QRawFont embedded(file, labelFontPixels, QFont::PreferNoHinting);
+    const QRawFont used = QRawFont::fromFont(labelFont(style));
+    QVERIFY(embedded.isValid());
+    QCOMPARE(used.familyName(), QStringLiteral("DejaVu Sans"));
+    QCOMPARE(used.styleName(), embedded.styleName());
+    for (const QChar letter : QStringLiteral("Hagilß•"))
+      QCOMPARE(used.pathForGlyph(used.glyphIndexesForString(letter).front()),
+               embedded.pathForGlyph(embedded.glyphIndexesForString(letter).front()));
+  }
+
+  void mixedRunsAreAsWideAsTheirRuns() {
+    const QString word = QStringLiteral("Musculus");
+    const float regular = textWidthMm(word, 10.0f);
+    const float heavy = textWidthMm(lineOf({{word, bold}}), 10.0f);
+    QVERIFY(heavy > 1.08f * regular);
+    const TextLine mixed =
+        lineOf({{"a ", plain}, {word, bold}, {" b ", italic}, {word, both}, {word, plain}});
+    float sum = 0.0f;
+    for (const TextRun& run : mixed.runs)
+      sum += textWidthMm(lineOf({run}), 10.0f);
+    QVERIFY(std::abs(textWidthMm(mixed, 10.0f) - sum) < 1e-3f);
+    QVERIFY(std::abs(textWidthMm(mixed, 20.0f) - 2.0f * sum) < 1e-3f);
+    TextLine indented = mixed;
+    indented.indent = 2.0f;
+    QVERIFY(std::abs(textWidthMm(indented, 10.0f) - sum - 20.0f * millimetresPerPoint) < 1e-3f);
+  }
+
+  /// Letters stand where they are measured, whichever side they are aligned at.
+  void outlinesAreWithinTheirWidth() {
+    const TextLine line = lineOf({{"Hilum ", plain}, {"renale ", bold}, {"H", italic}});
+    const auto width = double(textWidthMm(line, 10.0f));
+    for (const TextAnchor anchor : {TextAnchor::start, TextAnchor::middle, TextAnchor::end}) {
+      const QRectF box = outlineOf(textAt({line}, anchor)).boundingRect();
+      const double left = 50.0 - 0.5 * width * double(int(anchor));
+      QVERIFY(box.left() > left && box.left() < left + 0.6);
+      QVERIFY(box.right() < left + width + 0.3 && box.right() > left + width - 0.6);
+    }
+    TextLine indented = line;
+    indented.indent = 1.0f;
+    const QPainterPath path = outlineOf(textAt({line, indented}, TextAnchor::start));
+    const QRectF second = path.intersected([] {
+                                QPainterPath below;
+                                below.addRect(0, 20.8, 200, 6);
+                                return below;
+                              }())
+                              .boundingRect();
+    QVERIFY(std::abs(second.left() - path.boundingRect().left() -
+                     10.0 * double(millimetresPerPoint)) < 0.05);
+  }
+
+  void calloutsAreParsed() {
+    const LabelText text = callout(QStringLiteral("**Ren** *dexter*\n\n- **a** b\n- c"));
+    QVERIFY(text.list);
+    QCOMPARE(text.lines.size(), std::size_t(4));
+    QVERIFY(text.lines[0] == lineOf({{"Ren", bold}, {" ", plain}, {"dexter", italic}}));
+    QVERIFY(text.lines[1].runs.empty());
+    QVERIFY(text.lines[2] == lineOf({{"• ", plain}, {"a", bold}, {" b", plain}}));
+    QVERIFY(text.lines[3] == lineOf({{"• c", plain}}));
+    QCOMPARE(plainText(text.lines), QStringLiteral("Ren dexter  • a b • c"));
+    for (const model::AnnotationKind kind :
+         {model::AnnotationKind::label, model::AnnotationKind::pin}) {
+      const LabelText label = textOf(shown(kind, "**a**"), {.mode = LabelMode::on}, 60.0f);
+      QVERIFY(label.lines == std::vector{TextLine(QStringLiteral("**a**"))});
+    }
+  }
+
+  /// An item's further lines stand under its first word; bold goes on over line ends.
+  void itemsHang() {
+    const QString text = QStringLiteral("- one **two three four five six seven** eight nine ten");
+    const LabelText set = callout(text, 30.0f);
+    QVERIFY(set.lines.size() >= 3);
+    QCOMPARE(set.lines.front().indent, 0.0f);
+    const float bullet = textWidthMm(QStringLiteral("• "), 10.0f);
+    float widest = 0.0f;
+    int heavy = 0;
+    for (std::size_t i = 0; i < set.lines.size(); ++i) {
+      widest = std::max(widest, textWidthMm(set.lines[i], 10.0f));
+      if (i > 0)
+        QVERIFY(std::abs(set.lines[i].indent * 10.0f * millimetresPerPoint - bullet) < 1e-3f);
+      for (const TextRun& run : set.lines[i].runs)
+        heavy += run.style.bold ? int(run.text.split(' ', Qt::SkipEmptyParts).size()) : 0;
+    }
+    QCOMPARE(heavy, 6);
+    QVERIFY(widest <= 30.0f);
+    QVERIFY(std::abs(set.box.x - widest - 2.0f * paddingOf(model::AnnotationKind::callout, {}).x) <
+            1e-3f);
+    QCOMPARE(plainText(set.lines),
+             QStringLiteral("• one two three four five six seven eight nine ten"));
+  }
+
+  void joinedWordsKeepTheirStyles() {
+    const LabelText set = callout(QStringLiteral("**Left**-*kidney-artery* in**ter**lobar"), 14.0f);
+    QVERIFY(set.lines.size() >= 2);
+    QString words;
+    for (const TextLine& line : set.lines)
+      words += plainText(line).remove(' ');
+    QCOMPARE(words, QStringLiteral("Left-kidney-arteryinterlobar"));
+    QVERIFY(set.lines.front().runs.front() == (TextRun{"Left", bold}));
+  }
+
+  /// What is in a box lies within it, in the left column as in the right.
+  void framesHoldTheirTexts() {
+    for (const char* text : {"**WWW** *fff*\n- ***jjj*** WWWWW iiiii *lllll* WWWW\n- b",
+                             "*Vesica* **urinaria** und mehr davon, als eine Zeile fasst"})
+      for (const LabelPost post : {LabelPost::left, LabelPost::right}) {
+        LabelPlate plate{.style = {.mode = LabelMode::on}};
+        plate.labels = {shown(model::AnnotationKind::callout, text)};
+        plate.texts = {callout(text, 40.0f)};
+        const bool left = post == LabelPost::left;
+        plate.labels[0].item.places = {{left ? 90.0f : 10.0f, 30.0f}};
+        const LabelBox box{{20.0f, 10.0f}, glm::vec2(20.0f, 10.0f) + plate.texts[0].box};
+        plate.layout.labels = {{.id = {1}, .post = post, .box = box}};
+        const Lettering lettering = letteringOf(plate);
+        const LetteringText& set = *lettering.items.front().text;
+        const QRectF frame(QPointF(double(box.low.x), double(box.low.y)),
+                           QPointF(double(box.high.x), double(box.high.y)));
+        QVERIFY(frame.contains(outlineOf(set).boundingRect()));
+        const bool list = QString(text).contains("\n- ");
+        QVERIFY(set.anchor == (left && !list ? TextAnchor::end : TextAnchor::start));
+        QCOMPARE(lettering.items.front().name.find('*'), std::string::npos);
+      }
+  }
+
+  void longTextsAreCutShort() {
+    const QString word = QStringLiteral("**a** *b* ");
+    QElapsedTimer timer;
+    timer.start();
+    const LabelText set = callout(word.repeated(200'000));
+    QVERIFY2(timer.elapsed() < 5000, qPrintable(QString::number(timer.elapsed())));
+    QVERIFY(set.box.y > 400.0f);
+    QVERIFY(plainText(set.lines.back()).endsWith(QChar(0x2026)));
+    // Not within a character.
+    const LabelText umlauts = callout(QStringLiteral("xÄ").repeated(20'000));
+    QVERIFY(!plainText(umlauts.lines).contains(QChar::ReplacementCharacter));
+  }
+
+  void nothingIsNothing() {
+    for (const char* text : {"", " \n ", "\n\n"})
+      QVERIFY(callout(text).lines.empty());
+    QCOMPARE(callout("a\n \n\n").lines.size(), std::size_t(1));
+    QVERIFY(callout("****").lines == std::vector{TextLine(QStringLiteral("****"))});
+  }
+
+ private:
+  std::unique_ptr<Typesetting> m_typesetting;
+};
+
+}  // namespace sline::test
+
+QTEST_APPLESS_MAIN(sline::test::LetteringTest)
+#include "lettering_test.moc"

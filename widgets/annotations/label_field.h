@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QPlainTextEdit>
+
+#include "model/edit/letter_style.h"
+
+namespace sline::widgets {
+
+/// A field in which a label's words are typed: plain text, whatever is pasted. Where the words are
+/// marked up, as a callout's are, Ctrl+B and Ctrl+I put markers around what is selected, or take
+/// them away, in one step of its undo.
+class LabelField : public QPlainTextEdit {
+  Q_OBJECT
+ public:
+  explicit LabelField(QWidget* parent = nullptr) : QPlainTextEdit(parent) {}
+
+  void setMarkup(bool on) { m_markup = on; }
+  /// What can be written there, in a line.
+  static QString markupHint();
+
+ protected:
+  bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  bool canInsertFromMimeData(const QMimeData* source) const override;
+  void insertFromMimeData(const QMimeData* source) override;
+
+ private:
+  std::optional<model::LetterMark> markOf(QKeyEvent& key) const;
+  void mark(model::LetterMark mark);
+
+  bool m_markup = false;
+};
+
+}  // namespace sline::widgets
