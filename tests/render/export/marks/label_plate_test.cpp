@@ -94,6 +94,10 @@ class LabelPlateTest : public QObject {
     QTest::newRow("long") << longText << 0;
     QTest::newRow("joined") << "Sacrum-L5-IntervertebralDisc with left_kidney" << 0;
     QTest::newRow("callout") << "One line\n\nand another that is much longer than the first" << 1;
+    QTest::newRow("marked callout")
+        << "**Urinary bladder** (*vesica urinaria*)\n- the ***detrusor muscle*** of its wall\n- "
+           "Trigone-of-Lieutaud\n- \nand **more words that are bold** than fit"
+        << 1;
     QTest::newRow("none") << "" << 2;
   }
   void measuredAsSet() {
