@@ -18,6 +18,7 @@ namespace {
 struct Trial {
   std::array<float, 2> widths{};
   std::array<float, 2> heights{};
+  float highest = 0.0f;  ///< of one label
   float text = 0.0f;
 };
 
@@ -56,6 +57,7 @@ class Trials {
         const glm::vec2 box = text.boxAt(width);
         trial.widths[side] = std::max(trial.widths[side], box.x);
         trial.heights[side] += box.y + columnGap;
+        trial.highest = std::max(trial.highest, box.y);
       }
     return trial;
   }
@@ -77,7 +79,8 @@ ColumnWidths widthsOf(const Trial& trial) {
   return {.left = trial.widths[0], .right = trial.widths[1], .text = trial.text};
 }
 
-/// The scale of the anatomy, less where columns are crowded or much higher than it.
+/// The scale of the anatomy, less where columns are crowded or much higher than it, or a label has
+/// many lines.
 float worth(const Trial& trial, const LabelTexts& texts) {
   const LabelSpace& space = texts.space;
   const glm::vec2 shape = glm::max(texts.anatomy.size(), glm::vec2(1e-3f));
@@ -88,8 +91,12 @@ float worth(const Trial& trial, const LabelTexts& texts) {
   const float scale = std::max(std::min(width / shape.x, height / shape.y), 1e-3f);
   const float crowded = std::max(crowding(trial, space), 1.0f);
   const float tall = std::max(trial.heights[0], trial.heights[1]) / (scale * shape.y);
-  constexpr float dearness = 0.15f;  // of leaders that spread
-  return scale / (crowded * crowded) / (1.0f + dearness * std::max(tall - 1.0f, 0.0f));
+  constexpr float dearness = 0.3f;  // of leaders that spread
+  constexpr float lineDearness = 0.02f;
+  constexpr float fewLines = 3.5f;
+  const float lines = trial.highest / lineHeightMm(texts.style);
+  return scale / (crowded * crowded) / (1.0f + dearness * std::max(tall - 1.0f, 0.0f)) /
+         (1.0f + lineDearness * std::max(lines - fewLines, 0.0f));
 }
 
 /// Those before the eye, in the picture or not.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace sline::render {
 
@@ -16,6 +17,7 @@ struct Sample {
   model::Hit hit;
   bool seen = false;
   bool clear = false;  ///< seen, and nothing is drawn over it
+  bool firm = false;   ///< seen from a little aside, too: it faces the eye, no fold is near
 };
 using Samples = std::vector<std::optional<Sample>>;  ///< cells × cells; none: not of the structure
 
@@ -40,8 +42,31 @@ std::optional<LabelBox> extentOf(const model::Mesh& mesh, const Screen& screen) 
   return box->size().x > 0.0f && box->size().y > 0.0f ? box : std::nullopt;
 }
 
-Samples samplesOf(const Sights& sights, model::NodeId structure, const Screen& screen,
-                  const LabelBox& box) {
+bool faces(const model::Mesh& mesh, const model::Hit& hit, const model::Ray& ray) {
+  constexpr float oblique = 0.3f;  // cosine
+  const auto& [a, b, c] = mesh.triangles()[hit.triangle];
+  const glm::vec3 normal = glm::cross(mesh.positions()[b] - mesh.positions()[a],
+                                      mesh.positions()[c] - mesh.positions()[a]);
+  return std::abs(glm::dot(normal, ray.direction)) >= oblique * glm::length(normal);
+}
+
+/// Where neighbours lie so much farther or nearer, one part of the structure ends before another.
+void loosenFolds(Samples& samples, float step) {
+  const auto far = [&](std::size_t i, std::size_t k) {
+    return samples[i] && samples[k] && std::abs(samples[i]->hit.t - samples[k]->hit.t) > step;
+  };
+  for (int y = 0; y < cells; ++y)
+    for (int x = 0; x < cells; ++x)
+      for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(0, 1)}) {
+        if (x + dx >= cells || y + dy >= cells || !far(cellAt(x, y), cellAt(x + dx, y + dy)))
+          continue;
+        samples[cellAt(x, y)]->firm = false;
+        samples[cellAt(x + dx, y + dy)]->firm = false;
+      }
+}
+
+Samples samplesOf(const Sights& sights, model::NodeId structure, const model::Mesh& mesh,
+                  const Screen& screen, const LabelBox& box) {
   Samples samples(std::size_t(cells * cells));
   for (int y = 0; y < cells; ++y)
     for (int x = 0; x < cells; ++x) {
@@ -55,8 +80,10 @@ Samples samplesOf(const Sights& sights, model::NodeId structure, const Screen& s
       before.farthest = own->hit.t;
       const auto first = sights.nearest(before);
       const bool seen = !first || first->structure == structure;
-      samples[cellAt(x, y)] = Sample{own->hit, seen, seen && !sights.drawnOver(structure, before)};
+      samples[cellAt(x, y)] = Sample{own->hit, seen, seen && !sights.drawnOver(structure, before),
+                                     faces(mesh, own->hit, ray)};
     }
+  loosenFolds(samples, 0.04f * glm::length(mesh.bounds().size()));
   return samples;
 }
 
@@ -130,16 +157,21 @@ std::optional<Spot> deepest(const Samples& samples, const glm::vec2& cell, Count
   return deepest(counts, cell);
 }
 
-/// Where nothing is drawn over the structure, if a dot has room there; else where it is seen; else
-/// anywhere on it.
+/// Where nothing is drawn over the structure, if a dot has room there; else where it is seen, not
+/// at a fold if there is room elsewhere; else anywhere on it.
 std::optional<Spot> bestSpot(const Samples& samples, const glm::vec2& cell) {
   constexpr float roomForDot = 1.2f;  // millimetres
   constexpr float mostLost = 0.6f;    // of the depth that there is where it is seen
   const auto seen = deepest(samples, cell, [](const Sample& one) { return one.seen; });
   if (!seen)
     return deepest(samples, cell, [](const Sample&) { return true; });
-  const auto clear = deepest(samples, cell, [](const Sample& one) { return one.clear; });
-  return clear && clear->depth >= std::min(roomForDot, mostLost * seen->depth) ? clear : seen;
+  const float least = std::min(roomForDot, mostLost * seen->depth);
+  const auto clear =
+      deepest(samples, cell, [](const Sample& one) { return one.clear && one.firm; });
+  if (clear && clear->depth >= least)
+    return clear;
+  const auto firm = deepest(samples, cell, [](const Sample& one) { return one.seen && one.firm; });
+  return firm && firm->depth >= least ? firm : seen;
 }
 
 }  // namespace
@@ -153,7 +185,7 @@ std::optional<BestPlace> bestPlaceOn(const model::Scene& scene, model::NodeId st
   if (!box)
     return std::nullopt;
   const Sights sights(scene, trees);
-  const Samples samples = samplesOf(sights, structure, screen, *box);
+  const Samples samples = samplesOf(sights, structure, *node->mesh, screen, *box);
   const std::optional<Spot> best = bestSpot(samples, box->size() / float(cells));
   if (!best)
     return std::nullopt;
