@@ -21,8 +21,7 @@ struct TextLine {
 
   TextLine() = default;
   /// Of one run, as labels and marks are.
-  TextLine(const QString& plain)
-      : runs{{.text = plain, .style = {}}} {}  // NOLINT(google-explicit-constructor)
+  TextLine(const QString& plain) : runs{{.text = plain, .style = {}}} {}
   bool operator==(const TextLine&) const = default;
 };
 

@@ -98,7 +98,7 @@ class Layer {
   }
 
   static std::string runText(const TextRun& run) {
-    const std::string text = xmlText(run.text.toStdString());
+    std::string text = xmlText(run.text.toStdString());
     if (run.style == model::LetterStyle{})
       return text;
     return std::string("<tspan") + (run.style.bold ? " font-weight=\"bold\"" : "") +
