@@ -199,6 +199,56 @@ class LabelAnchorsTest : public QObject {
     QVERIFY(two.scene.placeOf(best->point)->y < -4.0f);
   }
 
+  /// What lets it show through draws lines over it all the same.
+  void bestPlaceIsNotUnderLines() {
+    Two two = twoSpheres();
+    model::Style lines;
+    lines.gamma = Gamma::clamped(1.0f);
+    lines.fill = model::Fill::none;
+    const model::Scene scene = styled(two.scene, two.small, lines);
+    SightTrees trees;
+    const Screen screen(front(), paper);
+    const auto best = bestPlaceOn(scene, two.large, screen, trees);
+    QVERIFY(best && !best->hidden);
+    const glm::vec2 place = *screen.place(*scene.placeOf(best->point));
+    const glm::vec2 middle = *screen.place({0.0f, -60.0f, 0.0f});
+    const glm::vec2 edge = *screen.place({15.0f, -60.0f, 0.0f});
+    QVERIFY2(glm::length(place - middle) > glm::length(edge - middle) + 1.0f,
+             "the dot lies under another structure's lines");
+    // Where they are over all of it, it is in its middle.
+    model::Node shell{.name = "shell", .mesh = test::sphere(45.0f, 3)};
+    shell.style = lines;
+    model::Scene under = scene;
+    under.append(shell);
+    const auto covered = bestPlaceOn(under, two.large, screen, trees);
+    QVERIFY(covered && !covered->hidden);
+    QVERIFY(glm::length(*screen.place(*under.placeOf(covered->point)) - middle) < 4.0f);
+  }
+
+  /// Where a near part of the structure ends before a far one: from a little aside it is hidden.
+  void bestPlaceIsNotAtAFold() {
+    const auto plate = [](float left, float depth) {
+      return std::vector<glm::vec3>{{left, depth, -20.0f},
+                                    {left + 40.0f, depth, -20.0f},
+                                    {left + 40.0f, depth, 20.0f},
+                                    {left, depth, 20.0f}};
+    };
+    std::vector<glm::vec3> positions = plate(-40.0f, -30.0f);
+    const std::vector<glm::vec3> far = plate(0.0f, 30.0f);
+    positions.insert(positions.end(), far.begin(), far.end());
+    auto mesh = model::Mesh::create(positions, {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}});
+    QVERIFY(mesh.ok());
+    model::Scene scene;
+    model::Node node{.name = "steps", .mesh = std::make_shared<const model::Mesh>(*mesh)};
+    node.style.gamma = Gamma::clamped(5.0f);
+    const model::NodeId id = scene.append(node);
+    SightTrees trees;
+    const auto best = bestPlaceOn(scene, id, Screen(front(), paper), trees);
+    QVERIFY(best && !best->hidden);
+    const float x = scene.placeOf(best->point)->x;
+    QVERIFY2(std::abs(x) > 10.0f && std::abs(x) < 30.0f, qPrintable(QString::number(double(x))));
+  }
+
   void obstaclesAreWhereThingsAre() {
     const Two two = twoSpheres();
     const Screen screen(front(), paper);
