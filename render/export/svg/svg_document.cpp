@@ -68,6 +68,11 @@ class Document {
   void open(const std::string& id, std::string_view label, const std::string& more = {}) {
     m_text += "<g id=\"" + id + "\" inkscape:label=\"" + xmlText(label) + "\"" + more + ">\n";
   }
+  /// A name as every program knows it, too: "plain" SVG has no labels.
+  void openNamed(const std::string& id, model::NodeId node, const std::string& more = {}) {
+    open(id, nameOf(node), more);
+    m_text += "<title>" + xmlText(nameOf(node)) + "</title>\n";
+  }
   void close() { m_text += "</g>\n"; }
 
   void addPath(const VectorShape& shape, bool regions) {
@@ -96,8 +101,8 @@ class Document {
     for (const VectorStructure& structure : m_drawing.structures) {
       if (structure.fills.empty())
         continue;
-      open("fill-" + std::to_string(structure.id.value), nameOf(structure.id),
-           opacityAttribute(structure.fillOpacity));
+      openNamed("fill-" + std::to_string(structure.id.value), structure.id,
+                opacityAttribute(structure.fillOpacity));
       for (const VectorShape& shape : structure.fills)
         addPath(shape, true);
       close();
@@ -131,10 +136,10 @@ class Document {
     });
     for (const model::NodeId id : ids) {
       if (m_scene.find(id)->isGroup()) {
-        open("group-" + std::to_string(id.value), nameOf(id));
+        openNamed("group-" + std::to_string(id.value), id);
         addBelow(id);
       } else {
-        open("structure-" + std::to_string(id.value), nameOf(id));
+        openNamed("structure-" + std::to_string(id.value), id);
         addStructure(*m_branches[id].structures.front());
       }
       close();
