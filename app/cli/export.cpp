@@ -6,6 +6,7 @@
 #include "app/cli/anki_options.h"
 #include "app/cli/command.h"
 #include "app/cli/draw_scene.h"
+#include "app/cli/export_notes.h"
 #include "app/cli/film_options.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/pixel_options.h"
@@ -157,25 +158,27 @@ Result<render::ExportOrder> understoodJob(const ExportFlags& flags, Wanted& wish
 }
 
 Exit writeAll(const render::ExportOrder& job, const std::map<std::string, std::string>& targets,
-              Progress& progress) {
+              Progress& progress, const Warn& tellWarning) {
   for (const render::ExportFormat& format : render::exportFormats()) {
     const auto target = targets.find(format.id);
     if (target == targets.end())
       continue;
-    const Status written =
-        format.write(job, target->second, [&progress](double share, std::string_view what) {
-          progress.show(share, what);
-          return true;
-        });
-    if (!written.ok()) {
-      progress.wipe();
+    render::ExportNotes notes;
+    const auto show = [&progress](double share, std::string_view what) {
+      progress.show(share, what);
+      return true;
+    };
+    const Status written = format.write(job, target->second, {show, &notes});
+    progress.wipe();
+    if (!written.ok())
       return complain(written.error(), Exit::failed);
-    }
+    for (const render::ExportNote& note : notes)
+      tellWarning(target->second + ": " + textOf(note));
   }
   return Exit::done;
 }
 
-Exit runExport(const ExportFlags& typed) {
+Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   ExportFlags flags = typed;
   if (const Status film = addFilmTarget(typed.film, flags.targets); !film.ok())
     return complain(film.error(), Exit::wrongUse);
@@ -195,11 +198,11 @@ Exit runExport(const ExportFlags& typed) {
   if (!arranged.ok())
     return complain(arranged.error(), Exit::wrongUse);
   if (arranged->scene.visibleBounds().empty())
-    warn("no structure is visible: the drawing is empty");
+    tellWarning("no structure is visible: the drawing is empty");
   const Result<render::ExportOrder> job = understoodJob(flags, *wish, *arranged, **typesetting);
   if (!job.ok())
     return complain(job.error(), Exit::wrongUse);
-  return writeAll(*job, flags.targets, progress);
+  return writeAll(*job, flags.targets, progress, tellWarning);
 }
 
 void declareExport(CLI::App& command, ExportFlags& flags) {
@@ -250,10 +253,11 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
 
 }  // namespace
 
-void addExport(CLI::App& program, Exit& exit) {
+void addExport(CLI::App& program, Exit& exit, const Warn& tellWarning) {
   addCommand<ExportFlags>(
       program, exit, {"export", "Write pictures for print and vector drawings of what files hold"},
-      declareExport, runExport);
+      declareExport,
+      [tellWarning](const ExportFlags& flags) { return runExport(flags, tellWarning); });
 }
 
 }  // namespace sline::cli

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "widgets/export/export_rows.h"
+#include "widgets/export/note_texts.h"
 
 namespace sline::widgets {
 
@@ -214,6 +215,15 @@ QString exportDoubt(const std::vector<ExportFile>& files) {
                                    .arg(QString::fromStdString(file.order.viewName));
   }
   return {};
+}
+
+QString exportRemarks(const ExportDraft& draft, const render::ExportOrder& order,
+                      const render::ExportNotes& page) {
+  constexpr qsizetype most = 3;  // lines; the rest is said when all is written
+  render::ExportNotes notes = page;
+  for (const render::ExportNote& note : formatOf(draft.kind)->foreseen(order))
+    render::addNote(notes, note);
+  return noteTexts(notes).mid(0, most).join(QLatin1Char('\n'));
 }
 
 }  // namespace sline::widgets

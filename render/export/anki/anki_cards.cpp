@@ -176,6 +176,11 @@ Result<AnkiDeck> ankiCards(const ExportOrder& order, const ExportProgress& progr
   labelled.labels.mode = LabelMode::on;
   const FigurePlate whole = figurePlate(labelled);
   const LabelPlate& plate = *whole.labels;
+  for (ExportNote note : whole.notes) {
+    if (note.kind == ExportNote::Kind::labelsWithoutRoom)
+      note.kind = ExportNote::Kind::cardsWithoutRoom;
+    progress.note(std::move(note));
+  }
   if (plate.layout.labels.empty())
     return Error{.reason = "the picture has no labels to ask for",
                  .remedy = "Label structures, or choose a view that shows some"};

@@ -28,7 +28,7 @@ class Document {
       if (m_shown[i])
         addNode(i);
     }
-    addAnnotations();
+    addAnnotations(progress);
     addCameras();
     return true;
   }
@@ -128,20 +128,25 @@ class Document {
     return m_materialPlaces[key] = m_materials.size() - 1;
   }
 
-  void addAnnotations() {
+  void addAnnotations(const ExportProgress& progress) {
     const model::Scene& scene = m_order.scene;
+    ExportNote unseen{.kind = ExportNote::Kind::labelsOfHidden, .names = {}, .detail = {}};
     for (const model::Annotation& annotation : scene.annotations()) {
       bool shown = annotation.visible && m_shownCount > 0;
       for (const model::Anchor& anchor : annotation.anchors) {
         const auto* point = std::get_if<model::SurfacePoint>(&anchor);
         shown = shown && scene.placeOf(anchor) && (!point || m_places.contains(point->structure));
       }
+      if (!shown && annotation.visible)
+        unseen.names.push_back(model::textIn(annotation, m_order.labels.language));
       if (!shown)
         continue;
       const std::size_t place = add(annotationNode(scene, annotation, m_order.labels.language));
       const auto* on = std::get_if<model::SurfacePoint>(&annotation.anchors.front());
       addChild(on ? m_places.at(on->structure) : m_top, place);
     }
+    if (!unseen.names.empty())
+      progress.note(std::move(unseen));
   }
 
   void addCamera(const std::string& name, const model::Camera& camera, Json extras) {

@@ -14,7 +14,8 @@ inline constexpr float markMargin = 3.0f;
 /// An item for each mark: "side L", "view", "section 1" …, "scale".
 struct Marks {
   Lettering lettering;
-  EdgeRoom edges;  ///< what they take; labels keep out of it (LabelStyle::edges)
+  EdgeRoom edges;     ///< what they take; labels keep out of it (LabelStyle::edges)
+  ExportNotes notes;  ///< what is wanted and not there, or shortened
 };
 
 /// Of the order's scene, camera and page those marks that are wanted, in the labels' size and

@@ -52,6 +52,7 @@ Status writePixels(PixelKind kind, const ExportOrder& order, const std::filesyst
     return sound;
   const PixelLayout layout = layoutOf(order, kind, size);
   const bool ink = holdsInkAlone(kind) && (order.pixels.pureInk || order.pixels.bits == 1);
+  progress.note(pixelNotes(order, kind));
   const PageBands bands{
       .size = size, .samples = usualSamples(size, order.pixels), .deep = layout.bits > 8};
   return model::writeBeside(target, [&](const std::filesystem::path& beside) -> Status {
@@ -70,6 +71,18 @@ Status writePixels(PixelKind kind, const ExportOrder& order, const std::filesyst
 }
 
 }  // namespace
+
+ExportNotes pixelNotes(const ExportOrder& order, PixelKind kind) {
+  const PixelLayout layout = layoutOf(order, kind, pixelsOf(order.page));
+  ExportNotes notes;
+  if (order.look.background == Background::transparent && !layout.hasAlpha())
+    addNote(notes, {.kind = ExportNote::Kind::standsOnWhite, .names = {}, .detail = {}});
+  if (layout.bits < order.pixels.bits)
+    addNote(notes, {.kind = ExportNote::Kind::depthNotKept,
+                    .names = {},
+                    .detail = std::to_string(order.pixels.bits)});
+  return notes;
+}
 
 Status writePng(const ExportOrder& order, const std::filesystem::path& target,
                 const ExportProgress& progress) {

@@ -28,6 +28,7 @@ Status writeSvg(const ExportOrder& order, const std::filesystem::path& target,
     return givenUp(target);
   std::vector<SvgWriting> writings;
   const FigurePlate plate = figurePlate(order);
+  progress.note(plate.notes);
   if (plate.labels)
     writings.push_back({"labels", "Labels", letteringOf(*plate.labels)});
   writings.push_back({"marks", "Marks", plate.marks.lettering});
