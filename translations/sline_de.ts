@@ -2231,6 +2231,26 @@
         <translation>Eine Karte fragt nach einer Beschriftung und zeigt die anderen</translation>
     </message>
     <message>
+        <source>Author and rights are in the file as you typed them.</source>
+        <translation>Urheber und Rechte stehen in der Datei, wie du sie eingetippt hast.</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Urheber</translation>
+    </message>
+    <message>
+        <source>Written into the file, which says of nobody who made it where this is empty</source>
+        <translation>Kommt in die Datei; bleibt es leer, sagt sie von niemandem, wer sie gemacht hat</translation>
+    </message>
+    <message>
+        <source>Rights</source>
+        <translation>Rechte</translation>
+    </message>
+    <message>
+        <source>Whose it is or what others may do with it, as in “CC BY 4.0”</source>
+        <translation>Wem es gehört oder was andere damit dürfen, wie „CC BY 4.0“</translation>
+    </message>
+    <message>
         <source>the view&apos;s name</source>
         <translation>der Name der Ansicht</translation>
     </message>
@@ -2743,6 +2763,10 @@ OpenGL: %3</translation>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>In the file&apos;s details</source>
+        <translation>In den Angaben der Datei</translation>
     </message>
 </context>
 <context>

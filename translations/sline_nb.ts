@@ -2231,6 +2231,26 @@
         <translation>Et kort spør etter én etikett og viser de andre</translation>
     </message>
     <message>
+        <source>Author and rights are in the file as you typed them.</source>
+        <translation>Opphav og rettigheter står i filen slik du skrev dem.</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Opphav</translation>
+    </message>
+    <message>
+        <source>Written into the file, which says of nobody who made it where this is empty</source>
+        <translation>Skrives inn i filen; er det tomt, sier den ikke hvem som har laget den</translation>
+    </message>
+    <message>
+        <source>Rights</source>
+        <translation>Rettigheter</translation>
+    </message>
+    <message>
+        <source>Whose it is or what others may do with it, as in “CC BY 4.0”</source>
+        <translation>Hvem som eier det, eller hva andre kan gjøre med det, som «CC BY 4.0»</translation>
+    </message>
+    <message>
         <source>the view&apos;s name</source>
         <translation>visningens navn</translation>
     </message>
@@ -2743,6 +2763,10 @@ OpenGL: %3</translation>
     <message>
         <source>Cancel</source>
         <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>In the file&apos;s details</source>
+        <translation>I filens opplysninger</translation>
     </message>
 </context>
 <context>

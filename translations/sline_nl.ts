@@ -2231,6 +2231,26 @@
         <translation>Een kaart vraagt naar één label en toont de andere</translation>
     </message>
     <message>
+        <source>Author and rights are in the file as you typed them.</source>
+        <translation>Maker en rechten staan in het bestand zoals u ze hebt getypt.</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Maker</translation>
+    </message>
+    <message>
+        <source>Written into the file, which says of nobody who made it where this is empty</source>
+        <translation>Komt in het bestand; blijft het leeg, dan staat er niet in wie het gemaakt heeft</translation>
+    </message>
+    <message>
+        <source>Rights</source>
+        <translation>Rechten</translation>
+    </message>
+    <message>
+        <source>Whose it is or what others may do with it, as in “CC BY 4.0”</source>
+        <translation>Van wie het is of wat anderen ermee mogen doen, zoals “CC BY 4.0”</translation>
+    </message>
+    <message>
         <source>the view&apos;s name</source>
         <translation>de naam van het aanzicht</translation>
     </message>
@@ -2743,6 +2763,10 @@ OpenGL: %3</translation>
     <message>
         <source>Cancel</source>
         <translation>Annuleren</translation>
+    </message>
+    <message>
+        <source>In the file&apos;s details</source>
+        <translation>In de gegevens van het bestand</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,7 @@
 #include "render/export/formats/export_formats.h"
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_order.h"
+#include "render/export/xml_text.h"
 #include "render/vectors/vector_drawing.h"
 
 namespace sline::cli {
@@ -28,6 +29,7 @@ struct ExportFlags {
   render::AnkiOptions anki;
   std::string sizeMm = "160x90";
   SheetFlags sheet;
+  render::ExportCredit credit;
   /// A target for each of the formats that are wanted.
   std::map<std::string, std::string> targets;
 };
@@ -112,12 +114,24 @@ Result<render::ExportOrder> onSheet(render::ExportOrder job, PictureOrder& order
   return job;
 }
 
+/// As files can hold it.
+Result<render::ExportCredit> understoodCredit(const render::ExportCredit& typed) {
+  constexpr std::size_t longest = 500;
+  for (const auto& [name, text] :
+       {std::pair("--author", typed.author), std::pair("--copyright", typed.copyright)})
+    if (text.size() > longest)
+      return Error{.reason = std::string(name) + " is too long",
+                   .remedy = "Write at most " + std::to_string(longest) + " bytes"};
+  return render::ExportCredit{render::plainLine(typed.author), render::plainLine(typed.copyright)};
+}
+
 /// What the flags say before a scene is read.
 struct Wanted {
   model::ImportOptions import;
   render::ExportPage page;
   render::ExportPixels pixels;
   render::ExportSheet sheet;
+  render::ExportCredit credit;
   PictureOrder order;
 };
 
@@ -134,10 +148,13 @@ Result<Wanted> wanted(const ExportFlags& flags) {
   const Result<render::ExportSheet> sheet = understood(flags.sheet);
   if (!sheet.ok())
     return sheet.error();
+  const Result<render::ExportCredit> credit = understoodCredit(flags.credit);
+  if (!credit.ok())
+    return credit.error();
   const Result<PictureOrder> order = understoodExport(flags, *page);
   if (!order.ok())
     return order.error();
-  return Wanted{*import, *page, *pixels, *sheet, *order};
+  return Wanted{*import, *page, *pixels, *sheet, *credit, *order};
 }
 
 /// All that the files are made of.
@@ -152,6 +169,7 @@ Result<render::ExportOrder> understoodJob(const ExportFlags& flags, Wanted& wish
   job.film = *film;
   job.anki = flags.anki;
   job.sheet = wish.sheet;
+  job.credit = wish.credit;
   if (wish.sheet.kind == render::SheetKind::none)
     return job;
   return onSheet(job, wish.order, typesetting);
@@ -237,6 +255,15 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
   addSectionOptions(command, flags.picture.sections);
   addFilmOptions(command, flags.film);
   addAnkiOptions(command, flags.anki);
+  command
+      .add_option("--author", flags.credit.author,
+                  "Who made it, written into the file where its kind has a place for that; nothing "
+                  "is unless you say it here")
+      ->type_name("NAME");
+  command
+      .add_option("--copyright", flags.credit.copyright,
+                  "Whose it is or what others may do with it, as in \"CC BY 4.0\"; likewise")
+      ->type_name("TEXT");
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
       ->default_str("auto");
@@ -244,7 +271,8 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
   command.footer(
       "Lines are as wide as in a picture of the same shape: a contour is 1/360 of the page's\n"
       "height, whatever its pixels. Vectors hold names of groups and structures; where the scene\n"
-      "came from, who drew it and when is in no file. Several kinds can be written at once.\n\n"
+      "came from and when it was drawn is in no file, and who drew it only with --author. Several\n"
+      "kinds can be written at once.\n\n"
       "  sline export pelvis.sline --png pelvis.png --size-mm 180x120 --dpi 300\n"
       "  sline export pelvis.sline --tiff figure1.tiff --bw --bits 1 --dpi 600\n"
       "  sline export pelvis.sline --svg pelvis.svg --view anterior --size-mm 180x120\n"

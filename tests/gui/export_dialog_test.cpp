@@ -140,6 +140,37 @@ class ExportDialogTest : public QObject {
     QVERIFY2(!desk.message().contains(QStringLiteral("room")), qPrintable(desk.message()));
   }
 
+  /// Typed for one file; neither remembered nor taken from the account.
+  void creditIsTyped() {
+    ExportDesk desk;
+    desk.show();
+    desk.chooseKind(QStringLiteral("svg"));
+    desk.small();
+    QCOMPARE(desk.part<QLineEdit>("export-author").text(), QString());
+    QCOMPARE(desk.part<QLineEdit>("export-copyright").text(), QString());
+    const auto summary = [&desk] { return desk.part<QLabel>("exportSummary").text(); };
+    QVERIFY(!summary().contains(QStringLiteral("as you typed")));
+    QTest::keyClicks(&desk.part<QLineEdit>("export-author"), QStringLiteral("Jane Roe"));
+    QTest::keyClicks(&desk.part<QLineEdit>("export-copyright"), QStringLiteral("CC BY 4.0"));
+    QVERIFY2(summary().contains(QStringLiteral("as you typed")), qPrintable(summary()));
+    desk.target(desk.out.filePath(QStringLiteral("mine.svg")));
+    desk.click("exportButton");
+    QVERIFY(desk.finished());
+    const QByteArray svg = contents(desk.out.filePath(QStringLiteral("mine.svg")));
+    QVERIFY(svg.contains("<dc:title>Jane Roe</dc:title>") && svg.contains("CC BY 4.0"));
+    for (const QString& key : desk.settings.allKeys())
+      QVERIFY2(!desk.settings.value(key).toString().contains(QStringLiteral("Roe")),
+               qPrintable(key));
+    // Another document begins without.
+    desk.open(2);
+    desk.show();
+    QCOMPARE(desk.part<QLineEdit>("export-author").text(), QString());
+    for (const render::ExportFormat& format : render::exportFormats()) {
+      desk.chooseKind(QLatin1String(format.id));
+      QVERIFY2(desk.part<QLineEdit>("export-author").isVisibleTo(desk.dialog()), format.id);
+    }
+  }
+
   void eachSavedViewIsAFile() {
     ExportDesk desk;
     desk.show();

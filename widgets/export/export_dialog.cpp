@@ -148,7 +148,8 @@ void ExportDialog::addForms(QVBoxLayout& layout) {
       {ExportPart::kind, tr("For this kind")},
       {ExportPart::picture, tr("Picture")},
       {ExportPart::labels, tr("Labels")},
-      {ExportPart::marks, tr("At the picture's edge")}};
+      {ExportPart::marks, tr("At the picture's edge")},
+      {ExportPart::credit, tr("In the file's details")}};
   const std::vector<ExportRow> rows = exportRows(labelLanguages(m_source.scene));
   for (const auto& [part, title] : parts) {
     std::vector<ExportRow> own;

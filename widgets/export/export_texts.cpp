@@ -166,6 +166,11 @@ QString weightText(const ExportDraft& draft, const std::vector<ExportFile>& file
                                   : tr("Hundreds of MB.");
 }
 
+QString creditText(const ExportDraft& draft) {
+  return draft.order.credit.empty() ? QString()
+                                    : tr("Author and rights are in the file as you typed them.");
+}
+
 QString privacyText(const ExportDraft& draft) {
   return holdsNames(draft.kind)
              ? tr("Names of structures, groups and views are in the file as the scene has them. No "
@@ -201,7 +206,7 @@ QStringList exportSummary(const ExportDraft& draft, const std::vector<ExportFile
   QStringList sentences{subjectText(draft, files)};
   if (pageUseOf(draft.kind) != PageUse::none)
     sentences << labelText(files) << sizeText(draft);
-  sentences << weightText(draft, files) << privacyText(draft);
+  sentences << weightText(draft, files) << privacyText(draft) << creditText(draft);
   sentences.removeAll(QString());
   return sentences;
 }

@@ -131,7 +131,7 @@ class Cards {
     image.rgba.resize(row * std::size_t(drawn.height()));
     for (int y = 0; y < drawn.height(); ++y)
       std::memcpy(&image.rgba[row * std::size_t(y)], drawn.constScanLine(y), row);
-    return pngOf(image);
+    return pngOf(image, m_order.credit);
   }
 
   const ExportOrder& m_order;
@@ -155,6 +155,7 @@ AnkiDeck emptyDeck(const ExportOrder& order) {
   deck.name = !order.anki.deck.empty()  ? order.anki.deck
               : !order.viewName.empty() ? order.viewName
                                         : "Anatomy";
+  deck.description = order.credit.line();
   deck.tags = {"Sline"};
   if (!order.viewName.empty())
     deck.tags.push_back(ankiTag(order.viewName));

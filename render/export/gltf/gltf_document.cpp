@@ -206,8 +206,18 @@ void appendChunk(std::string& glb, const char* type, std::string_view bytes, cha
   glb.append(length - bytes.size(), filler);
 }
 
+/// §3.2: the copyright is for those who show it; it has no other place for a name.
+Json assetOf(const ExportCredit& credit) {
+  Json asset{{"version", "2.0"}, {"generator", "Sline " SLINE_VERSION}};
+  if (!credit.empty())
+    asset["copyright"] = credit.line();
+  if (!credit.author.empty())
+    asset["extras"] = {{"author", credit.author}};
+  return asset;
+}
+
 Result<std::string> Document::bytes() const {
-  Json root{{"asset", {{"version", "2.0"}, {"generator", "Sline " SLINE_VERSION}}}, {"scene", 0}};
+  Json root{{"asset", assetOf(m_order.credit)}, {"scene", 0}};
   Json scene = Json::object();
   // Lists in glTF are never empty.
   if (!m_roots.empty())

@@ -52,7 +52,8 @@ class Filming {
     return {.size = m_film->size(),
             .frames = m_film->frames(),
             .framesPerSecond = m_film->framesPerSecond(),
-            .transparent = m_order.look.background == Background::transparent};
+            .transparent = m_order.look.background == Background::transparent,
+            .credit = m_order.credit};
   }
 
   /// Of a few frames, evenly over the film.

@@ -92,6 +92,21 @@ struct AnkiOptions {
   bool othersShown = false;  ///< a card shows the other labels, too
 };
 
+/// Who made the picture, and what others may do with it: in the place that the kind of file has for
+/// that, and only where somebody said it. It comes from nowhere else: not from the scene, its
+/// sources or the account. One line each, UTF-8 (`plainLine`); empty: not said.
+///
+/// PNG has it as text and XMP, TIFF in its tags and XMP, JPEG as Exif and XMP, EXR in its header,
+/// SVG and PDF as Dublin Core, GLB in its asset, MP4 in its tags, WebP as XMP, GIF in a comment,
+/// frames and Anki's pictures as PNG, Anki's package in the deck's description besides.
+struct ExportCredit {
+  std::string author;
+  std::string copyright;  ///< or a licence: "CC BY 4.0"
+  bool empty() const { return author.empty() && copyright.empty(); }
+  /// Both as one sentence shows them: "Jane Doe, CC BY 4.0".
+  std::string line() const;
+};
+
 /// All that a file of any kind is made from. The scene is as it is to be drawn: a saved view, a
 /// focus or sections that were asked for are in it already.
 struct ExportOrder {
@@ -106,6 +121,7 @@ struct ExportOrder {
   ExportPixels pixels;
   FilmOptions film;
   AnkiOptions anki;
+  ExportCredit credit;
 };
 
 /// Who waits for a file, and is told of it while it is made.
@@ -117,9 +133,10 @@ class ExportProgress {
   /// nobody wants the file any more, and the writer stops with `givenUp`. The notes, where there is
   /// a list for them, get what the file lacks; it must outlive this.
   template <class Tell>
-    requires std::is_invocable_r_v<bool, const Tell&, double, std::string_view>
+  requires std::is_invocable_r_v<bool, const Tell&, double, std::string_view>
   // NOLINTNEXTLINE(google-explicit-constructor): any function will do, as for std::function
-  ExportProgress(Tell tell, ExportNotes* notes = nullptr) : m_tell(std::move(tell)), m_notes(notes) {}
+  ExportProgress(Tell tell, ExportNotes* notes = nullptr)
+      : m_tell(std::move(tell)), m_notes(notes) {}
 
   explicit operator bool() const { return bool(m_tell); }
   bool operator()(double share, std::string_view what) const { return m_tell(share, what); }

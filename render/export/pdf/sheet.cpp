@@ -79,7 +79,7 @@ class Sheet {
       }
     }
     progress.note(m_notes);
-    return m_pages->finish();
+    return m_pages->finish(m_given.credit);
   }
 
  private:
@@ -183,9 +183,8 @@ class Sheet {
   }
 
   void addShortened(const QString& text) {
-    addNote(m_notes, {.kind = ExportNote::Kind::textShortened,
-                      .names = {text.toStdString()},
-                      .detail = {}});
+    addNote(m_notes,
+            {.kind = ExportNote::Kind::textShortened, .names = {text.toStdString()}, .detail = {}});
   }
 
   /// At the foot of the test, for whoever takes it.
@@ -354,7 +353,7 @@ Result<QByteArray> figureDocument(const ExportOrder& order, const std::filesyste
   const FigurePlate plate = figurePlate(order);
   progress.note(plate.notes);
   setPlate(pages.painter(), plate);
-  return pages.finish();
+  return pages.finish(order.credit);
 }
 
 }  // namespace sline::render

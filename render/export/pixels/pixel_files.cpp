@@ -18,7 +18,8 @@ bool holdsInkAlone(PixelKind kind) {
 
 PixelLayout layoutOf(const ExportOrder& order, PixelKind kind, glm::ivec2 size) {
   const ExportPixels& pixels = order.pixels;
-  PixelLayout layout{.width = size.x, .height = size.y, .dpi = order.page.dpi};
+  PixelLayout layout{
+      .width = size.x, .height = size.y, .dpi = order.page.dpi, .credit = order.credit};
   const bool ink = holdsInkAlone(kind) && (pixels.pureInk || pixels.bits == 1);
   const bool alpha = kind != PixelKind::jpeg && !(ink && pixels.bits == 1) &&
                      order.look.background == Background::transparent;

@@ -9,7 +9,7 @@
 #include "render/export/svg/svg_lettering.h"
 #include "render/export/svg/svg_path.h"
 #include "render/export/svg/svg_values.h"
-#include "render/export/svg/xml_text.h"
+#include "render/export/xml_text.h"
 
 namespace sline::render {
 
@@ -35,10 +35,11 @@ struct Branch {
 class Document {
  public:
   Document(const VectorDrawing& drawing, const model::Scene& scene,
-           std::span<const SvgWriting> writings)
+           std::span<const SvgWriting> writings, const ExportCredit& credit)
       : m_drawing(drawing),
         m_scene(scene),
         m_writings(writings),
+        m_credit(credit),
         // Steps of a hundredth of a usual pen's width or less.
         m_decimals(
             std::clamp(int(std::ceil(-std::log10(drawing.sizeMm.y / 720.0f / 50.0f))), 2, 4)) {}
@@ -51,6 +52,7 @@ class Document {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" "
         "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\" width=\"" +
         width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height + "\">\n";
+    addCredit();
     if (m_drawing.background)
       m_text += "<rect id=\"background\" width=\"" + width + "\" height=\"" + height +
                 "\" fill=\"" + hex(*m_drawing.background) + "\"/>\n";
@@ -94,6 +96,24 @@ class Document {
   std::string_view nameOf(model::NodeId id) const {
     const model::Node* node = m_scene.find(id);
     return node ? std::string_view(node->name) : std::string_view();
+  }
+
+  /// As Inkscape writes and reads it: Dublin Core about the document.
+  void addCredit() {
+    if (m_credit.empty())
+      return;
+    m_text +=
+        "<metadata>\n<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" "
+        "xmlns:cc=\"http://creativecommons.org/ns#\" "
+        "xmlns:dc=\"http://purl.org/dc/elements/1.1/\">\n<cc:Work rdf:about=\"\">\n";
+    const auto add = [this](const std::string& element, const std::string& text) {
+      if (!text.empty())
+        m_text += "<dc:" + element + "><cc:Agent><dc:title>" + xmlText(text) +
+                  "</dc:title></cc:Agent></dc:" + element + ">\n";
+    };
+    add("creator", m_credit.author);
+    add("rights", m_credit.copyright);
+    m_text += "</cc:Work>\n</rdf:RDF>\n</metadata>\n";
   }
 
   void addFills() {
@@ -159,6 +179,7 @@ class Document {
   const VectorDrawing& m_drawing;
   const model::Scene& m_scene;
   std::span<const SvgWriting> m_writings;
+  const ExportCredit& m_credit;
   int m_decimals;
   std::map<model::NodeId, Branch> m_branches;
   std::string m_text;
@@ -167,8 +188,8 @@ class Document {
 }  // namespace
 
 std::string svgDocument(const VectorDrawing& drawing, const model::Scene& scene,
-                        std::span<const SvgWriting> writings) {
-  return Document(drawing, scene, writings).make();
+                        std::span<const SvgWriting> writings, const ExportCredit& credit) {
+  return Document(drawing, scene, writings, credit).make();
 }
 
 }  // namespace sline::render

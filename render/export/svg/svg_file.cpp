@@ -32,7 +32,7 @@ Status writeSvg(const ExportOrder& order, const std::filesystem::path& target,
   if (plate.labels)
     writings.push_back({"labels", "Labels", letteringOf(*plate.labels)});
   writings.push_back({"marks", "Marks", plate.marks.lettering});
-  return model::writeText(target, svgDocument(*drawing, order.scene, writings));
+  return model::writeText(target, svgDocument(*drawing, order.scene, writings, order.credit));
 }
 
 }  // namespace sline::render
