@@ -16,6 +16,7 @@ packages=(
   libopenimageio-dev openimageio-tools libopencv-dev
   # other programs' opinion of our vector drawings and sheets
   librsvg2-bin
+  inkscape
   poppler-utils
   # OpenGL without a display
   libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri

@@ -2230,6 +2230,162 @@
         <source>A card asks for one label and shows the others</source>
         <translation>Eine Karte fragt nach einer Beschriftung und zeigt die anderen</translation>
     </message>
+    <message>
+        <source>Author and rights are in the file as you typed them.</source>
+        <translation>Urheber und Rechte stehen in der Datei, wie du sie eingetippt hast.</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Urheber</translation>
+    </message>
+    <message>
+        <source>Written into the file, which says of nobody who made it where this is empty</source>
+        <translation>Kommt in die Datei; bleibt es leer, sagt sie von niemandem, wer sie gemacht hat</translation>
+    </message>
+    <message>
+        <source>Rights</source>
+        <translation>Rechte</translation>
+    </message>
+    <message>
+        <source>Whose it is or what others may do with it, as in “CC BY 4.0”</source>
+        <translation>Wem es gehört oder was andere damit dürfen, wie „CC BY 4.0“</translation>
+    </message>
+    <message>
+        <source>the view&apos;s name</source>
+        <translation>der Name der Ansicht</translation>
+    </message>
+    <message>
+        <source>the scale bar</source>
+        <translation>der Maßstab</translation>
+    </message>
+    <message>
+        <source>what sections have taken away</source>
+        <translation>was Schnitte weggenommen haben</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>„%1“</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 und %n weitere</numerusform>
+            <numerusform>%1 und %n weitere</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels found no room: %1.</source>
+        <translation>
+            <numerusform>%n Beschriftung fand keinen Platz: %1.</numerusform>
+            <numerusform>%n Beschriftungen fanden keinen Platz: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels are left out, as nothing is drawn there: %1.</source>
+        <translation>
+            <numerusform>%n Beschriftung fehlt, da dort nichts gezeichnet ist: %1.</numerusform>
+            <numerusform>%n Beschriftungen fehlen, da dort nichts gezeichnet ist: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels point to places beside the picture: %1.</source>
+        <translation>
+            <numerusform>%n Beschriftung zeigt auf eine Stelle neben dem Bild: %1.</numerusform>
+            <numerusform>%n Beschriftungen zeigen auf Stellen neben dem Bild: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels have no text in the language and stand in the scene&apos;s own: %1.</source>
+        <translation>
+            <numerusform>%n Beschriftung hat keinen Text in der Sprache und steht in der eigenen der Szene: %1.</numerusform>
+            <numerusform>%n Beschriftungen haben keinen Text in der Sprache und stehen in der eigenen der Szene: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels found no room and have no card: %1.</source>
+        <translation>
+            <numerusform>%n Beschriftung fand keinen Platz und hat keine Karte: %1.</numerusform>
+            <numerusform>%n Beschriftungen fanden keinen Platz und haben keine Karte: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>At the picture&apos;s edge there is no room for: %1.</source>
+        <translation>Am Rand des Bildes ist kein Platz für: %1.</translation>
+    </message>
+    <message>
+        <source>R and L are left out: nobody knows the directions of what is drawn.</source>
+        <translation>R und L fehlen: Niemand kennt die Richtungen dessen, was gezeichnet ist.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n texts are shortened: %1.</source>
+        <translation>
+            <numerusform>%n Text ist gekürzt: %1.</numerusform>
+            <numerusform>%n Texte sind gekürzt: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections cut nothing in the file, which holds whole surfaces: %1.</source>
+        <translation>
+            <numerusform>%n Schnitt schneidet nichts in der Datei, denn sie enthält ganze Oberflächen: %1.</numerusform>
+            <numerusform>%n Schnitte schneiden nichts in der Datei, denn sie enthält ganze Oberflächen: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What is transparent stands on white.</source>
+        <translation>Was durchsichtig ist, steht auf Weiß.</translation>
+    </message>
+    <message>
+        <source>This kind has fewer bits than were chosen.</source>
+        <translation>Diese Art von Datei hat weniger Bits, als gewählt sind.</translation>
+    </message>
+    <message>
+        <source>The film is %1 pixels large, as its sides are even numbers.</source>
+        <translation>Der Film ist %1 Pixel groß, da seine Seiten gerade Zahlen sind.</translation>
+    </message>
+    <message>
+        <source>The film takes %1 seconds, as it has whole pictures alone.</source>
+        <translation>Der Film dauert %1 Sekunden, da er nur ganze Bilder hat.</translation>
+    </message>
+    <message>
+        <source>Take a larger page, smaller letters, or numbers.</source>
+        <translation>Nimm eine größere Seite, kleinere Buchstaben oder Nummern.</translation>
+    </message>
+    <message>
+        <source>Show the structures, or hide the labels, too.</source>
+        <translation>Zeige die Strukturen, oder blende die Beschriftungen mit aus.</translation>
+    </message>
+    <message>
+        <source>Choose a view that shows them.</source>
+        <translation>Wähle eine Ansicht, die sie zeigt.</translation>
+    </message>
+    <message>
+        <source>Write them in the list of labels, or choose another language.</source>
+        <translation>Schreibe sie in die Liste der Beschriftungen, oder wähle eine andere Sprache.</translation>
+    </message>
+    <message>
+        <source>Take a larger page or smaller letters.</source>
+        <translation>Nimm eine größere Seite oder kleinere Buchstaben.</translation>
+    </message>
+    <message>
+        <source>Say them when the files are imported.</source>
+        <translation>Gib sie beim Importieren der Dateien an.</translation>
+    </message>
+    <message>
+        <source>Write less, or take larger paper.</source>
+        <translation>Schreibe weniger, oder nimm größeres Papier.</translation>
+    </message>
+    <message>
+        <source>Export a picture or a drawing to show the cut.</source>
+        <translation>Exportiere ein Bild oder eine Zeichnung, um den Schnitt zu zeigen.</translation>
+    </message>
+    <message>
+        <source>Take PNG, TIFF, SVG or WebP to keep it transparent.</source>
+        <translation>Nimm PNG, TIFF, SVG oder WebP, damit es durchsichtig bleibt.</translation>
+    </message>
+    <message>
+        <source>Take PNG or TIFF for more.</source>
+        <translation>Nimm PNG oder TIFF für mehr.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -2607,6 +2763,10 @@ OpenGL: %3</translation>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>In the file&apos;s details</source>
+        <translation>In den Angaben der Datei</translation>
     </message>
 </context>
 <context>

@@ -52,6 +52,62 @@
             <numerusform>%n labels, language: %1.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 and %n more</numerusform>
+            <numerusform>%1 and %n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels found no room: %1.</source>
+        <translation>
+            <numerusform>%n label found no room: %1.</numerusform>
+            <numerusform>%n labels found no room: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels are left out, as nothing is drawn there: %1.</source>
+        <translation>
+            <numerusform>%n label is left out, as nothing is drawn there: %1.</numerusform>
+            <numerusform>%n labels are left out, as nothing is drawn there: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels point to places beside the picture: %1.</source>
+        <translation>
+            <numerusform>%n label points to a place beside the picture: %1.</numerusform>
+            <numerusform>%n labels point to places beside the picture: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels have no text in the language and stand in the scene&apos;s own: %1.</source>
+        <translation>
+            <numerusform>%n label has no text in the language and stands in the scene&apos;s own: %1.</numerusform>
+            <numerusform>%n labels have no text in the language and stand in the scene&apos;s own: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels found no room and have no card: %1.</source>
+        <translation>
+            <numerusform>%n label found no room and has no card: %1.</numerusform>
+            <numerusform>%n labels found no room and have no card: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n texts are shortened: %1.</source>
+        <translation>
+            <numerusform>%n text is shortened: %1.</numerusform>
+            <numerusform>%n texts are shortened: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections cut nothing in the file, which holds whole surfaces: %1.</source>
+        <translation>
+            <numerusform>%n section cuts nothing in the file, which holds whole surfaces: %1.</numerusform>
+            <numerusform>%n sections cut nothing in the file, which holds whole surfaces: %1.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AnnotationsPanel</name>

@@ -2230,6 +2230,162 @@
         <source>A card asks for one label and shows the others</source>
         <translation>Et kort spør etter én etikett og viser de andre</translation>
     </message>
+    <message>
+        <source>Author and rights are in the file as you typed them.</source>
+        <translation>Opphav og rettigheter står i filen slik du skrev dem.</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Opphav</translation>
+    </message>
+    <message>
+        <source>Written into the file, which says of nobody who made it where this is empty</source>
+        <translation>Skrives inn i filen; er det tomt, sier den ikke hvem som har laget den</translation>
+    </message>
+    <message>
+        <source>Rights</source>
+        <translation>Rettigheter</translation>
+    </message>
+    <message>
+        <source>Whose it is or what others may do with it, as in “CC BY 4.0”</source>
+        <translation>Hvem som eier det, eller hva andre kan gjøre med det, som «CC BY 4.0»</translation>
+    </message>
+    <message>
+        <source>the view&apos;s name</source>
+        <translation>visningens navn</translation>
+    </message>
+    <message>
+        <source>the scale bar</source>
+        <translation>målestokken</translation>
+    </message>
+    <message>
+        <source>what sections have taken away</source>
+        <translation>hva snitt har tatt bort</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>«%1»</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 og %n til</numerusform>
+            <numerusform>%1 og %n til</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels found no room: %1.</source>
+        <translation>
+            <numerusform>%n etikett fikk ikke plass: %1.</numerusform>
+            <numerusform>%n etiketter fikk ikke plass: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels are left out, as nothing is drawn there: %1.</source>
+        <translation>
+            <numerusform>%n etikett er utelatt, for der er ingenting tegnet: %1.</numerusform>
+            <numerusform>%n etiketter er utelatt, for der er ingenting tegnet: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels point to places beside the picture: %1.</source>
+        <translation>
+            <numerusform>%n etikett peker på et sted utenfor bildet: %1.</numerusform>
+            <numerusform>%n etiketter peker på steder utenfor bildet: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels have no text in the language and stand in the scene&apos;s own: %1.</source>
+        <translation>
+            <numerusform>%n etikett har ingen tekst på språket og står på scenens eget: %1.</numerusform>
+            <numerusform>%n etiketter har ingen tekst på språket og står på scenens eget: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels found no room and have no card: %1.</source>
+        <translation>
+            <numerusform>%n etikett fikk ikke plass og har ikke noe kort: %1.</numerusform>
+            <numerusform>%n etiketter fikk ikke plass og har ikke noe kort: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>At the picture&apos;s edge there is no room for: %1.</source>
+        <translation>Ved bildets kant er det ikke plass til: %1.</translation>
+    </message>
+    <message>
+        <source>R and L are left out: nobody knows the directions of what is drawn.</source>
+        <translation>R og L er utelatt: Ingen kjenner retningene til det som er tegnet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n texts are shortened: %1.</source>
+        <translation>
+            <numerusform>%n tekst er forkortet: %1.</numerusform>
+            <numerusform>%n tekster er forkortet: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections cut nothing in the file, which holds whole surfaces: %1.</source>
+        <translation>
+            <numerusform>%n snitt skjærer ingenting i filen, for den har hele overflater: %1.</numerusform>
+            <numerusform>%n snitt skjærer ingenting i filen, for den har hele overflater: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What is transparent stands on white.</source>
+        <translation>Det som er gjennomsiktig, står på hvitt.</translation>
+    </message>
+    <message>
+        <source>This kind has fewer bits than were chosen.</source>
+        <translation>Denne typen har færre biter enn det er valgt.</translation>
+    </message>
+    <message>
+        <source>The film is %1 pixels large, as its sides are even numbers.</source>
+        <translation>Filmen er %1 piksler stor, for sidene er partall.</translation>
+    </message>
+    <message>
+        <source>The film takes %1 seconds, as it has whole pictures alone.</source>
+        <translation>Filmen varer %1 sekunder, for den har bare hele bilder.</translation>
+    </message>
+    <message>
+        <source>Take a larger page, smaller letters, or numbers.</source>
+        <translation>Ta en større side, mindre bokstaver eller tall.</translation>
+    </message>
+    <message>
+        <source>Show the structures, or hide the labels, too.</source>
+        <translation>Vis strukturene, eller skjul etikettene også.</translation>
+    </message>
+    <message>
+        <source>Choose a view that shows them.</source>
+        <translation>Velg en visning som viser dem.</translation>
+    </message>
+    <message>
+        <source>Write them in the list of labels, or choose another language.</source>
+        <translation>Skriv dem i listen over etiketter, eller velg et annet språk.</translation>
+    </message>
+    <message>
+        <source>Take a larger page or smaller letters.</source>
+        <translation>Ta en større side eller mindre bokstaver.</translation>
+    </message>
+    <message>
+        <source>Say them when the files are imported.</source>
+        <translation>Angi dem når filene importeres.</translation>
+    </message>
+    <message>
+        <source>Write less, or take larger paper.</source>
+        <translation>Skriv mindre, eller ta større papir.</translation>
+    </message>
+    <message>
+        <source>Export a picture or a drawing to show the cut.</source>
+        <translation>Eksporter et bilde eller en tegning for å vise snittet.</translation>
+    </message>
+    <message>
+        <source>Take PNG, TIFF, SVG or WebP to keep it transparent.</source>
+        <translation>Ta PNG, TIFF, SVG eller WebP for å beholde gjennomsiktigheten.</translation>
+    </message>
+    <message>
+        <source>Take PNG or TIFF for more.</source>
+        <translation>Ta PNG eller TIFF for flere.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -2607,6 +2763,10 @@ OpenGL: %3</translation>
     <message>
         <source>Cancel</source>
         <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>In the file&apos;s details</source>
+        <translation>I filens opplysninger</translation>
     </message>
 </context>
 <context>

@@ -2230,6 +2230,162 @@
         <source>A card asks for one label and shows the others</source>
         <translation>Een kaart vraagt naar één label en toont de andere</translation>
     </message>
+    <message>
+        <source>Author and rights are in the file as you typed them.</source>
+        <translation>Maker en rechten staan in het bestand zoals u ze hebt getypt.</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Maker</translation>
+    </message>
+    <message>
+        <source>Written into the file, which says of nobody who made it where this is empty</source>
+        <translation>Komt in het bestand; blijft het leeg, dan staat er niet in wie het gemaakt heeft</translation>
+    </message>
+    <message>
+        <source>Rights</source>
+        <translation>Rechten</translation>
+    </message>
+    <message>
+        <source>Whose it is or what others may do with it, as in “CC BY 4.0”</source>
+        <translation>Van wie het is of wat anderen ermee mogen doen, zoals “CC BY 4.0”</translation>
+    </message>
+    <message>
+        <source>the view&apos;s name</source>
+        <translation>de naam van het aanzicht</translation>
+    </message>
+    <message>
+        <source>the scale bar</source>
+        <translation>de schaalbalk</translation>
+    </message>
+    <message>
+        <source>what sections have taken away</source>
+        <translation>wat doorsneden hebben weggenomen</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>“%1”</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 en nog %n</numerusform>
+            <numerusform>%1 en nog %n</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels found no room: %1.</source>
+        <translation>
+            <numerusform>%n label vond geen plaats: %1.</numerusform>
+            <numerusform>%n labels vonden geen plaats: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels are left out, as nothing is drawn there: %1.</source>
+        <translation>
+            <numerusform>%n label is weggelaten, want daar is niets getekend: %1.</numerusform>
+            <numerusform>%n labels zijn weggelaten, want daar is niets getekend: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels point to places beside the picture: %1.</source>
+        <translation>
+            <numerusform>%n label wijst naar een plaats buiten het beeld: %1.</numerusform>
+            <numerusform>%n labels wijzen naar plaatsen buiten het beeld: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels have no text in the language and stand in the scene&apos;s own: %1.</source>
+        <translation>
+            <numerusform>%n label heeft geen tekst in de taal en staat in die van de scène: %1.</numerusform>
+            <numerusform>%n labels hebben geen tekst in de taal en staan in die van de scène: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels found no room and have no card: %1.</source>
+        <translation>
+            <numerusform>%n label vond geen plaats en heeft geen kaart: %1.</numerusform>
+            <numerusform>%n labels vonden geen plaats en hebben geen kaart: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>At the picture&apos;s edge there is no room for: %1.</source>
+        <translation>Aan de rand van het beeld is geen plaats voor: %1.</translation>
+    </message>
+    <message>
+        <source>R and L are left out: nobody knows the directions of what is drawn.</source>
+        <translation>R en L zijn weggelaten: niemand kent de richtingen van wat getekend is.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n texts are shortened: %1.</source>
+        <translation>
+            <numerusform>%n tekst is ingekort: %1.</numerusform>
+            <numerusform>%n teksten zijn ingekort: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sections cut nothing in the file, which holds whole surfaces: %1.</source>
+        <translation>
+            <numerusform>%n doorsnede snijdt niets in het bestand, want dat bevat hele oppervlakken: %1.</numerusform>
+            <numerusform>%n doorsneden snijden niets in het bestand, want dat bevat hele oppervlakken: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>What is transparent stands on white.</source>
+        <translation>Wat doorzichtig is, staat op wit.</translation>
+    </message>
+    <message>
+        <source>This kind has fewer bits than were chosen.</source>
+        <translation>Deze soort heeft minder bits dan er gekozen zijn.</translation>
+    </message>
+    <message>
+        <source>The film is %1 pixels large, as its sides are even numbers.</source>
+        <translation>De film is %1 pixels groot, want zijn zijden zijn even getallen.</translation>
+    </message>
+    <message>
+        <source>The film takes %1 seconds, as it has whole pictures alone.</source>
+        <translation>De film duurt %1 seconden, want hij heeft alleen hele beelden.</translation>
+    </message>
+    <message>
+        <source>Take a larger page, smaller letters, or numbers.</source>
+        <translation>Neem een grotere pagina, kleinere letters of nummers.</translation>
+    </message>
+    <message>
+        <source>Show the structures, or hide the labels, too.</source>
+        <translation>Toon de structuren, of verberg ook de labels.</translation>
+    </message>
+    <message>
+        <source>Choose a view that shows them.</source>
+        <translation>Kies een aanzicht dat ze toont.</translation>
+    </message>
+    <message>
+        <source>Write them in the list of labels, or choose another language.</source>
+        <translation>Schrijf ze in de lijst met labels, of kies een andere taal.</translation>
+    </message>
+    <message>
+        <source>Take a larger page or smaller letters.</source>
+        <translation>Neem een grotere pagina of kleinere letters.</translation>
+    </message>
+    <message>
+        <source>Say them when the files are imported.</source>
+        <translation>Geef ze op bij het importeren van de bestanden.</translation>
+    </message>
+    <message>
+        <source>Write less, or take larger paper.</source>
+        <translation>Schrijf minder, of neem groter papier.</translation>
+    </message>
+    <message>
+        <source>Export a picture or a drawing to show the cut.</source>
+        <translation>Exporteer een beeld of een tekening om de snede te tonen.</translation>
+    </message>
+    <message>
+        <source>Take PNG, TIFF, SVG or WebP to keep it transparent.</source>
+        <translation>Neem PNG, TIFF, SVG of WebP om het doorzichtig te houden.</translation>
+    </message>
+    <message>
+        <source>Take PNG or TIFF for more.</source>
+        <translation>Neem PNG of TIFF voor meer.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -2607,6 +2763,10 @@ OpenGL: %3</translation>
     <message>
         <source>Cancel</source>
         <translation>Annuleren</translation>
+    </message>
+    <message>
+        <source>In the file&apos;s details</source>
+        <translation>In de gegevens van het bestand</translation>
     </message>
 </context>
 <context>

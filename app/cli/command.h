@@ -28,7 +28,9 @@ void addInfo(CLI::App& program, Exit& exit);
 void addImport(CLI::App& program, Exit& exit);
 void addReload(CLI::App& program, Exit& exit);
 void addView(CLI::App& program, Exit& exit);
-void addExport(CLI::App& program, Exit& exit);
+/// Gets each warning, one line.
+using Warn = std::function<void(const std::string& message)>;
+void addExport(CLI::App& program, Exit& exit, const Warn& tellWarning);
 void addProof(CLI::App& program, Exit& exit);
 void addJobs(CLI::App& program, Exit& exit);
 void addDemo(CLI::App& program, Exit& exit);

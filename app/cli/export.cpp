@@ -6,6 +6,7 @@
 #include "app/cli/anki_options.h"
 #include "app/cli/command.h"
 #include "app/cli/draw_scene.h"
+#include "app/cli/export_notes.h"
 #include "app/cli/film_options.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/pixel_options.h"
@@ -13,6 +14,7 @@
 #include "render/export/formats/export_formats.h"
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_order.h"
+#include "render/export/xml_text.h"
 #include "render/vectors/vector_drawing.h"
 
 namespace sline::cli {
@@ -27,6 +29,7 @@ struct ExportFlags {
   render::AnkiOptions anki;
   std::string sizeMm = "160x90";
   SheetFlags sheet;
+  render::ExportCredit credit;
   /// A target for each of the formats that are wanted.
   std::map<std::string, std::string> targets;
 };
@@ -111,12 +114,24 @@ Result<render::ExportOrder> onSheet(render::ExportOrder job, PictureOrder& order
   return job;
 }
 
+/// As files can hold it.
+Result<render::ExportCredit> understoodCredit(const render::ExportCredit& typed) {
+  constexpr std::size_t longest = 500;
+  for (const auto& [name, text] :
+       {std::pair("--author", typed.author), std::pair("--copyright", typed.copyright)})
+    if (text.size() > longest)
+      return Error{.reason = std::string(name) + " is too long",
+                   .remedy = "Write at most " + std::to_string(longest) + " bytes"};
+  return render::ExportCredit{render::plainLine(typed.author), render::plainLine(typed.copyright)};
+}
+
 /// What the flags say before a scene is read.
 struct Wanted {
   model::ImportOptions import;
   render::ExportPage page;
   render::ExportPixels pixels;
   render::ExportSheet sheet;
+  render::ExportCredit credit;
   PictureOrder order;
 };
 
@@ -133,10 +148,13 @@ Result<Wanted> wanted(const ExportFlags& flags) {
   const Result<render::ExportSheet> sheet = understood(flags.sheet);
   if (!sheet.ok())
     return sheet.error();
+  const Result<render::ExportCredit> credit = understoodCredit(flags.credit);
+  if (!credit.ok())
+    return credit.error();
   const Result<PictureOrder> order = understoodExport(flags, *page);
   if (!order.ok())
     return order.error();
-  return Wanted{*import, *page, *pixels, *sheet, *order};
+  return Wanted{*import, *page, *pixels, *sheet, *credit, *order};
 }
 
 /// All that the files are made of.
@@ -151,31 +169,34 @@ Result<render::ExportOrder> understoodJob(const ExportFlags& flags, Wanted& wish
   job.film = *film;
   job.anki = flags.anki;
   job.sheet = wish.sheet;
+  job.credit = wish.credit;
   if (wish.sheet.kind == render::SheetKind::none)
     return job;
   return onSheet(job, wish.order, typesetting);
 }
 
 Exit writeAll(const render::ExportOrder& job, const std::map<std::string, std::string>& targets,
-              Progress& progress) {
+              Progress& progress, const Warn& tellWarning) {
   for (const render::ExportFormat& format : render::exportFormats()) {
     const auto target = targets.find(format.id);
     if (target == targets.end())
       continue;
-    const Status written =
-        format.write(job, target->second, [&progress](double share, std::string_view what) {
-          progress.show(share, what);
-          return true;
-        });
-    if (!written.ok()) {
-      progress.wipe();
+    render::ExportNotes notes;
+    const auto show = [&progress](double share, std::string_view what) {
+      progress.show(share, what);
+      return true;
+    };
+    const Status written = format.write(job, target->second, {show, &notes});
+    progress.wipe();
+    if (!written.ok())
       return complain(written.error(), Exit::failed);
-    }
+    for (const render::ExportNote& note : notes)
+      tellWarning(target->second + ": " + textOf(note));
   }
   return Exit::done;
 }
 
-Exit runExport(const ExportFlags& typed) {
+Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   ExportFlags flags = typed;
   if (const Status film = addFilmTarget(typed.film, flags.targets); !film.ok())
     return complain(film.error(), Exit::wrongUse);
@@ -195,11 +216,11 @@ Exit runExport(const ExportFlags& typed) {
   if (!arranged.ok())
     return complain(arranged.error(), Exit::wrongUse);
   if (arranged->scene.visibleBounds().empty())
-    warn("no structure is visible: the drawing is empty");
+    tellWarning("no structure is visible: the drawing is empty");
   const Result<render::ExportOrder> job = understoodJob(flags, *wish, *arranged, **typesetting);
   if (!job.ok())
     return complain(job.error(), Exit::wrongUse);
-  return writeAll(*job, flags.targets, progress);
+  return writeAll(*job, flags.targets, progress, tellWarning);
 }
 
 void declareExport(CLI::App& command, ExportFlags& flags) {
@@ -234,6 +255,15 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
   addSectionOptions(command, flags.picture.sections);
   addFilmOptions(command, flags.film);
   addAnkiOptions(command, flags.anki);
+  command
+      .add_option("--author", flags.credit.author,
+                  "Who made it, written into the file where its kind has a place for that; nothing "
+                  "is unless you say it here")
+      ->type_name("NAME");
+  command
+      .add_option("--copyright", flags.credit.copyright,
+                  "Whose it is or what others may do with it, as in \"CC BY 4.0\"; likewise")
+      ->type_name("TEXT");
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
       ->default_str("auto");
@@ -241,7 +271,8 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
   command.footer(
       "Lines are as wide as in a picture of the same shape: a contour is 1/360 of the page's\n"
       "height, whatever its pixels. Vectors hold names of groups and structures; where the scene\n"
-      "came from, who drew it and when is in no file. Several kinds can be written at once.\n\n"
+      "came from and when it was drawn is in no file, and who drew it only with --author. Several\n"
+      "kinds can be written at once.\n\n"
       "  sline export pelvis.sline --png pelvis.png --size-mm 180x120 --dpi 300\n"
       "  sline export pelvis.sline --tiff figure1.tiff --bw --bits 1 --dpi 600\n"
       "  sline export pelvis.sline --svg pelvis.svg --view anterior --size-mm 180x120\n"
@@ -250,10 +281,11 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
 
 }  // namespace
 
-void addExport(CLI::App& program, Exit& exit) {
+void addExport(CLI::App& program, Exit& exit, const Warn& tellWarning) {
   addCommand<ExportFlags>(
       program, exit, {"export", "Write pictures for print and vector drawings of what files hold"},
-      declareExport, runExport);
+      declareExport,
+      [tellWarning](const ExportFlags& flags) { return runExport(flags, tellWarning); });
 }
 
 }  // namespace sline::cli

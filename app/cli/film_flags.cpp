@@ -42,6 +42,11 @@ Result<render::FilmOptions> understood(const FilmFlags& flags, const model::Scen
                  .remedy = "Give turntable, tour or gamma-sweep"};
   options.motion = motion->second;
   options.seconds = flags.seconds;
+  for (const auto& [name, number] :
+       {std::pair("--fps", flags.framesPerSecond), std::pair("--film-height", flags.height)})
+    if (number != std::round(number))
+      return Error{.reason = std::string(name) + " takes a whole number",
+                   .remedy = "Give one, as in " + std::to_string(std::lround(number))};
   options.framesPerSecond = int(std::lround(flags.framesPerSecond));
   options.height = int(std::lround(flags.height));
   const Result<std::optional<double>> hold = parseHold(flags.hold);

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <optional>
 #include <set>
 
+#include "app/cli/json_places.h"
 #include "app/cli/json_values.h"
 #include "app/cli/text_file.h"
 
@@ -18,10 +20,6 @@ constexpr std::size_t largestList = std::size_t(64) * 1024 * 1024;
 
 Error fault(std::string where, std::string reason, std::string remedy) {
   return {.where = std::move(where), .reason = std::move(reason), .remedy = std::move(remedy)};
-}
-
-std::string placeText(std::size_t line, std::size_t column) {
-  return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
 
 std::string trimmed(const std::string& text) {
@@ -54,7 +52,7 @@ class TableReader {
   Result<std::optional<Row>> next() {
     if (m_at >= m_text.size())
       return std::optional<Row>();
-    Row row{.line = m_line, .cells = {}};
+    Row row{.line = m_place.line, .cells = {}};
     for (;;) {
       const Result<std::string> cell = readCell();
       if (!cell.ok())
@@ -80,8 +78,12 @@ class TableReader {
   void step() {
     const bool lineEnds =
         m_text[m_at] == '\n' || (m_text[m_at] == '\r' && m_text.substr(m_at + 1, 1) != "\n");
-    m_line += lineEnds ? 1 : 0;
-    m_column = lineEnds ? 1 : m_column + 1;
+    // Characters are counted, not their bytes.
+    const bool within = (static_cast<unsigned char>(m_text[m_at]) & 0xC0u) == 0x80u;
+    if (lineEnds)
+      m_place = {m_place.line + 1, 1};
+    else
+      m_place.column += within ? 0 : 1;
     ++m_at;
   }
   Result<std::string> readCell() {
@@ -91,7 +93,7 @@ class TableReader {
         cell += m_text[m_at];
       return trimmed(cell);
     }
-    const std::string opened = placeText(m_line, m_column);
+    const std::string opened = m_place.text();
     for (step();; step()) {
       if (m_at >= m_text.size())
         return fault(opened, "a quotation mark is never closed", "Close it at the cell's end");
@@ -103,15 +105,14 @@ class TableReader {
       cell += m_text[m_at];
     }
     if (!atEnd())
-      return fault(placeText(m_line, m_column), "something follows a closed quotation mark",
+      return fault(m_place.text(), "something follows a closed quotation mark",
                    "Write a quotation mark within a cell twice");
     return cell;
   }
 
   std::string_view m_text;
   std::size_t m_at = 0;
-  std::size_t m_line = 1;
-  std::size_t m_column = 1;
+  TextPlace m_place;
   char m_separator = ',';
 };
 
@@ -157,30 +158,43 @@ std::optional<std::vector<std::string>> valuesOf(const Json& value) {
   return all;
 }
 
-/// Where in the text a byte is, as a person counts.
-std::string placeOf(std::string_view text, std::size_t byte) {
-  const std::string_view before = text.substr(0, std::min(byte, text.size()));
-  const auto line = std::size_t(std::count(before.begin(), before.end(), '\n')) + 1;
-  const std::size_t start =
-      before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
-  return placeText(line, before.size() - start);
+/// The places of an object's keys by their names; a fault where one is there twice.
+Result<std::map<std::string, TextPlace>> keyPlaces(const ElementPlace& place,
+                                                   const std::string& job) {
+  std::map<std::string, TextPlace> places;
+  std::map<std::string, TextPlace> flags;
+  for (const ElementPlace::Key& key : place.keys) {
+    places.emplace(key.name, key.at);
+    const auto [first, fresh] = flags.emplace(flagOf(key.name), key.at);
+    if (!fresh)
+      return fault(job + ", " + jsonText(Json(key.name)) + ", " + key.at.text(),
+                   "the job says it twice, first in " + first->second.text(), "Leave one out");
+  }
+  return places;
 }
 
-Result<Job> jobOf(const Json& object, const std::string& where) {
+/// `name` is "job 4".
+Result<Job> jobOf(const Json& object, const std::string& name, const ElementPlace& place) {
+  const std::string where = name + ", " + place.at.text();
   if (!object.is_object())
     return fault(where, "it is no object", R"(Write each job as {"input": …, "svg": …})");
-  Job job{.where = where, .fields = {}};
+  const auto places = keyPlaces(place, name);
+  if (!places.ok())
+    return places.error();
+  Job job{.where = name + ", line " + std::to_string(place.at.line), .fields = {}};
   for (const auto& [key, value] : object.items()) {
-    const std::string place = where + ", " + jsonText(Json(key));
+    const auto at = places->find(key);
+    const std::string keyAt = (at == places->end() ? place.at : at->second).text();
+    const std::string field = name + ", " + jsonText(Json(key)) + ", " + keyAt;
     if (value.is_null() || (value.is_boolean() && !value.get<bool>()))
       continue;
     const auto values = valuesOf(value);
     if (!values)
-      return fault(place, "it is no text, number, true, false or list of texts and numbers",
+      return fault(field, "it is no text, number, true, false or list of texts and numbers",
                    "Write the flag's value");
     if (flagOf(key).empty())
-      return fault(place, "a key without a name", "Write a flag of `sline export`");
-    job.fields.push_back({flagOf(key), *values, place});
+      return fault(field, "a key without a name", "Write a flag of `sline export`");
+    job.fields.push_back({flagOf(key), *values, field});
   }
   return job;
 }
@@ -237,19 +251,26 @@ Result<std::vector<Job>> jobsOfTable(std::string_view text) {
 }
 
 Result<std::vector<Job>> jobsOfJson(std::string_view text) {
+  if (text.starts_with(byteOrderMark))
+    text.remove_prefix(byteOrderMark.size());
   Json list;
   try {
     list = Json::parse(text);
   } catch (const Json::parse_error& failure) {
-    return fault(placeOf(text, failure.byte), "it is no JSON", "Write a list of objects, [{…}, …]");
+    // It counts what it has read, the byte at fault too.
+    const std::size_t at = std::max<std::size_t>(failure.byte, 1) - 1;
+    return fault(placeOf(text, at).text(), "it is no JSON", "Write a list of objects, [{…}, …]");
   } catch (const Json::exception&) {
     return fault("", "it is no JSON that can be used", "Write a list of objects, [{…}, …]");
   }
   if (!list.is_array())
     return fault("", "it is no list", "Write a list of objects, [{…}, …]");
+  const std::vector<ElementPlace> places = placesOfList(text);
   std::vector<Job> jobs;
   for (const Json& each : list) {
-    Result<Job> job = jobOf(each, "job " + std::to_string(jobs.size() + 1));
+    const std::size_t i = jobs.size();
+    Result<Job> job =
+        jobOf(each, "job " + std::to_string(i + 1), i < places.size() ? places[i] : ElementPlace());
     if (!job.ok())
       return job.error();
     jobs.push_back(std::move(*job));

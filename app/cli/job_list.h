@@ -16,11 +16,11 @@ namespace sline::cli {
 struct JobField {
   std::string flag;
   std::vector<std::string> values;  ///< as written; none for a flag that is just there
-  std::string where;                ///< "line 4, column png"
+  std::string where;                ///< "line 4, column png" or "job 4, "png", line 12, column 3"
 };
 
 struct Job {
-  std::string where;  ///< "line 4" or, of a JSON list, "job 4"
+  std::string where;  ///< "line 4" or, of a JSON list, "job 4, line 12"
   std::vector<JobField> fields;
   /// Null where the job says nothing of it.
   const JobField* find(std::string_view flag) const;
@@ -32,7 +32,8 @@ struct Job {
 Result<std::vector<Job>> jobsOfTable(std::string_view text);
 
 /// A JSON list of objects: a key for each flag; texts, numbers, true and lists of texts and numbers
-/// are values, false and null stand for a flag that is not there.
+/// are values, false and null stand for a flag that is not there. No flag is there twice. Errors
+/// name the job, line and column.
 Result<std::vector<Job>> jobsOfJson(std::string_view text);
 
 /// Of a file, by its ending: .json, else a table.

@@ -32,7 +32,15 @@ struct Order {
 /// What `sline export` takes, asked of itself.
 class ExportCommand {
  public:
-  ExportCommand() : m_program("", "sline") { addExport(m_program, m_exit); }
+  /// `where` names the job before each of its warnings.
+  explicit ExportCommand(const std::string& where = {}) : m_program("", "sline") {
+    addExport(m_program, m_exit, [this, where](const std::string& message) {
+      ++m_warnings;
+      warn((where.empty() ? "" : where + ": ") + message);
+    });
+  }
+  ExportCommand(const ExportCommand&) = delete;
+  ExportCommand& operator=(const ExportCommand&) = delete;
 
   /// Null where it has no such flag.
   const CLI::Option* option(const std::string& flag) {
@@ -62,9 +70,11 @@ class ExportCommand {
     }
     return m_exit;
   }
+  int warnings() const { return m_warnings; }
 
  private:
   Exit m_exit = Exit::done;
+  int m_warnings = 0;
   CLI::App m_program;
 };
 
@@ -237,15 +247,31 @@ Status prepareFolders(const Order& order) {
   return Unit{};
 }
 
-bool carriedOut(const Order& order) {
+/// What became of the jobs.
+struct Tally {
+  std::size_t done = 0;
+  std::size_t failed = 0;
+  std::size_t skipped = 0;
+  std::size_t withWarnings = 0;
+
+  std::string text(std::size_t all) const {
+    return std::to_string(done) + " jobs done, " + std::to_string(failed) + " failed, " +
+           std::to_string(skipped) + " skipped, of " + std::to_string(all) + " in the list" +
+           (withWarnings > 0 ? "; " + std::to_string(withWarnings) + " with warnings" : "");
+  }
+};
+
+void carryOut(const Order& order, Tally& tally) {
   Exit exit = Exit::done;
+  ExportCommand command(order.where);
   if (const Status prepared = prepareFolders(order); !prepared.ok())
     exit = complain(prepared.error(), Exit::failed);
   else
-    exit = ExportCommand().run(order.arguments);
+    exit = command.run(order.arguments);
+  ++(exit == Exit::done ? tally.done : tally.failed);
+  tally.withWarnings += command.warnings() > 0 ? 1 : 0;
   if (exit != Exit::done)
     std::cerr << "sline: " << order.where << " failed: " << targetsText(order) << '\n';
-  return exit == Exit::done;
 }
 
 Exit runJobs(const JobsFlags& flags) {
@@ -261,25 +287,21 @@ Exit runJobs(const JobsFlags& flags) {
     error.file = flags.list;
     return complain(error, Exit::wrongUse);
   }
-  std::size_t done = 0;
-  std::size_t failed = 0;
-  std::size_t skipped = 0;
+  Tally tally;
   for (std::size_t i = 0; i < orders->size(); ++i) {
     const Order& order = (*orders)[i];
     if (!shard->has(i))
       continue;
     if (flags.resume && allThere(order))
-      ++skipped;
+      ++tally.skipped;
     else if (flags.dryRun)
       std::cout << order.where << '\t' << targetsText(order) << '\n';
     else
-      ++(carriedOut(order) ? done : failed);
+      carryOut(order, tally);
   }
   if (!flags.dryRun)
-    tell(std::to_string(done) + " jobs done, " + std::to_string(failed) + " failed, " +
-         std::to_string(skipped) + " skipped, of " + std::to_string(orders->size()) +
-         " in the list");
-  return failed == 0 ? Exit::done : Exit::failed;
+    tell(tally.text(orders->size()));
+  return tally.failed == 0 ? Exit::done : Exit::failed;
 }
 
 void declareJobs(CLI::App& command, JobsFlags& flags) {

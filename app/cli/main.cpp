@@ -31,7 +31,8 @@ int run(int argc, char** argv) {
 
   Exit exit = Exit::done;
   sline::cli::addRender(program, exit);
-  sline::cli::addExport(program, exit);
+  sline::cli::addExport(program, exit,
+                        [](const std::string& message) { sline::cli::warn(message); });
   sline::cli::addProof(program, exit);
   sline::cli::addJobs(program, exit);
   sline::cli::addLines(program, exit);

@@ -4,11 +4,13 @@
 #include <string>
 
 #include "model/base/result.h"
+#include "render/export/order/export_order.h"
 #include "render/picture/image.h"
 
 namespace sline::render {
 
-/// The image as a PNG file that says nothing beside it; without alpha where nothing is clear.
-Result<std::string> pngOf(const Image& image);
+/// The image as a PNG file that says nothing beside it but the credit; without alpha where nothing
+/// is clear.
+Result<std::string> pngOf(const Image& image, const ExportCredit& credit = {});
 
 }  // namespace sline::render

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/labels/anchors.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "model/scene/markup.h"
@@ -52,6 +53,26 @@ std::vector<ShownLabel> shownLabels(const model::Scene& scene, const Screen& scr
                         annotation.colour, lengthOf(annotation, scene)});
   }
   return labels;
+}
+
+UnseenLabels unseenLabels(const model::Scene& scene, const Screen& screen, SightTrees& trees) {
+  const Sights sights(scene, trees);
+  UnseenLabels unseen;
+  for (const model::Annotation& annotation : scene.annotations()) {
+    if (!annotation.visible)
+      continue;
+    const auto& anchors = annotation.anchors;
+    const auto within = [&](const model::Anchor& anchor) {
+      const std::optional<glm::vec2> place = screen.place(*scene.placeOf(anchor));
+      return place && screen.inside(*place);
+    };
+    if (!std::all_of(anchors.begin(), anchors.end(),
+                     [&](const model::Anchor& anchor) { return sights.shows(anchor); }))
+      unseen.notDrawn.push_back(annotation.id);
+    else if (!std::all_of(anchors.begin(), anchors.end(), within))
+      unseen.offPicture.push_back(annotation.id);
+  }
+  return unseen;
 }
 
 }  // namespace sline::render

@@ -31,4 +31,11 @@ std::string plainText(const ShownLabel& label);
 std::vector<ShownLabel> shownLabels(const model::Scene& scene, const Screen& screen,
                                     const std::string& language, SightTrees& trees);
 
+/// Visible annotations that are not among those, by the reason; in the order of the scene.
+struct UnseenLabels {
+  std::vector<model::AnnotationId> notDrawn;  ///< what they are on
+  std::vector<model::AnnotationId> offPicture;
+};
+UnseenLabels unseenLabels(const model::Scene& scene, const Screen& screen, SightTrees& trees);
+
 }  // namespace sline::render

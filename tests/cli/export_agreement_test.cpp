@@ -6,9 +6,8 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
-#include <algorithm>
 
-#include "tests/cli/sline_process.h"
+#include "tests/cli/ink_agreement.h"
 
 namespace sline::test {
 
@@ -16,36 +15,6 @@ namespace {
 
 constexpr int width = 1280;
 constexpr int height = 720;
-
-bool isInk(const Pixels& picture, int x, int y) {
-  const unsigned char* p = picture.at(x, y);
-  return p[0] + p[1] + p[2] < 3 * 128;
-}
-
-struct Agreement {
-  double share = 0.0;  ///< of the ink that has ink of the other within 1.5 px
-  int ink = 0;
-};
-
-Agreement agreement(const Pixels& from, const Pixels& to) {
-  Agreement found;
-  int near = 0;
-  for (int y = 0; y < from.height; ++y)
-    for (int x = 0; x < from.width; ++x) {
-      if (!isInk(from, x, y))
-        continue;
-      ++found.ink;
-      bool met = false;
-      // All neighbours are within 1.5 px, and nothing else is.
-      for (int dy = -1; dy <= 1 && !met; ++dy)
-        for (int dx = -1; dx <= 1 && !met; ++dx)
-          met = x + dx >= 0 && y + dy >= 0 && x + dx < to.width && y + dy < to.height &&
-                isInk(to, x + dx, y + dy);
-      near += met;
-    }
-  found.share = found.ink > 0 ? double(near) / found.ink : 0.0;
-  return found;
-}
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lists of exports, understood or refused, and their parts.
+#include <QElapsedTimer>
 #include <QTest>
 
 #include "app/cli/job_list.h"
@@ -90,6 +91,18 @@ class JobListTest : public QObject {
     row("no object", true, "[{\"input\":\"a\"},3]", "job 2", "no object");
     row("no value", true, "[{\"input\":{\"a\":1}}]", "job 1, \"input\"", "no text");
     row("nested list", true, "[{\"input\":[[\"a\"]]}]", "job 1", "no text");
+    row("where no object is", true, "[{\"input\":\"a\"},\n  3]", "job 2, line 2, column 3",
+        "no object");
+    row("where no value is", true, "[\n {\"x\": {\"input\": 1},\n  \"svg\": 2}]",
+        "job 1, \"x\", line 2, column 3", "no text");
+    row("after quotes and brackets", true, "[{\"a\":\"}],\\\"{[\"},\n{\"b\":[\",\",2],\"c\": []}]",
+        "job 2, \"c\", line 2, column 14", "no text");
+    row("characters are counted", true, "\xef\xbb\xbf[{\"ü\":\"心\",\"b\":{}}]",
+        "job 1, \"b\", line 1, column 11", "no text");
+    row("key twice", true, "[{\"svg\":\"a\",\n\"--SVG\":\"b\"}]",
+        "job 1, \"--SVG\", line 2, column 1", "first in line 1, column 3");
+    row("where no JSON is", true, "[{\"input\":\n \"a\" x}]", "line 2, column 6", "no JSON");
+    row("characters of a table", false, "input,svg\n\"心\"b,c\n", "line 2, column 4", "follows");
   }
   void refused() {
     QFETCH(QByteArray, text);
@@ -148,8 +161,13 @@ class JobListTest : public QObject {
     const QByteArray seeds[] = {
         "input,svg,view\n\"a,\"\"b\",out/c.svg,front\nd;e,f,\n",
         R"([{"input":"a","svg":"b","gamma":["liver=4",3],"bw":true},{"input":"心"}])"};
-    test::Mutator mutator(1, {});
-    for (int i = 0; i < 4000; ++i) {
+    // What parts and nests, put where it does not belong.
+    const auto put = [](test::Mutator& random, QByteArray& bytes, qsizetype at) {
+      static const QByteArray marks = "[]{}\",:;\t\n\r\\\xef\xbf";
+      bytes.insert(at, marks[qsizetype(random.below(std::size_t(marks.size())))]);
+    };
+    test::Mutator mutator(1, {put, put, put});
+    for (int i = 0; i < 12000; ++i) {
       const bool json = i % 2 == 1;
       const QByteArray spoilt = mutator(seeds[json ? 1 : 0]);
       const auto list = read(spoilt, json);
@@ -158,6 +176,37 @@ class JobListTest : public QObject {
       else
         QVERIFY2(!list.error().remedy.empty(), spoilt.constData());
     }
+  }
+
+  /// A megabyte of the same, as nobody writes it, is a list or an error within seconds.
+  void hugeLists_data() {
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<bool>("json");
+    constexpr qsizetype megabyte = 1'000'000;
+    const auto row = [](const char* name, bool json, const QByteArray& head,
+                        const QByteArray& piece) {
+      QTest::newRow(name) << head + piece.repeated(megabyte / piece.size()) << json;
+    };
+    row("brackets", true, "", "[");
+    row("objects", true, "", "{\"a\":");
+    row("nested but whole", true, "", "[]");
+    row("keys", true, "[{\"input\":1", ",\"svg\":2");
+    row("jobs", true, "[3", ",{\"input\":1}");
+    row("quotes", true, "[\"", "\\\"");
+    row("cells", false, "", "a,");
+    row("quoted cells", false, "input,svg\n", "\"\",");
+    row("lines", false, "input\n", "a\n");
+    row("never closed", false, "input\n\"", "\"\"");
+    row("zeros", false, "", QByteArray(1, '\0'));
+  }
+  void hugeLists() {
+    QFETCH(QByteArray, text);
+    QFETCH(bool, json);
+    QElapsedTimer timer;
+    timer.start();
+    const auto list = read(text, json);
+    QVERIFY2(timer.elapsed() < 5000, qPrintable(QString::number(timer.elapsed())));
+    QVERIFY(list.ok() ? !list->empty() : !list.error().remedy.empty());
   }
 };
 

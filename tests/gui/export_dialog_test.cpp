@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <QAction>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QStatusBar>
 
@@ -91,6 +92,83 @@ class ExportDialogTest : public QObject {
     QVERIFY(svg.contains("width=\"148mm\" height=\"210mm\""));
     QVERIFY(svg.contains("#faf6ec"));
     QVERIFY(svg.contains("left ball"));
+  }
+
+  /// What the files lack is said before, as far as the preview tells, and after.
+  void remarksBeforeAndAfter() {
+    ExportDesk desk;
+    desk.show();
+    desk.chooseKind(QStringLiteral("jpeg"));
+    const auto& doubt = desk.part<QLabel>("exportDoubt");
+    QVERIFY(desk.previewed());
+    QVERIFY2(!doubt.isVisible(), qPrintable(doubt.text()));
+    desk.small();
+    desk.pick("export-background", QStringLiteral("Transparent"));
+    QVERIFY2(doubt.text().contains(QStringLiteral("stands on white")), qPrintable(doubt.text()));
+    desk.number("export-labelSize", 40);
+    QVERIFY(desk.previewed());
+    QVERIFY2(doubt.isVisible() && doubt.text().contains(QStringLiteral("2 labels found no room")),
+             qPrintable(doubt.text()));
+    QVERIFY2(desk.part<QPushButton>("exportButton").isEnabled(), "a remark stops nobody");
+    desk.target(desk.out.filePath(QStringLiteral("small.jpg")));
+    desk.click("exportButton");
+    QVERIFY(desk.finished());
+    QVERIFY2(desk.message().contains(QStringLiteral("Exported small.jpg")),
+             qPrintable(desk.message()));
+    auto& all = desk.control<QPushButton>("messageDetails");
+    QVERIFY2(all.isVisible(), qPrintable(desk.message()));
+    QTest::mouseClick(&all, Qt::LeftButton);
+    auto& dialog = desk.control<QDialog>("messageDialog");
+    const QString text = dialog.findChild<QPlainTextEdit*>()->toPlainText();
+    for (const char* says : {"2 labels found no room: “The left one”, “The right one”",
+                             "stands on white", "smaller letters"})
+      QVERIFY2(text.contains(QString::fromUtf8(says)), qPrintable(text));
+    dialog.close();
+    // A file without faults is spoken of as before.
+    desk.show();
+    desk.number("exportWidth", 160);
+    desk.number("exportHeight", 90);
+    desk.number("export-labelSize", 10);
+    desk.pick("export-background", QStringLiteral("White"));
+    desk.target(desk.out.filePath(QStringLiteral("fine.jpg")));
+    QVERIFY(desk.previewed());
+    QVERIFY2(!desk.part<QLabel>("exportDoubt").isVisible(),
+             qPrintable(desk.part<QLabel>("exportDoubt").text()));
+    desk.click("exportButton");
+    QVERIFY(desk.finished());
+    QVERIFY(!desk.control<QPushButton>("messageDetails").isVisible());
+    QVERIFY2(!desk.message().contains(QStringLiteral("room")), qPrintable(desk.message()));
+  }
+
+  /// Typed for one file; neither remembered nor taken from the account.
+  void creditIsTyped() {
+    ExportDesk desk;
+    desk.show();
+    desk.chooseKind(QStringLiteral("svg"));
+    desk.small();
+    QCOMPARE(desk.part<QLineEdit>("export-author").text(), QString());
+    QCOMPARE(desk.part<QLineEdit>("export-copyright").text(), QString());
+    const auto summary = [&desk] { return desk.part<QLabel>("exportSummary").text(); };
+    QVERIFY(!summary().contains(QStringLiteral("as you typed")));
+    QTest::keyClicks(&desk.part<QLineEdit>("export-author"), QStringLiteral("Jane Roe"));
+    QTest::keyClicks(&desk.part<QLineEdit>("export-copyright"), QStringLiteral("CC BY 4.0"));
+    QVERIFY2(summary().contains(QStringLiteral("as you typed")), qPrintable(summary()));
+    desk.target(desk.out.filePath(QStringLiteral("mine.svg")));
+    desk.click("exportButton");
+    QVERIFY(desk.finished());
+    const QByteArray svg = contents(desk.out.filePath(QStringLiteral("mine.svg")));
+    QVERIFY(svg.contains("<dc:title>Jane Roe</dc:title>") && svg.contains("CC BY 4.0"));
+    for (const QString& key : desk.settings.allKeys())
+      QVERIFY2(!desk.settings.value(key).toString().contains(QStringLiteral("Roe")),
+               qPrintable(key));
+    // Another document begins without.
+    desk.open(2);
+    desk.show();
+    QCOMPARE(desk.part<QLineEdit>("export-author").text(), QString());
+    for (const render::ExportFormat& format : render::exportFormats()) {
+      desk.chooseKind(QLatin1String(format.id));
+      QVERIFY2(desk.part<QLineEdit>("export-author").isVisibleTo(desk.dialog()), format.id);
+    }
   }
 
   void eachSavedViewIsAFile() {

@@ -144,10 +144,12 @@ void ExportDialog::addSubject(QVBoxLayout& layout) {
 }
 
 void ExportDialog::addForms(QVBoxLayout& layout) {
-  const std::pair<ExportPart, QString> parts[] = {{ExportPart::kind, tr("For this kind")},
-                                                  {ExportPart::picture, tr("Picture")},
-                                                  {ExportPart::labels, tr("Labels")},
-                                                  {ExportPart::marks, tr("At the picture's edge")}};
+  const std::pair<ExportPart, QString> parts[] = {
+      {ExportPart::kind, tr("For this kind")},
+      {ExportPart::picture, tr("Picture")},
+      {ExportPart::labels, tr("Labels")},
+      {ExportPart::marks, tr("At the picture's edge")},
+      {ExportPart::credit, tr("In the file's details")}};
   const std::vector<ExportRow> rows = exportRows(labelLanguages(m_source.scene));
   for (const auto& [part, title] : parts) {
     std::vector<ExportRow> own;
@@ -245,6 +247,7 @@ void ExportDialog::connectControls() {
     m_draft.filled = filled;
     refresh();
   });
+  connect(m_preview, &ExportPreview::drawn, this, &ExportDialog::showDoubt);
   connect(m_page, &PagePanel::changed, this, &ExportDialog::refresh);
   connect(m_target, &QLineEdit::textChanged, this, [this](const QString& text) {
     m_draft.target = QDir::fromNativeSeparators(text.trimmed());
@@ -285,8 +288,19 @@ void ExportDialog::refresh() {
   m_page->setEnabled(!isSheet(m_draft));
   m_preview->show(m_files.front());
   m_summary->setText(exportSummary(m_draft, m_files).join(QLatin1Char('\n')));
+  showDoubt();
+}
+
+void ExportDialog::showDoubt() {
   const QString problem = targetProblem(targetsOf(m_files));
-  const QString doubt = problem.isEmpty() ? exportDoubt(m_files) : problem;
+  QString doubt = problem.isEmpty() ? exportDoubt(m_files) : problem;
+  if (doubt.isEmpty()) {
+    // Of several files the first is looked at; films are long, and surfaces have no page. Until the
+    // next page is drawn the last one's remarks stay, as its picture does: nothing jumps.
+    const bool paged = pageIsAsPreviewed(m_draft.kind);
+    doubt = exportRemarks(m_draft, m_files.front().order,
+                          paged ? m_preview->notes() : render::ExportNotes());
+  }
   m_doubt->setStyleSheet(dress(palette()));
   m_doubt->setText(doubt);
   m_doubt->setVisible(!doubt.isEmpty());

@@ -51,6 +51,8 @@ class ExportDialog : public QDialog {
   void browse();
   /// Shows what follows from the draft.
   void refresh();
+  /// What a person should know before: what is in the way, else what the files will lack.
+  void showDoubt();
   /// As it would be written: with its ending.
   QString target() const;
   void tryToExport();

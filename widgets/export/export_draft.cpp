@@ -69,6 +69,10 @@ bool showsOneView(const QString& kind) {
   return traitsOf(kind).oneView;
 }
 
+bool pageIsAsPreviewed(const QString& kind) {
+  return showsOneView(kind) || kind == QLatin1String("anki");
+}
+
 PageUse pageUseOf(const QString& kind) {
   return traitsOf(kind).page;
 }

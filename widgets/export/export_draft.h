@@ -29,6 +29,8 @@ const render::ExportFormat* formatOf(const QString& kind);
 
 /// A kind that shows the scene from one place; others hold it whole, or all its views.
 bool showsOneView(const QString& kind);
+/// A kind whose pages have their labels where the preview has them.
+bool pageIsAsPreviewed(const QString& kind);
 /// What the page is to a kind: nothing; the shape of its pictures; a sheet of lines and shapes; so
 /// many pixels.
 enum class PageUse { none, shape, drawing, pixels };

@@ -15,8 +15,9 @@ namespace sline::widgets {
 
 namespace {
 
-/// Kinds that the switch for it is for.
-bool printsInkAlone(const QString& kind) {
+/// Kinds that have a choice of depth and of ink alone; what was chosen for them is not asked of
+/// others.
+bool isFine(const QString& kind) {
   return kind == QLatin1String("png") || kind == QLatin1String("tiff");
 }
 
@@ -27,7 +28,9 @@ ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const mo
   order.camera = view ? view->camera : source.camera;
   order.viewName = view ? view->name : viewNameOf(source.camera);
   order.look.keyLight = source.keyLight;
-  if (draft.order.pixels.pureInk && printsInkAlone(draft.kind)) {
+  if (!isFine(draft.kind))
+    order.pixels.bits = render::ExportPixels().bits;
+  if (draft.order.pixels.pureInk && isFine(draft.kind)) {
     order.scene = model::withInkAlone(order.scene).scene;
     order.look.background = render::Background::white;
   }

@@ -41,11 +41,11 @@ Status ExportJob::write(const std::stop_token& stop) {
     if (stop.stop_requested())
       return render::givenUp(target);
     try {
-      const Status written =
-          m_format.write(readyOrder(m_files[i]), target, [&](double share, std::string_view what) {
-            report((double(i) + share) / count, what);
-            return !stop.stop_requested();
-          });
+      const auto tell = [&](double share, std::string_view what) {
+        report((double(i) + share) / count, what);
+        return !stop.stop_requested();
+      };
+      const Status written = m_format.write(readyOrder(m_files[i]), target, {tell, &m_notes});
       if (!written.ok())
         return written;
     } catch (const std::bad_alloc&) {

@@ -26,6 +26,8 @@ class ExportJob : public QObject {
   /// The writer is asked to give up; nothing but `cancelled` follows.
   void cancel();
   const std::vector<ExportFile>& files() const { return m_files; }
+  /// What the files lack, when all are there.
+  const render::ExportNotes& notes() const { return m_notes; }
 
  signals:
   /// `share` of all files in [0, 1]; at most ten in a second.
@@ -43,6 +45,7 @@ class ExportJob : public QObject {
 
   const render::ExportFormat& m_format;
   const std::vector<ExportFile> m_files;
+  render::ExportNotes m_notes;                 ///< of the thread, until it is done
   std::atomic<std::int64_t> m_lastReport = 0;  ///< milliseconds of the steady clock
   std::jthread m_thread;
 };

@@ -86,12 +86,14 @@ void ExportPreview::took(PreviewsOf asker, int number, const QImage& image) {
   if (asker != PreviewsOf::exported || number != m_wanted)
     return;
   m_queue.add([this, number, image, order = m_drawn](const std::stop_token&) {
-    return BackgroundQueue::Sequel([this, number, labelled = finishedPage(image, order)] {
+    return BackgroundQueue::Sequel([this, number, page = finishedPage(image, order)] {
       if (number != m_wanted)
         return;
-      m_picture = labelled;
+      m_picture = page.image;
+      m_notes = page.notes;
       m_shown = number;
       update();
+      emit drawn();
     });
   });
 }

@@ -27,7 +27,13 @@ class ExportPreview : public QWidget {
   /// True where it shows what was asked for last.
   bool upToDate() const { return m_shown == m_wanted; }
   const QImage& picture() const { return m_picture; }
+  /// Of the page that it shows.
+  const render::ExportNotes& notes() const { return m_notes; }
   QSize sizeHint() const override { return {400, 400}; }
+
+ signals:
+  /// It shows what was asked for.
+  void drawn();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -46,6 +52,7 @@ class ExportPreview : public QWidget {
   int m_wanted = 0;             ///< counts what was asked for
   int m_shown = 0;
   QImage m_picture;
+  render::ExportNotes m_notes;
   BackgroundQueue m_queue;
 };
 

@@ -162,7 +162,8 @@ void ExportRow::fromSettings(ExportOrder& order, const QVariant& value) const {
 
 std::vector<ExportRow> exportRows(const QStringList& languages) {
   std::vector<ExportRow> rows = pictureRows();
-  for (const std::vector<ExportRow>& more : {labelRows(languages), markRows(), kindRows()})
+  for (const std::vector<ExportRow>& more :
+       {labelRows(languages), markRows(), kindRows(), creditRows()})
     rows.insert(rows.end(), more.begin(), more.end());
   return rows;
 }

@@ -39,7 +39,7 @@ struct RowText {
 };
 using RowControl = std::variant<RowSwitch, RowChoice, RowNumber, RowText>;
 
-enum class ExportPart { picture, labels, marks, kind };
+enum class ExportPart { picture, labels, marks, kind, credit };
 
 struct ExportRow {
   QString id;  ///< the control's objectName is "export-" and this

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "widgets/export/export_rows.h"
+#include "widgets/export/note_texts.h"
 
 namespace sline::widgets {
 
@@ -165,6 +166,11 @@ QString weightText(const ExportDraft& draft, const std::vector<ExportFile>& file
                                   : tr("Hundreds of MB.");
 }
 
+QString creditText(const ExportDraft& draft) {
+  return draft.order.credit.empty() ? QString()
+                                    : tr("Author and rights are in the file as you typed them.");
+}
+
 QString privacyText(const ExportDraft& draft) {
   return holdsNames(draft.kind)
              ? tr("Names of structures, groups and views are in the file as the scene has them. No "
@@ -200,7 +206,7 @@ QStringList exportSummary(const ExportDraft& draft, const std::vector<ExportFile
   QStringList sentences{subjectText(draft, files)};
   if (pageUseOf(draft.kind) != PageUse::none)
     sentences << labelText(files) << sizeText(draft);
-  sentences << weightText(draft, files) << privacyText(draft);
+  sentences << weightText(draft, files) << privacyText(draft) << creditText(draft);
   sentences.removeAll(QString());
   return sentences;
 }
@@ -214,6 +220,15 @@ QString exportDoubt(const std::vector<ExportFile>& files) {
                                    .arg(QString::fromStdString(file.order.viewName));
   }
   return {};
+}
+
+QString exportRemarks(const ExportDraft& draft, const render::ExportOrder& order,
+                      const render::ExportNotes& page) {
+  constexpr qsizetype most = 3;  // lines; the rest is said when all is written
+  render::ExportNotes notes = page;
+  for (const render::ExportNote& note : formatOf(draft.kind)->foreseen(order))
+    render::addNote(notes, note);
+  return noteTexts(notes).mid(0, most).join(QLatin1Char('\n'));
 }
 
 }  // namespace sline::widgets

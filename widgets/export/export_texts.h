@@ -22,4 +22,9 @@ QStringList exportSummary(const ExportDraft& draft, const std::vector<ExportFile
 /// What a person should know before: nothing is shown. Empty where all is well.
 QString exportDoubt(const std::vector<ExportFile>& files);
 
+/// What a file of the order will lack, as far as that is known before: of the kind, and of the page
+/// as it was previewed. A few lines; empty where all is well.
+QString exportRemarks(const ExportDraft& draft, const render::ExportOrder& order,
+                      const render::ExportNotes& page);
+
 }  // namespace sline::widgets

@@ -7,8 +7,13 @@
 
 namespace sline::widgets {
 
+struct FinishedPage {
+  QImage image;
+  render::ExportNotes notes;  ///< what is not on it
+};
+
 /// A picture of the order's scene with what exports write over it. Asks what hides labels: nothing
 /// for the window's thread.
-QImage finishedPage(const QImage& picture, const render::ExportOrder& order);
+FinishedPage finishedPage(const QImage& picture, const render::ExportOrder& order);
 
 }  // namespace sline::widgets

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 
+#include "render/export/formats/export_formats.h"
 #include "widgets/export/row_binding.h"
 
 namespace sline::widgets {
@@ -138,6 +139,26 @@ std::vector<ExportRow> kindRows() {
   for (const std::vector<ExportRow>& more : {pixelRows(), sheetRows(), filmRows(), ankiRows()})
     rows.insert(rows.end(), more.begin(), more.end());
   return rows;
+}
+
+std::vector<ExportRow> creditRows() {
+  QStringList all;
+  for (const render::ExportFormat& format : render::exportFormats())
+    all << QLatin1String(format.id);
+  const auto line = [&all](const char* id, const QString& text, const QString& tip) {
+    ExportRow made = notKept(with(row(id, text, tip, all), RowText{.longest = 200}));
+    made.part = ExportPart::credit;
+    return made;
+  };
+  return {
+      bound(
+          line("author", tr("Author"),
+               tr("Written into the file, which says of nobody who made it where this is empty")),
+          [](auto& o) -> auto& { return o.credit.author; }),
+      bound(
+          line("copyright", tr("Rights"),
+               tr("Whose it is or what others may do with it, as in “CC BY 4.0”")),
+          [](auto& o) -> auto& { return o.credit.copyright; })};
 }
 
 }  // namespace sline::widgets

@@ -8,4 +8,7 @@ namespace sline::widgets {
 /// What single kinds of files have of their own.
 std::vector<ExportRow> kindRows();
 
+/// Who made it: of all kinds, and empty until it is typed.
+std::vector<ExportRow> creditRows();
+
 }  // namespace sline::widgets

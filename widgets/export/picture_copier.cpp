@@ -45,7 +45,7 @@ void PictureCopier::took(PreviewsOf asker, int number, const QImage& image) {
   if (asker != PreviewsOf::exported || number != m_wanted)
     return;
   m_queue.add([this, image, order = m_order](const std::stop_token&) {
-    return BackgroundQueue::Sequel([this, page = finishedPage(image, order)] {
+    return BackgroundQueue::Sequel([this, page = finishedPage(image, order).image] {
       QGuiApplication::clipboard()->setImage(page);
       emit copied();
     });

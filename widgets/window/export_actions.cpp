@@ -18,6 +18,7 @@
 
 #include "widgets/export/export_job.h"
 #include "widgets/export/export_texts.h"
+#include "widgets/export/note_texts.h"
 #include "widgets/export/page_presets.h"
 #include "widgets/export/picture_copier.h"
 #include "widgets/viewport/viewport.h"
@@ -149,8 +150,9 @@ void ExportActions::begin(const QString& kind, const std::vector<ExportFile>& fi
   });
   connect(m_job.get(), &ExportJob::done, this, [this] {
     const std::vector<ExportFile> written = m_job->files();
+    const render::ExportNotes notes = m_job->notes();
     end();
-    tellDone(written);
+    tellDone(written, notes);
   });
   connect(m_job.get(), &ExportJob::failed, this, [this](const Error& error) {
     end();
@@ -228,7 +230,8 @@ void ExportActions::closeNow() {
     m_window.close();
 }
 
-void ExportActions::tellDone(const std::vector<ExportFile>& files) {
+void ExportActions::tellDone(const std::vector<ExportFile>& files,
+                             const render::ExportNotes& notes) {
   m_offers = std::make_unique<QObject>();
   const QString first = textOf(files.front().target);
   const auto offer = [this](const QString& text, const QString& tip, const QString& path) {
@@ -245,7 +248,8 @@ void ExportActions::tellDone(const std::vector<ExportFile>& files) {
                   QFileInfo(first).absolutePath());
   m_message.showDone(files.size() == 1 ? tr("Exported %1").arg(nameOf(files.front()))
                                        : tr("Exported %n files", nullptr, int(files.size())),
-                     QDir::toNativeSeparators(QFileInfo(first).absolutePath()), offers);
+                     QDir::toNativeSeparators(QFileInfo(first).absolutePath()), offers,
+                     noteTexts(notes));
 }
 
 }  // namespace sline::widgets

@@ -60,7 +60,7 @@ class ExportActions : public QObject {
   void showProgress();
   void end();
   void closeNow();
-  void tellDone(const std::vector<ExportFile>& files);
+  void tellDone(const std::vector<ExportFile>& files, const render::ExportNotes& notes);
 
   Session& m_session;
   QSettings& m_settings;

@@ -89,9 +89,9 @@ void MessageBar::showNotice(const QString& heading, const QString& body, QAction
 }
 
 void MessageBar::showDone(const QString& heading, const QString& body,
-                          const QList<QAction*>& actions) {
-  m_remarks.clear();
-  display(Kind::done, heading, body);
+                          const QList<QAction*>& actions, const QStringList& remarks) {
+  m_remarks = remarks;
+  display(remarks.isEmpty() ? Kind::done : Kind::remark, heading, remarks.value(0, body));
   if (!actions.isEmpty())
     offerOn(*m_remedy, *actions.front());
   if (actions.size() > 1)

@@ -25,8 +25,10 @@ class MessageBar : public QFrame {
   void offer(QAction& action);
   /// Stays until it is closed or `hideNotice` says that it is over; the button does the action.
   void showNotice(const QString& heading, const QString& body, QAction& action);
-  /// Something went well; each action is a button, at most two of them.
-  void showDone(const QString& heading, const QString& body, const QList<QAction*>& actions);
+  /// Something went well; each action is a button, at most two of them. Where there are remarks the
+  /// first stands in the body's place, and the others are shown on demand.
+  void showDone(const QString& heading, const QString& body, const QList<QAction*>& actions,
+                const QStringList& remarks = {});
   /// Other messages stay.
   void hideNotice();
   QString text() const;

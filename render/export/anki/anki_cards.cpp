@@ -131,7 +131,7 @@ class Cards {
     image.rgba.resize(row * std::size_t(drawn.height()));
     for (int y = 0; y < drawn.height(); ++y)
       std::memcpy(&image.rgba[row * std::size_t(y)], drawn.constScanLine(y), row);
-    return pngOf(image);
+    return pngOf(image, m_order.credit);
   }
 
   const ExportOrder& m_order;
@@ -155,6 +155,7 @@ AnkiDeck emptyDeck(const ExportOrder& order) {
   deck.name = !order.anki.deck.empty()  ? order.anki.deck
               : !order.viewName.empty() ? order.viewName
                                         : "Anatomy";
+  deck.description = order.credit.line();
   deck.tags = {"Sline"};
   if (!order.viewName.empty())
     deck.tags.push_back(ankiTag(order.viewName));
@@ -176,6 +177,11 @@ Result<AnkiDeck> ankiCards(const ExportOrder& order, const ExportProgress& progr
   labelled.labels.mode = LabelMode::on;
   const FigurePlate whole = figurePlate(labelled);
   const LabelPlate& plate = *whole.labels;
+  for (ExportNote note : whole.notes) {
+    if (note.kind == ExportNote::Kind::labelsWithoutRoom)
+      note.kind = ExportNote::Kind::cardsWithoutRoom;
+    progress.note(std::move(note));
+  }
   if (plate.layout.labels.empty())
     return Error{.reason = "the picture has no labels to ask for",
                  .remedy = "Label structures, or choose a view that shows some"};

@@ -20,6 +20,7 @@ struct AnkiNote {
 
 struct AnkiDeck {
   std::string name;
+  std::string description;        ///< plain text; packages alone have a place for it
   std::vector<std::string> tags;  ///< without spaces
   std::vector<AnkiNote> notes;
   /// Pictures, each once. Their names stand for what they show and are ASCII, as all decks of a

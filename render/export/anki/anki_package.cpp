@@ -150,9 +150,10 @@ Json noteTypes(std::int64_t deck) {
   return {{std::to_string(noteType), std::move(type)}};
 }
 
-Json deckNamed(const std::string& name, std::int64_t id) {
-  Json deck{{"id", id}, {"name", name}, {"mod", begun},       {"usn", -1},       {"desc", ""},
-            {"dyn", 0}, {"conf", 1},    {"collapsed", false}, {"extendNew", 10}, {"extendRev", 50}};
+Json deckNamed(const std::string& name, std::int64_t id, const std::string& description = {}) {
+  Json deck{
+      {"id", id}, {"name", name}, {"mod", begun},       {"usn", -1},       {"desc", description},
+      {"dyn", 0}, {"conf", 1},    {"collapsed", false}, {"extendNew", 10}, {"extendRev", 50}};
   for (const char* today : {"newToday", "revToday", "lrnToday", "timeToday"})
     deck[today] = {0, 0};
   return deck;
@@ -224,7 +225,7 @@ Result<std::string> ankiPackage(const AnkiDeck& deck) {
   const std::int64_t deckId = idOf("deck " + deck.name);
   Json decks;
   decks["1"] = deckNamed("Default", 1);
-  decks[std::to_string(deckId)] = deckNamed(deck.name, deckId);
+  decks[std::to_string(deckId)] = deckNamed(deck.name, deckId, htmlText(deck.description));
   Database database;
   database.run(schema);
   const std::int64_t zero = 0;

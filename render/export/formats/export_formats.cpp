@@ -12,47 +12,65 @@
 
 namespace sline::render {
 
+namespace {
+
+ExportNotes noNotes(const ExportOrder&) {
+  return {};
+}
+
+template <PixelKind kind>
+ExportNotes pixelNotesOf(const ExportOrder& order) {
+  return pixelNotes(order, kind);
+}
+
+template <bool transparency>
+ExportNotes filmNotesOf(const ExportOrder& order) {
+  return filmNotes(order, transparency);
+}
+
+}  // namespace
+
 std::span<const ExportFormat> exportFormats() {
   static constexpr std::array formats{
       ExportFormat{"png", "Portable Network Graphics",
                    "A picture made of pixels for screens, documents and print: sRGB, grey or pure "
                    "ink, 8 or 16 bits, transparent where asked for",
-                   "png", writePng},
+                   "png", writePng, pixelNotesOf<PixelKind::png>},
       ExportFormat{"tiff", "Tagged Image File Format",
-                   "The same for printers and journals, with its colour profile", "tiff",
-                   writeTiff},
+                   "The same for printers and journals, with its colour profile", "tiff", writeTiff,
+                   pixelNotesOf<PixelKind::tiff>},
       ExportFormat{"jpeg", "JPEG", "A picture made of pixels where files must be small; on white",
-                   "jpg", writeJpeg},
+                   "jpg", writeJpeg, pixelNotesOf<PixelKind::jpeg>},
       ExportFormat{"exr", "OpenEXR",
                    "A picture in linear light, as halves with alpha multiplied in, for compositing",
-                   "exr", writeExr},
+                   "exr", writeExr, pixelNotesOf<PixelKind::exr>},
       ExportFormat{"svg", "Scalable Vector Graphics",
                    "Vectors for Inkscape, Illustrator and print: lines and hatching as smooth "
                    "paths, hidden ones removed, a named group for each structure",
-                   "svg", writeSvg},
+                   "svg", writeSvg, noNotes},
       ExportFormat{"pdf", "Portable Document Format",
                    "The same vectors on a page of their own, or a sheet with title, legend and "
                    "numbered labels, a page to test oneself and its key (--sheet)",
-                   "pdf", writePdf},
+                   "pdf", writePdf, noNotes},
       ExportFormat{"glb", "glTF (GLB)",
                    "Surfaces for Blender, PowerPoint, web pages and headsets: groups, names and "
                    "colours, annotations, cameras of the saved views",
-                   "glb", writeGltf},
+                   "glb", writeGltf, gltfNotes},
       ExportFormat{"mp4", "MP4 film",
                    "A film for slides and web pages, where the program ffmpeg is installed", "mp4",
-                   writeMp4},
+                   writeMp4, filmNotesOf<false>},
       ExportFormat{"webp", "Animated WebP", "A film that browsers show as a picture", "webp",
-                   writeWebp},
+                   writeWebp, filmNotesOf<true>},
       ExportFormat{"gif", "Animated GIF",
                    "A film that every program shows, of at most 255 colours: small ones", "gif",
-                   writeGif},
+                   writeGif, filmNotesOf<true>},
       ExportFormat{"frames", "Frames of a film",
                    "A new folder of numbered PNG pictures, for programs that cut films", "",
-                   writeFrames},
+                   writeFrames, filmNotesOf<true>},
       ExportFormat{"anki", "Anki deck",
                    "Cards that ask for the labels of the picture: a package for Anki (.apkg), or "
                    "text and pictures in a ZIP (.zip) or a new folder",
-                   "apkg", writeAnki},
+                   "apkg", writeAnki, noNotes},
   };
   return formats;
 }

@@ -19,6 +19,8 @@ struct ExportFormat {
   /// that it needs.
   Status (*write)(const ExportOrder& order, const std::filesystem::path& target,
                   const ExportProgress& progress);
+  /// Of what `write` will note, that which the order alone tells: quick, draws nothing.
+  ExportNotes (*foreseen)(const ExportOrder& order);
 };
 
 /// In the order in which a person should meet them.

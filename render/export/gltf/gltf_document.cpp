@@ -28,7 +28,7 @@ class Document {
       if (m_shown[i])
         addNode(i);
     }
-    addAnnotations();
+    addAnnotations(progress);
     addCameras();
     return true;
   }
@@ -128,20 +128,25 @@ class Document {
     return m_materialPlaces[key] = m_materials.size() - 1;
   }
 
-  void addAnnotations() {
+  void addAnnotations(const ExportProgress& progress) {
     const model::Scene& scene = m_order.scene;
+    ExportNote unseen{.kind = ExportNote::Kind::labelsOfHidden, .names = {}, .detail = {}};
     for (const model::Annotation& annotation : scene.annotations()) {
       bool shown = annotation.visible && m_shownCount > 0;
       for (const model::Anchor& anchor : annotation.anchors) {
         const auto* point = std::get_if<model::SurfacePoint>(&anchor);
         shown = shown && scene.placeOf(anchor) && (!point || m_places.contains(point->structure));
       }
+      if (!shown && annotation.visible)
+        unseen.names.push_back(model::textIn(annotation, m_order.labels.language));
       if (!shown)
         continue;
       const std::size_t place = add(annotationNode(scene, annotation, m_order.labels.language));
       const auto* on = std::get_if<model::SurfacePoint>(&annotation.anchors.front());
       addChild(on ? m_places.at(on->structure) : m_top, place);
     }
+    if (!unseen.names.empty())
+      progress.note(std::move(unseen));
   }
 
   void addCamera(const std::string& name, const model::Camera& camera, Json extras) {
@@ -201,8 +206,18 @@ void appendChunk(std::string& glb, const char* type, std::string_view bytes, cha
   glb.append(length - bytes.size(), filler);
 }
 
+/// §3.2: the copyright is for those who show it; it has no other place for a name.
+Json assetOf(const ExportCredit& credit) {
+  Json asset{{"version", "2.0"}, {"generator", "Sline " SLINE_VERSION}};
+  if (!credit.empty())
+    asset["copyright"] = credit.line();
+  if (!credit.author.empty())
+    asset["extras"] = {{"author", credit.author}};
+  return asset;
+}
+
 Result<std::string> Document::bytes() const {
-  Json root{{"asset", {{"version", "2.0"}, {"generator", "Sline " SLINE_VERSION}}}, {"scene", 0}};
+  Json root{{"asset", assetOf(m_order.credit)}, {"scene", 0}};
   Json scene = Json::object();
   // Lists in glTF are never empty.
   if (!m_roots.empty())

@@ -14,9 +14,18 @@ Status writeGltf(const ExportOrder& order, const std::filesystem::path& target,
     error.file = target.string();
     return error;
   }
+  progress.note(gltfNotes(order));
   if (progress && !progress(0.95, "writing the file"))
     return givenUp(target);
   return model::writeText(target, *glb);
+}
+
+ExportNotes gltfNotes(const ExportOrder& order) {
+  ExportNote uncut{.kind = ExportNote::Kind::sectionsUncut, .names = {}, .detail = {}};
+  for (const model::Section& section : order.scene.sections())
+    if (section.enabled)
+      uncut.names.push_back(section.name);
+  return uncut.names.empty() ? ExportNotes{} : ExportNotes{std::move(uncut)};
 }
 
 }  // namespace sline::render

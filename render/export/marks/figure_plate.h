@@ -10,6 +10,7 @@ namespace sline::render {
 struct FigurePlate {
   std::optional<LabelPlate> labels;  ///< where the order wants some
   Marks marks;
+  ExportNotes notes;  ///< what of the labels and the marks is not there, and why
 };
 
 /// For the order's camera and page, labels beside the marks.

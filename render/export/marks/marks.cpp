@@ -83,6 +83,8 @@ class MarkLayout {
   Marks make() {
     if (m_order.marks.sides && hasSides(m_order.scene))
       addSides();
+    else if (m_order.marks.sides)
+      addNote(m_marks.notes, {.kind = ExportNote::Kind::sidesUnknown, .names = {}, .detail = {}});
     addUpperLeft();
     if (m_order.marks.scaleBar)
       addScaleBar();
@@ -108,8 +110,12 @@ class MarkLayout {
                         box.high.x <= m_size.x - 0.5f * margin &&
                         box.high.y <= m_size.y - 0.5f * margin;
     if (!within || std::any_of(m_boxes.begin(), m_boxes.end(),
-                               [&](const LabelBox& other) { return overlap(box, other); }))
+                               [&](const LabelBox& other) { return overlap(box, other); })) {
+      addNote(m_marks.notes, {.kind = ExportNote::Kind::marksWithoutRoom,
+                              .names = {std::move(item.name)},
+                              .detail = {}});
       return false;
+    }
     m_boxes.push_back(box);
     m_marks.boxes.push_back(box.grown(gap));
     m_marks.lettering.items.push_back(std::move(item));
@@ -169,8 +175,12 @@ class MarkLayout {
       float baseline = above > 0.0f ? above + 1.35f * em : margin + std::max(letterCap(), cap);
       if (above <= 0.0f && m_top && textWidthMm(line, points(size)) > besideLetter)
         baseline += letterCap() + gap;
-      const LetteringText one = text(elided(line, size, m_size.x - 2.0f * margin),
-                                     {margin, baseline}, size, TextAnchor::start);
+      const QString fitted = elided(line, size, m_size.x - 2.0f * margin);
+      if (fitted != line)
+        addNote(
+            m_marks.notes,
+            {.kind = ExportNote::Kind::textShortened, .names = {line.toStdString()}, .detail = {}});
+      const LetteringText one = text(fitted, {margin, baseline}, size, TextAnchor::start);
       if (add({.name = name, .shapes = {}, .text = one}, boxOf(one))) {
         above = baseline;
         m_marks.edges.top = std::max(m_marks.edges.top, baseline + gap);

@@ -17,6 +17,7 @@ struct Marks {
   EdgeRoom edges;  ///< what they take at each edge, for films, where they come and go
   /// What each takes, with air around it; labels and leaders keep out of it (LabelStyle::reserved).
   std::vector<LabelBox> boxes;
+  ExportNotes notes;  ///< what is wanted and not there, or shortened
 };
 
 /// Of the order's scene, camera and page those marks that are wanted, in the labels' size and

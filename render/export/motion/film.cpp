@@ -39,15 +39,24 @@ Status checked(const FilmOptions& options, const glm::ivec2& size) {
 
 }  // namespace
 
+glm::ivec2 filmSize(const ExportOrder& order) {
+  const double aspect = double(order.page.sizeMm.x) / double(order.page.sizeMm.y);
+  const double height = order.film.height;
+  return {even(height * aspect), even(height)};
+}
+
+int filmFrames(const FilmOptions& options) {
+  return std::max(int(std::lround(options.seconds * double(options.framesPerSecond))), 1);
+}
+
 Result<Film> Film::create(const ExportOrder& order, const glm::vec2& share) {
   const FilmOptions& options = order.film;
-  const double aspect = double(order.page.sizeMm.x) / double(order.page.sizeMm.y);
   Film film;
-  film.m_size = {even(double(options.height) * aspect), even(double(options.height))};
+  film.m_size = filmSize(order);
   if (const Status fine = checked(options, film.m_size); !fine.ok())
     return fine.error();
   film.m_framesPerSecond = options.framesPerSecond;
-  film.m_frames = std::max(int(std::lround(options.seconds * double(options.framesPerSecond))), 1);
+  film.m_frames = filmFrames(options);
   switch (options.motion) {
     case Motion::turntable:
       film.m_motion = Turn{

@@ -18,6 +18,10 @@ inline constexpr int mostFramesPerSecond = 60;
 inline constexpr int smallestFilm = 16;
 inline constexpr int largestFilm = 4320;  ///< pixels of its height, and of its width
 
+/// Pixels: of the page's shape, both even, as films want it.
+glm::ivec2 filmSize(const ExportOrder& order);
+int filmFrames(const FilmOptions& options);
+
 struct FilmFrame {
   model::Scene scene;
   model::Camera camera;
@@ -33,7 +37,7 @@ class Film {
 
   int frames() const { return m_frames; }
   int framesPerSecond() const { return m_framesPerSecond; }
-  /// Pixels; both are even, as films want it.
+  /// As `filmSize`.
   glm::ivec2 size() const { return m_size; }
   /// After the last frame the first follows as any other: nothing is doubled.
   bool loops() const { return std::holds_alternative<Turn>(m_motion); }

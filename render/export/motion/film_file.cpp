@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/motion/film_file.h"
 
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <system_error>
 
 #include "model/files/whole_file.h"
@@ -26,8 +28,9 @@ namespace {
 /// One film on its way into its file.
 class Filming {
  public:
-  Filming(const ExportOrder& order, const fs::path& target, const ExportProgress& progress)
-      : m_order(order), m_target(target), m_progress(progress) {}
+  Filming(const ExportOrder& order, const fs::path& target, const ExportProgress& progress,
+          bool transparency = true)
+      : m_order(order), m_target(target), m_progress(progress), m_transparency(transparency) {}
 
   /// What is needed before a file is begun.
   Status prepare() {
@@ -40,6 +43,7 @@ class Filming {
     Result<Film> film = Film::create(m_order, m_painter->anatomyShare());
     if (!film.ok())
       return at(film.error());
+    m_progress.note(filmNotes(m_order, m_transparency));
     m_film.emplace(std::move(*film));
     return Unit{};
   }
@@ -48,7 +52,8 @@ class Filming {
     return {.size = m_film->size(),
             .frames = m_film->frames(),
             .framesPerSecond = m_film->framesPerSecond(),
-            .transparent = m_order.look.background == Background::transparent};
+            .transparent = m_order.look.background == Background::transparent,
+            .credit = m_order.credit};
   }
 
   /// Of a few frames, evenly over the film.
@@ -82,6 +87,7 @@ class Filming {
       if (Status added = sink.add(*image); !added.ok())
         return added;
     }
+    m_progress.note(m_painter->notes());
     if (!tell(0.99, "finishing the film"))
       return givenUp(m_target);
     return sink.finish();
@@ -100,6 +106,7 @@ class Filming {
   const ExportOrder& m_order;
   const fs::path& m_target;
   const ExportProgress& m_progress;
+  bool m_transparency;  ///< the kind of file has it
   std::unique_ptr<FilmPainter> m_painter;
   std::optional<Film> m_film;
 };
@@ -118,6 +125,28 @@ Status writeFilm(Filming& filming, const fs::path& target, const Begin& newSink)
 }
 
 }  // namespace
+
+ExportNotes filmNotes(const ExportOrder& order, bool transparency) {
+  ExportNotes notes;
+  if (order.look.background == Background::transparent && !transparency)
+    addNote(notes, {.kind = ExportNote::Kind::standsOnWhite, .names = {}, .detail = {}});
+  const glm::ivec2 size = filmSize(order);
+  if (size.y != order.film.height)
+    addNote(notes, {.kind = ExportNote::Kind::filmRounded,
+                    .names = {},
+                    .detail = std::to_string(size.x) + " × " + std::to_string(size.y)});
+  const double seconds =
+      double(filmFrames(order.film)) / double(std::max(order.film.framesPerSecond, 1));
+  constexpr double told = 0.005;  // its half hundredth
+  if (std::abs(seconds - order.film.seconds) > told) {
+    const auto hundredths = std::to_string(100 + std::lround(100.0 * seconds) % 100);
+    addNote(notes, {.kind = ExportNote::Kind::filmStretched,
+                    .names = {},
+                    .detail = std::to_string(std::lround(100.0 * seconds) / 100) + "." +
+                              hundredths.substr(1)});
+  }
+  return notes;
+}
 
 Status writeWebp(const ExportOrder& order, const fs::path& target, const ExportProgress& progress) {
   Filming filming(order, target, progress);
@@ -139,7 +168,7 @@ Status writeGif(const ExportOrder& order, const fs::path& target, const ExportPr
 }
 
 Status writeMp4(const ExportOrder& order, const fs::path& target, const ExportProgress& progress) {
-  Filming filming(order, target, progress);
+  Filming filming(order, target, progress, false);
   return writeFilm(filming, target,
                    [&](const fs::path& file) { return mp4Sink(file, filming.shape()); });
 }

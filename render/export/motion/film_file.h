@@ -19,4 +19,8 @@ Status writeMp4(const ExportOrder& order, const std::filesystem::path& target,
 Status writeFrames(const ExportOrder& order, const std::filesystem::path& target,
                    const ExportProgress& progress);
 
+/// What of the order a film does not have as it was said: odd heights, parts of frames, and of MP4
+/// what is clear.
+ExportNotes filmNotes(const ExportOrder& order, bool transparency);
+
 }  // namespace sline::render

@@ -3,12 +3,65 @@
 
 #include <QImage>
 #include <cstring>
+#include <map>
+#include <set>
 
 #include "render/export/marks/figure_plate.h"
 #include "render/export/marks/plate_image.h"
 #include "render/gpu/headless/context.h"
 
 namespace sline::render {
+
+namespace {
+
+/// What was in any of a film's frames, and what should have been.
+class Sightings {
+ public:
+  void add(const FilmFrame& frame, const FigurePlate& plate, const std::string& language) {
+    for (const LetteringItem& mark : plate.marks.lettering.items)
+      m_marks.insert(mark.name);
+    for (const ExportNote& note : plate.marks.notes)
+      addNote(m_notes, note);
+    if (!plate.labels)
+      return;
+    for (const model::Annotation& annotation : frame.scene.annotations())
+      if (annotation.visible)
+        m_wanted.try_emplace(annotation.id, model::textIn(annotation, language));
+    for (const ShownLabel& label : plate.labels->labels)
+      m_met.insert(label.item.id);
+    for (const PlacedLabel& placed : plate.labels->layout.labels)
+      m_placed.insert(placed.id);
+  }
+
+  ExportNotes notes() const {
+    using Kind = ExportNote::Kind;
+    ExportNotes all = m_notes;
+    for (ExportNote& note : all)
+      if (note.kind == Kind::marksWithoutRoom)
+        std::erase_if(note.names, [this](const auto& name) { return m_marks.contains(name); });
+    std::erase_if(all, [](const ExportNote& note) {
+      return note.kind == Kind::marksWithoutRoom && note.names.empty();
+    });
+    ExportNote without{.kind = Kind::labelsWithoutRoom, .names = {}, .detail = {}};
+    ExportNote unseen{.kind = Kind::labelsOfHidden, .names = {}, .detail = {}};
+    for (const auto& [id, text] : m_wanted)
+      if (!m_placed.contains(id))
+        (m_met.contains(id) ? without : unseen).names.push_back(text);
+    for (ExportNote* note : {&without, &unseen})
+      if (!note->names.empty())
+        addNote(all, std::move(*note));
+    return all;
+  }
+
+ private:
+  std::map<model::AnnotationId, std::string> m_wanted;
+  std::set<model::AnnotationId> m_met;
+  std::set<model::AnnotationId> m_placed;
+  std::set<std::string> m_marks;
+  ExportNotes m_notes;
+};
+
+}  // namespace
 
 struct FilmPainter::Data {
   const ExportOrder& order;
@@ -18,6 +71,7 @@ struct FilmPainter::Data {
   SightTrees trees;
   std::optional<LabelLayout> layout;  ///< of the frame before
   EdgeRoom edges;                     ///< what marks take in any frame: labels keep out of it
+  Sightings sightings;
 
   bool labelled() const { return order.labels.mode != LabelMode::off; }
   bool bare() const { return !labelled() && order.marks == ExportMarks::none(); }
@@ -31,7 +85,7 @@ FilmPainter::FilmPainter(std::unique_ptr<Data> data) : m_data(std::move(data)) {
 FilmPainter::~FilmPainter() = default;
 
 Result<std::unique_ptr<FilmPainter>> FilmPainter::create(const ExportOrder& order) {
-  std::unique_ptr<Data> data(new Data{order, nullptr, nullptr, nullptr, {}, std::nullopt, {}});
+  std::unique_ptr<Data> data(new Data{order, nullptr, nullptr, nullptr, {}, std::nullopt, {}, {}});
   if (!data->bare()) {
     Result<std::unique_ptr<Typesetting>> typesetting = Typesetting::create();
     if (!typesetting.ok())
@@ -66,7 +120,7 @@ ExportOrder FilmPainter::Data::orderOf(const FilmFrame& frame) const {
 }
 
 FigurePlate FilmPainter::Data::plateOf(const FilmFrame& frame) {
-  FigurePlate plate{.labels = {}, .marks = marksOf(orderOf(frame))};
+  FigurePlate plate{.labels = {}, .marks = marksOf(orderOf(frame)), .notes = {}};
   if (!labelled())
     return plate;
   LabelStyle style = order.labels;
@@ -131,9 +185,16 @@ void FilmPainter::Data::paint(Image& image, const FigurePlate& plate) const {
 Result<Image> FilmPainter::draw(const Film& film, int frame) {
   const FilmFrame shown = film.at(frame);
   Result<Image> image = m_data->drawn(shown, film.size());
-  if (image.ok() && !m_data->bare())
-    m_data->paint(*image, m_data->plateOf(shown));
+  if (!image.ok() || m_data->bare())
+    return image;
+  const FigurePlate plate = m_data->plateOf(shown);
+  m_data->sightings.add(shown, plate, m_data->order.labels.language);
+  m_data->paint(*image, plate);
   return image;
+}
+
+ExportNotes FilmPainter::notes() const {
+  return m_data->sightings.notes();
 }
 
 Result<Image> FilmPainter::drawAlone(const Film& film, int frame) {

@@ -23,6 +23,8 @@ class FilmPainter {
   /// round: of one that loops, the first frame follows the last as any other.
   void settle(const Film& film);
   Result<Image> draw(const Film& film, int frame);
+  /// Of all frames that were drawn: labels and marks that were in none of them.
+  ExportNotes notes() const;
   /// The same, but as if no other frame was before it: for a look at the film.
   Result<Image> drawAlone(const Film& film, int frame);
 

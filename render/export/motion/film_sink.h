@@ -8,6 +8,7 @@
 
 #include "model/base/result.h"
 #include "render/export/motion/gif_palette.h"
+#include "render/export/order/export_order.h"
 #include "render/picture/image.h"
 
 namespace sline::render {
@@ -17,6 +18,7 @@ struct FilmShape {
   int frames = 0;
   int framesPerSecond = 25;
   bool transparent = false;  ///< else every pixel is opaque
+  ExportCredit credit = {};
 };
 
 class FilmSink {

@@ -13,13 +13,14 @@ class FrameFolder : public FilmSink {
  public:
   FrameFolder(std::filesystem::path folder, const FilmShape& shape)
       : m_folder(std::move(folder)),
+        m_credit(shape.credit),
         m_digits(std::max<std::size_t>(std::to_string(shape.frames).size(), 4)) {}
 
   Status add(const Image& frame) override {
     std::string number = std::to_string(++m_added);
     number.insert(0, m_digits - std::min(m_digits, number.size()), '0');
     const std::filesystem::path file = m_folder / ("frame_" + number + ".png");
-    const Result<std::string> png = pngOf(frame);
+    const Result<std::string> png = pngOf(frame, m_credit);
     return png.ok() ? model::writeText(file, *png) : Status(png.error());
   }
 
@@ -27,6 +28,7 @@ class FrameFolder : public FilmSink {
 
  private:
   std::filesystem::path m_folder;
+  ExportCredit m_credit;
   std::size_t m_digits;
   int m_added = 0;
 };

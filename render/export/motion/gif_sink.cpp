@@ -56,7 +56,7 @@ class GifSink : public FilmSink {
                        EGifPutExtensionBlock(m_gif, 11, "NETSCAPE2.0") == GIF_OK &&
                        EGifPutExtensionBlock(m_gif, 3, "\1\0\0") == GIF_OK &&
                        EGifPutExtensionTrailer(m_gif) == GIF_OK;
-    return begun ? Status(Unit{}) : broken();
+    return begun && putCredit() ? Status(Unit{}) : broken();
   }
 
   Status add(const Image& frame) override {
@@ -81,6 +81,15 @@ class GifSink : public FilmSink {
     return int(std::fwrite(bytes, 1, std::size_t(count), static_cast<FILE*>(gif->UserData)));
   }
   Error broken() const { return filmNotWritten(m_file, errno ? errno : EIO); }
+
+  /// A comment, in UTF-8; GIF has no other place.
+  bool putCredit() {
+    const ExportCredit& credit = m_shape.credit;
+    std::string comment = credit.author.empty() ? "" : "Author: " + credit.author;
+    if (!credit.copyright.empty())
+      comment += (comment.empty() ? "Copyright: " : "\nCopyright: ") + credit.copyright;
+    return comment.empty() || EGifPutComment(m_gif, comment.c_str()) == GIF_OK;
+  }
 
   std::vector<std::uint8_t> indicesOf(const Image& frame) {
     std::vector<std::uint8_t> pixels;

@@ -124,8 +124,12 @@ class Mp4Sink : public FilmSink {
       arguments << option;
     // Nothing of the program or the day; playing may begin before all is there.
     arguments << "-map_metadata"
-              << "-1"
-              << "-fflags"
+              << "-1";
+    for (const auto& [name, text] : {std::pair("artist=", m_shape.credit.author),
+                                     std::pair("copyright=", m_shape.credit.copyright)})
+      if (!text.empty())
+        arguments << "-metadata" << name + QString::fromStdString(text);
+    arguments << "-fflags"
               << "+bitexact"
               << "-flags:v"
               << "+bitexact"

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "render/export/motion/film_sink.h"
+#include "render/export/xmp_packet.h"
 
 namespace sline::render {
 
@@ -63,13 +64,32 @@ class WebpSink : public FilmSink {
                            WebPAnimEncoderAssemble(m_encoder, &film);
     if (!assembled)
       return failed(WebPAnimEncoderGetError(m_encoder));
-    const bool written = std::fwrite(film.bytes, 1, film.size, m_stream) == film.size;
+    const bool credited = addCredit(film);
+    const bool written = credited && std::fwrite(film.bytes, 1, film.size, m_stream) == film.size;
     WebPDataClear(&film);
+    if (!credited)
+      return failed("there is too little memory");
     const bool flushed = std::fclose(std::exchange(m_stream, nullptr)) == 0;
     return written && flushed ? Status(Unit{}) : filmNotWritten(m_file, errno);
   }
 
  private:
+  /// As XMP, in a chunk of its own.
+  bool addCredit(WebPData& film) const {
+    const std::string xmp = xmpPacket(m_shape.credit);
+    if (xmp.empty())
+      return true;
+    const std::unique_ptr<WebPMux, void (*)(WebPMux*)> mux(WebPMuxCreate(&film, 0), WebPMuxDelete);
+    const WebPData chunk{reinterpret_cast<const std::uint8_t*>(xmp.data()), xmp.size()};
+    WebPData whole;
+    WebPDataInit(&whole);
+    if (!mux || WebPMuxSetChunk(mux.get(), "XMP ", &chunk, 0) != WEBP_MUX_OK ||
+        WebPMuxAssemble(mux.get(), &whole) != WEBP_MUX_OK)
+      return false;
+    WebPDataClear(&film);
+    film = whole;
+    return true;
+  }
   /// When the frame begins, in milliseconds: rounding does not add up.
   int timeOf(int frame) const {
     return int(std::lround(1000.0 * double(frame) / double(m_shape.framesPerSecond)));

@@ -10,6 +10,10 @@ Error givenUp(const std::filesystem::path& target) {
   return {.file = target.string(), .reason = "the export was stopped", .remedy = "Export again"};
 }
 
+std::string ExportCredit::line() const {
+  return author + (author.empty() || copyright.empty() ? "" : ", ") + copyright;
+}
+
 glm::ivec2 pixelsOf(const ExportPage& page) {
   constexpr float millimetresPerInch = 25.4f;
   const auto side = [&page](float millimetres) {

@@ -8,10 +8,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "model/base/result.h"
 #include "model/scene/scene.h"
+#include "render/export/order/export_notes.h"
 #include "render/export/order/label_style.h"
 #include "render/picture/picture.h"
 
@@ -90,6 +92,21 @@ struct AnkiOptions {
   bool othersShown = false;  ///< a card shows the other labels, too
 };
 
+/// Who made the picture, and what others may do with it: in the place that the kind of file has for
+/// that, and only where somebody said it. It comes from nowhere else: not from the scene, its
+/// sources or the account. One line each, UTF-8 (`plainLine`); empty: not said.
+///
+/// PNG has it as text and XMP, TIFF in its tags and XMP, JPEG as Exif and XMP, EXR in its header,
+/// SVG and PDF as Dublin Core, GLB in its asset, MP4 in its tags, WebP as XMP, GIF in a comment,
+/// frames and Anki's pictures as PNG, Anki's package in the deck's description besides.
+struct ExportCredit {
+  std::string author;
+  std::string copyright;  ///< or a licence: "CC BY 4.0"
+  bool empty() const { return author.empty() && copyright.empty(); }
+  /// Both as one sentence shows them: "Jane Doe, CC BY 4.0".
+  std::string line() const;
+};
+
 /// All that a file of any kind is made from. The scene is as it is to be drawn: a saved view, a
 /// focus or sections that were asked for are in it already.
 struct ExportOrder {
@@ -104,11 +121,38 @@ struct ExportOrder {
   ExportPixels pixels;
   FilmOptions film;
   AnkiOptions anki;
+  ExportCredit credit;
 };
 
-/// Told what part of the whole is behind it and what is being done; false: nobody wants the file
-/// any more, and the writer stops with `givenUp`. An empty function wants all.
-using ExportProgress = std::function<bool(double share, std::string_view what)>;
+/// Who waits for a file, and is told of it while it is made.
+class ExportProgress {
+ public:
+  /// Nobody: all is written, and nothing said.
+  ExportProgress() = default;
+  /// `tell(share, what)` gets what part of the whole is behind and what is being done; false:
+  /// nobody wants the file any more, and the writer stops with `givenUp`. The notes, where there is
+  /// a list for them, get what the file lacks; it must outlive this.
+  template <class Tell>
+  requires std::is_invocable_r_v<bool, const Tell&, double, std::string_view>
+  // NOLINTNEXTLINE(google-explicit-constructor): any function will do, as for std::function
+  ExportProgress(Tell tell, ExportNotes* notes = nullptr)
+      : m_tell(std::move(tell)), m_notes(notes) {}
+
+  explicit operator bool() const { return bool(m_tell); }
+  bool operator()(double share, std::string_view what) const { return m_tell(share, what); }
+  void note(ExportNote note) const {
+    if (m_notes)
+      addNote(*m_notes, std::move(note));
+  }
+  void note(const ExportNotes& notes) const {
+    for (const ExportNote& each : notes)
+      note(each);
+  }
+
+ private:
+  std::function<bool(double, std::string_view)> m_tell;
+  ExportNotes* m_notes = nullptr;
+};
 
 /// What a writer returns that was stopped; it leaves no file.
 Error givenUp(const std::filesystem::path& target);

@@ -126,6 +126,11 @@ PdfId PdfObjects::addStream(const QByteArray& bytes, const QByteArray& entries) 
              ">>\nstream\n" + packed + "\nendstream\n");
 }
 
+PdfId PdfObjects::addPlainStream(const QByteArray& bytes, const QByteArray& entries) {
+  return add("<<" + entries + "/Length " + QByteArray::number(bytes.size()) + ">>\nstream\n" +
+             bytes + "\nendstream\n");
+}
+
 QByteArray PdfObjects::written() const {
   // Objects that nobody refers to any more are left out, and the others count on.
   QByteArray file = "%PDF-1.5\n%\xE2\xE3\xCF\xD3\n";
@@ -142,8 +147,10 @@ QByteArray PdfObjects::written() const {
   for (std::size_t i = 1; i < places.size(); ++i)
     file += places[i] == 0 ? QByteArray("0000000000 65535 f \n")
                            : QByteArray::number(places[i]).rightJustified(10, '0') + " 00000 n \n";
+  const QByteArray info =
+      m_info.value > 0 ? "/Info " + QByteArray::number(m_info.value) + " 0 R" : QByteArray();
   return file + "trailer\n<</Size " + count + "/Root " + QByteArray::number(m_catalog.value) +
-         " 0 R>>\nstartxref\n" + QByteArray::number(table) + "\n%%EOF\n";
+         " 0 R" + info + ">>\nstartxref\n" + QByteArray::number(table) + "\n%%EOF\n";
 }
 
 }  // namespace sline::render

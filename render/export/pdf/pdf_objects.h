@@ -32,6 +32,11 @@ class PdfObjects {
   /// A compressed stream; `entries` are more of its dictionary.
   PdfId addStream(const QByteArray& bytes, const QByteArray& entries = {});
 
+  /// A stream as it is, which others look for in the file; `entries` as above.
+  PdfId addPlainStream(const QByteArray& bytes, const QByteArray& entries);
+  /// The object that says who made the file and what it is called; without, none does.
+  void setInfo(PdfId id) { m_info = id; }
+
   /// The file, without what QPdfWriter says of itself, of the machine and of the time.
   QByteArray written() const;
 
@@ -39,6 +44,7 @@ class PdfObjects {
   std::vector<QByteArray> m_objects;  ///< by id; the first is none
   std::vector<PdfId> m_pages;
   PdfId m_catalog;
+  PdfId m_info;
 };
 
 }  // namespace sline::render

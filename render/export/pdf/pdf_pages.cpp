@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "render/export/label_texts.h"
+#include "render/export/xmp_packet.h"
 
 namespace sline::render {
 
@@ -46,6 +47,31 @@ QByteArray tagOf(const std::string& language) {
     if ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-')
       tag += c;
   return tag.isEmpty() ? QByteArray("en") : tag.left(20);
+}
+
+/// A text string of PDF (ISO 32000-1, 7.9.2.2): UTF-16 with its mark, in hexadecimal.
+QByteArray textString(const std::string& text) {
+  QByteArray hex("<FEFF");
+  const QString characters = QString::fromStdString(text);
+  for (const QChar each : characters)
+    hex += QByteArray::number(each.unicode(), 16).rightJustified(4, '0');
+  return hex + '>';
+}
+
+/// In the document's information, where older programs look, and as XMP.
+void addCredit(PdfObjects& objects, const ExportCredit& credit) {
+  if (credit.empty())
+    return;
+  QByteArray info("<<");
+  if (!credit.author.empty())
+    info += "/Author " + textString(credit.author);
+  if (!credit.copyright.empty())
+    info += "/Copyright " + textString(credit.copyright);
+  objects.setInfo(objects.add(info + ">>\n"));
+  const PdfId xmp = objects.addPlainStream(QByteArray::fromStdString(xmpPacket(credit)),
+                                           "/Type/Metadata/Subtype/XML");
+  QByteArray& catalog = objects[objects.catalog()];
+  catalog.insert(catalog.indexOf("/Type"), "/Metadata " + reference(xmp) + '\n');
 }
 
 }  // namespace
@@ -97,7 +123,7 @@ void PdfPages::join(PdfObjects& objects, PdfId page, const PdfContent& content) 
   insertInto(objects[*resources], "/XObject", content.forms);
 }
 
-Result<QByteArray> PdfPages::finish() {
+Result<QByteArray> PdfPages::finish(const ExportCredit& credit) {
   m_painter.end();
   m_writer.reset();
   std::optional<PdfObjects> objects = PdfObjects::read(m_bytes.data());
@@ -115,6 +141,7 @@ Result<QByteArray> PdfPages::finish() {
   }
   QByteArray& catalog = (*objects)[objects->catalog()];
   catalog.insert(catalog.indexOf("/Type"), "/Lang (" + tagOf(m_language) + ")\n");
+  addCredit(*objects, credit);
   return objects->written();
 }
 

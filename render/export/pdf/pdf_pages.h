@@ -10,6 +10,7 @@
 
 #include "model/base/result.h"
 #include "render/export/lettering.h"
+#include "render/export/order/export_order.h"
 #include "render/export/pdf/pdf_drawing.h"
 
 class QPdfWriter;
@@ -31,8 +32,9 @@ class PdfPages {
   /// A drawing of the current page, below all that is painted; it must live until `finish`.
   void place(const VectorDrawing& drawing, const PdfPlace& place);
 
-  /// The whole file. Holds no more than what the pages show: no title, program, date or machine.
-  Result<QByteArray> finish();
+  /// The whole file. Holds no more than what the pages show and the credit: no title, program, date
+  /// or machine.
+  Result<QByteArray> finish(const ExportCredit& credit = {});
 
  private:
   struct Placed {

@@ -60,7 +60,8 @@ class Sheet {
       return drawing.error();
     m_drawing = std::move(*drawing);
     m_plate = figurePlate(m_order, m_trees);
-    prepareNumbers();
+    noteOf(m_plate, progress);
+    prepareNumbers(progress);
     if (m_order.sheet.kind != SheetKind::patient)
       if (const Status legend = prepareLegend(); !legend.ok())
         return legend.error();
@@ -77,7 +78,8 @@ class Sheet {
         m_pages.reset();
       }
     }
-    return m_pages->finish();
+    progress.note(m_notes);
+    return m_pages->finish(m_given.credit);
   }
 
  private:
@@ -113,8 +115,10 @@ class Sheet {
   }
 
   /// Labels that have a place; on the test's page they are numbered, so they must have one there.
-  void prepareNumbers() {
+  void prepareNumbers(const ExportProgress& progress) {
     const FigurePlate numbered = plateIn(LabelMode::numbers);
+    if (m_order.sheet.kind == SheetKind::teaching)
+      noteOf(numbered, progress);
     for (const ShownLabel& label : numbered.labels->labels)
       if (numbered.labels->layout.find(label.item.id))
         m_numbers.push_back({label.number, QString::fromStdString(plainText(label)).simplified()});
@@ -157,7 +161,10 @@ class Sheet {
       float points = titlePoints;
       while (points > leastTitlePoints && textWidthMm(title, points) > width - besideTitle)
         points -= 0.5f;
-      line(elidedText(title, points, width - besideTitle), {content.low.x, baseline}, points);
+      const QString fitted = elidedText(title, points, width - besideTitle);
+      if (fitted != title)
+        addShortened(title);
+      line(fitted, {content.low.x, baseline}, points);
     }
     if (!kind.isEmpty())
       line(kind, {content.high.x, baseline}, kindPoints, TextAnchor::end, quietInk);
@@ -168,6 +175,16 @@ class Sheet {
            {content.high.x, m_layout.paper.y - 8.5f}, 7.5f, TextAnchor::end, quietInk);
     if (test)
       setNameAndDate();
+  }
+
+  /// Nobody ordered the labels that the sheet adds.
+  void noteOf(const FigurePlate& plate, const ExportProgress& progress) const {
+    progress.note(hasLabels(m_given.scene) ? plate.notes : plate.marks.notes);
+  }
+
+  void addShortened(const QString& text) {
+    addNote(m_notes,
+            {.kind = ExportNote::Kind::textShortened, .names = {text.toStdString()}, .detail = {}});
   }
 
   /// At the foot of the test, for whoever takes it.
@@ -224,7 +241,8 @@ class Sheet {
             QString::fromUtf8(kinds[i + 1] == RowKind::number ? m_words.labels : m_words.legend);
       const LabelBox& frame = page == 0 ? m_layout.lists.first : m_layout.lists.next;
       const int columns = page == 0 ? m_layout.lists.firstColumns : m_layout.lists.nextColumns;
-      setRow(*m_pages, row, places[i].at, columnWidth(frame, columns));
+      if (!setRow(*m_pages, row, places[i].at, columnWidth(frame, columns)))
+        addShortened(row.text);
     }
   }
 
@@ -265,6 +283,7 @@ class Sheet {
   std::vector<LegendRow> m_legend;
   std::vector<VectorDrawing> m_samples;
   std::unique_ptr<PdfPages> m_pages;
+  ExportNotes m_notes;
   int m_page = 0;
   int m_total = 0;
 };
@@ -331,8 +350,10 @@ Result<QByteArray> figureDocument(const ExportOrder& order, const std::filesyste
     return drawing.error();
   PdfPages pages(order.page.sizeMm, order.labels.language);
   pages.place(*drawing, {{}, {{}, order.page.sizeMm}});
-  setPlate(pages.painter(), figurePlate(order));
-  return pages.finish();
+  const FigurePlate plate = figurePlate(order);
+  progress.note(plate.notes);
+  setPlate(pages.painter(), plate);
+  return pages.finish(order.credit);
 }
 
 }  // namespace sline::render

@@ -16,8 +16,13 @@ constexpr float legendText = 7.5f;  // beside swatches
 constexpr float smallText = 6.6f;   // of names that need two lines
 constexpr float numberWidth = 6.5f;
 
+struct Fitted {
+  LetteringText text;
+  bool whole = true;
+};
+
 /// One line, or where that is too long two smaller ones; the second is shortened where it must.
-LetteringText fitted(const QString& text, const glm::vec2& middle, float width, float points) {
+Fitted fitted(const QString& text, const glm::vec2& middle, float width, float points) {
   LetteringText set{.lines = {text},
                     .at = middle + glm::vec2(0.0f, 0.5f * capHeightMm(points)),
                     .leading = 0.0f,
@@ -25,7 +30,7 @@ LetteringText fitted(const QString& text, const glm::vec2& middle, float width, 
                     .anchor = TextAnchor::start,
                     .ink = textInk};
   if (textWidthMm(text, points) <= width)
-    return set;
+    return {set};
   set.points = smallText;
   set.leading = 1.1f * smallText * millimetresPerPoint;
   QString first;
@@ -38,13 +43,14 @@ LetteringText fitted(const QString& text, const glm::vec2& middle, float width, 
     first = longer;
     words.pop_front();
   }
-  const QString rest = elidedText(words.join(QLatin1Char(' ')), smallText, width);
+  const QString meant = words.join(QLatin1Char(' '));
+  const QString rest = elidedText(meant, smallText, width);
   set.lines = {rest};
   if (!first.isEmpty())
     set.lines.insert(set.lines.begin(), first);
   set.at.y =
       middle.y + 0.5f * capHeightMm(smallText) - 0.5f * set.leading * float(set.lines.size() - 1);
-  return set;
+  return {set, rest == meant};
 }
 
 void setSwatch(QPainter& painter, const Colour& colour, const glm::vec2& corner) {
@@ -75,7 +81,7 @@ void setRule(QPainter& painter, const glm::vec2& from, float width, float pen) {
                    QPointF(qreal(from.x + width), qreal(from.y)));
 }
 
-void setRow(PdfPages& pages, const SheetRow& row, const glm::vec2& at, float width) {
+bool setRow(PdfPages& pages, const SheetRow& row, const glm::vec2& at, float width) {
   QPainter& painter = pages.painter();
   const float height = rowHeight(row.kind);
   const glm::vec2 middle = at + glm::vec2(0.0f, 0.5f * height);
@@ -91,14 +97,16 @@ void setRow(PdfPages& pages, const SheetRow& row, const glm::vec2& at, float wid
       setRule(painter, at + glm::vec2(0.0f, height - 1.4f), width);
       break;
     }
-    case RowKind::group:
-      setText(painter, {.lines = {elidedText(row.text, legendText, width)},
+    case RowKind::group: {
+      const QString name = elidedText(row.text, legendText, width);
+      setText(painter, {.lines = {name},
                         .at = {at.x, at.y + height - 1.5f},
                         .leading = 0.0f,
                         .points = legendText,
                         .anchor = TextAnchor::start,
                         .ink = quietInk});
-      break;
+      return name == row.text;
+    }
     case RowKind::legend: {
       if (row.number > 0)
         setNumber(painter, row.number, middle);
@@ -108,14 +116,18 @@ void setRow(PdfPages& pages, const SheetRow& row, const glm::vec2& at, float wid
       if (row.sample)
         pages.place(*row.sample, {corner, {corner, corner + sampleMm}});
       const float left = indent + swatch + sampleMm.x + 2.8f;
-      setText(painter, fitted(row.text, middle + glm::vec2(left, 0.0f), width - left, legendText));
-      break;
+      const Fitted name =
+          fitted(row.text, middle + glm::vec2(left, 0.0f), width - left, legendText);
+      setText(painter, name.text);
+      return name.whole;
     }
-    case RowKind::number:
+    case RowKind::number: {
       setNumber(painter, row.number, middle);
-      setText(painter, fitted(row.text, middle + glm::vec2(numberWidth, 0.0f), width - numberWidth,
-                              rowText));
-      break;
+      const Fitted text =
+          fitted(row.text, middle + glm::vec2(numberWidth, 0.0f), width - numberWidth, rowText);
+      setText(painter, text.text);
+      return text.whole;
+    }
     case RowKind::writeLine: {
       const glm::vec2 foot = at + glm::vec2(0.0f, height - 2.4f);
       setNumber(painter, row.number, foot - glm::vec2(0.0f, 0.5f * capHeightMm(rowText)));
@@ -123,6 +135,7 @@ void setRow(PdfPages& pages, const SheetRow& row, const glm::vec2& at, float wid
       break;
     }
   }
+  return true;
 }
 
 }  // namespace sline::render

@@ -16,8 +16,9 @@ struct SheetRow {
   const VectorDrawing* sample = nullptr;  ///< likewise
 };
 
-/// Within a column of that width, from its place on the current page.
-void setRow(PdfPages& pages, const SheetRow& row, const glm::vec2& at, float width);
+/// Within a column of that width, from its place on the current page; false where the text had to
+/// be shortened.
+bool setRow(PdfPages& pages, const SheetRow& row, const glm::vec2& at, float width);
 
 /// Ink of secondary text and of rules.
 inline constexpr Colour quietInk{96, 96, 96};

@@ -93,6 +93,10 @@ class ImageLibraryFile : public RowFile {
       spec.attribute("ResolutionUnit", "in");
     }
     spec.attribute("Software", "Sline " SLINE_VERSION);
+    if (!m_layout.credit.author.empty())
+      spec.attribute("Artist", m_layout.credit.author);
+    if (!m_layout.credit.copyright.empty())
+      spec.attribute("Copyright", m_layout.credit.copyright);
     // Left to itself the writer puts in the time of day; a picture is to carry no date.
     spec.attribute("DateTime", "");
     return spec;

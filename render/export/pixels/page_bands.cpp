@@ -95,6 +95,7 @@ Status drawBands(const ExportOrder& order, const PageBands& bands, const BandTak
   const auto overlay = PageOverlay::create(order, bands.size);
   if (!overlay.ok())
     return overlay.error();
+  progress.note((*overlay)->notes());
   const auto context = gpu::HeadlessContext::create();
   if (!context.ok())
     return context.error();

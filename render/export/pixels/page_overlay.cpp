@@ -33,6 +33,11 @@ Result<std::unique_ptr<PageOverlay>> PageOverlay::create(const ExportOrder& orde
   return overlay;
 }
 
+const ExportNotes& PageOverlay::notes() const {
+  static const ExportNotes none;
+  return m_data->plate ? m_data->plate->notes : none;
+}
+
 void PageOverlay::paint(PixelRows& rows, int top) const {
   if (!m_data->plate)
     return;

@@ -18,6 +18,8 @@ class PageOverlay {
   PageOverlay(const PageOverlay&) = delete;
   PageOverlay& operator=(const PageOverlay&) = delete;
 
+  /// What of it is not there.
+  const ExportNotes& notes() const;
   /// Onto rows that begin `top` rows below the picture's upper edge. Runs on any thread.
   void paint(PixelRows& rows, int top) const;
 

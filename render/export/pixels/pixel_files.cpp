@@ -18,7 +18,8 @@ bool holdsInkAlone(PixelKind kind) {
 
 PixelLayout layoutOf(const ExportOrder& order, PixelKind kind, glm::ivec2 size) {
   const ExportPixels& pixels = order.pixels;
-  PixelLayout layout{.width = size.x, .height = size.y, .dpi = order.page.dpi};
+  PixelLayout layout{
+      .width = size.x, .height = size.y, .dpi = order.page.dpi, .credit = order.credit};
   const bool ink = holdsInkAlone(kind) && (pixels.pureInk || pixels.bits == 1);
   const bool alpha = kind != PixelKind::jpeg && !(ink && pixels.bits == 1) &&
                      order.look.background == Background::transparent;
@@ -52,6 +53,7 @@ Status writePixels(PixelKind kind, const ExportOrder& order, const std::filesyst
     return sound;
   const PixelLayout layout = layoutOf(order, kind, size);
   const bool ink = holdsInkAlone(kind) && (order.pixels.pureInk || order.pixels.bits == 1);
+  progress.note(pixelNotes(order, kind));
   const PageBands bands{
       .size = size, .samples = usualSamples(size, order.pixels), .deep = layout.bits > 8};
   return model::writeBeside(target, [&](const std::filesystem::path& beside) -> Status {
@@ -70,6 +72,18 @@ Status writePixels(PixelKind kind, const ExportOrder& order, const std::filesyst
 }
 
 }  // namespace
+
+ExportNotes pixelNotes(const ExportOrder& order, PixelKind kind) {
+  const PixelLayout layout = layoutOf(order, kind, pixelsOf(order.page));
+  ExportNotes notes;
+  if (order.look.background == Background::transparent && !layout.hasAlpha())
+    addNote(notes, {.kind = ExportNote::Kind::standsOnWhite, .names = {}, .detail = {}});
+  if (layout.bits < order.pixels.bits)
+    addNote(notes, {.kind = ExportNote::Kind::depthNotKept,
+                    .names = {},
+                    .detail = std::to_string(order.pixels.bits)});
+  return notes;
+}
 
 Status writePng(const ExportOrder& order, const std::filesystem::path& target,
                 const ExportProgress& progress) {

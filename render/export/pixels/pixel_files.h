@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/export/order/export_order.h"
+#include "render/export/pixels/row_file.h"
 
 namespace sline::render {
 
@@ -18,5 +19,8 @@ Status writeExr(const ExportOrder& order, const std::filesystem::path& target,
 /// 8 bits; what is transparent stands on white.
 Status writeJpeg(const ExportOrder& order, const std::filesystem::path& target,
                  const ExportProgress& progress);
+
+/// What of the order the kind does not hold: clear pixels, more bits.
+ExportNotes pixelNotes(const ExportOrder& order, PixelKind kind);
 
 }  // namespace sline::render

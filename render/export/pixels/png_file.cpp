@@ -14,6 +14,7 @@
 #include "render/export/pixels/colour_profile.h"
 #include "render/export/pixels/deflate.h"
 #include "render/export/pixels/row_file.h"
+#include "render/export/xmp_packet.h"
 
 namespace sline::render {
 
@@ -44,6 +45,16 @@ std::string srgbChunks() {
          chunk("cHRM", primaries);
 }
 
+/// A text in UTF-8 that is not deflated, in no language.
+std::string textChunk(const std::string& keyword, const std::string& text) {
+  return text.empty() ? std::string() : chunk("iTXt", keyword + std::string(5, '\0') + text);
+}
+
+std::string creditChunks(const ExportCredit& credit) {
+  return textChunk("Author", credit.author) + textChunk("Copyright", credit.copyright) +
+         textChunk("XML:com.adobe.xmp", xmpPacket(credit));
+}
+
 std::string headOf(const PixelLayout& layout) {
   static constexpr std::array<char, 5> colourTypes{0, 0, 4, 2, 6};
   std::string header =
@@ -57,7 +68,8 @@ std::string headOf(const PixelLayout& layout) {
     const auto perMetre = std::uint64_t(std::lround(layout.dpi / 0.0254f));
     head += chunk("pHYs", bigEndian(perMetre, 4) + bigEndian(perMetre, 4) + '\x01');
   }
-  return head + chunk("tEXt", std::string("Software") + '\0' + "Sline " SLINE_VERSION);
+  head += chunk("tEXt", std::string("Software") + '\0' + "Sline " SLINE_VERSION);
+  return head + creditChunks(layout.credit);
 }
 
 class PngFile : public RowFile {

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "model/base/result.h"
+#include "render/export/order/export_order.h"
 
 namespace sline::render {
 
@@ -24,6 +25,7 @@ struct PixelLayout {
   /// straight alpha.
   int bits = 8;
   float dpi = 0.0f;  ///< 0: not said
+  ExportCredit credit = {};
 
   bool hasAlpha() const { return channels % 2 == 0; }
   bool isGrey() const { return channels < 3; }

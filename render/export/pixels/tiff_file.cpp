@@ -12,6 +12,7 @@
 #include "render/export/pixels/colour_profile.h"
 #include "render/export/pixels/deflate.h"
 #include "render/export/pixels/row_file.h"
+#include "render/export/xmp_packet.h"
 
 namespace sline::render {
 
@@ -20,6 +21,7 @@ namespace {
 constexpr std::size_t stripBytes = 1 << 18;
 
 enum class FieldType : std::uint16_t {
+  octets = 1,
   ascii = 2,
   shorts = 3,
   longs = 4,
@@ -165,10 +167,17 @@ class TiffFile : public RowFile {
     if (m_layout.dpi > 0.0f)
       list.push_back(shortField(296, {2}));
     list.push_back(textField(305, "Sline " SLINE_VERSION));
+    const ExportCredit& credit = m_layout.credit;
+    if (!credit.author.empty())
+      list.push_back(textField(315, credit.author));
     if (predicts())
       list.push_back(shortField(317, {2}));
     if (m_layout.hasAlpha())
       list.push_back(shortField(338, {2}));  // straight
+    if (const std::string xmp = xmpPacket(credit); !xmp.empty())
+      list.push_back({700, FieldType::octets, xmp.size(), xmp});
+    if (!credit.copyright.empty())
+      list.push_back(textField(33432, credit.copyright));
     list.push_back({34675, FieldType::bytes, profile.size(), profile});
     return list;
   }

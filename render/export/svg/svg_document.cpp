@@ -9,7 +9,7 @@
 #include "render/export/svg/svg_lettering.h"
 #include "render/export/svg/svg_path.h"
 #include "render/export/svg/svg_values.h"
-#include "render/export/svg/xml_text.h"
+#include "render/export/xml_text.h"
 
 namespace sline::render {
 
@@ -35,10 +35,11 @@ struct Branch {
 class Document {
  public:
   Document(const VectorDrawing& drawing, const model::Scene& scene,
-           std::span<const SvgWriting> writings)
+           std::span<const SvgWriting> writings, const ExportCredit& credit)
       : m_drawing(drawing),
         m_scene(scene),
         m_writings(writings),
+        m_credit(credit),
         // Steps of a fortieth of λ or less.
         m_decimals(
             std::clamp(int(std::ceil(-std::log10(drawing.sizeMm.y / 720.0f / 40.0f))), 2, 4)) {}
@@ -51,6 +52,7 @@ class Document {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" "
         "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" version=\"1.1\" width=\"" +
         width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height + "\">\n";
+    addCredit();
     if (m_drawing.background)
       m_text += "<rect id=\"background\" width=\"" + width + "\" height=\"" + height +
                 "\" fill=\"" + hex(*m_drawing.background) + "\"/>\n";
@@ -67,6 +69,11 @@ class Document {
  private:
   void open(const std::string& id, std::string_view label, const std::string& more = {}) {
     m_text += "<g id=\"" + id + "\" inkscape:label=\"" + xmlText(label) + "\"" + more + ">\n";
+  }
+  /// A name as every program knows it, too: "plain" SVG has no labels.
+  void openNamed(const std::string& id, model::NodeId node, const std::string& more = {}) {
+    open(id, nameOf(node), more);
+    m_text += "<title>" + xmlText(nameOf(node)) + "</title>\n";
   }
   void close() { m_text += "</g>\n"; }
 
@@ -91,13 +98,31 @@ class Document {
     return node ? std::string_view(node->name) : std::string_view();
   }
 
+  /// As Inkscape writes and reads it: Dublin Core about the document.
+  void addCredit() {
+    if (m_credit.empty())
+      return;
+    m_text +=
+        "<metadata>\n<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" "
+        "xmlns:cc=\"http://creativecommons.org/ns#\" "
+        "xmlns:dc=\"http://purl.org/dc/elements/1.1/\">\n<cc:Work rdf:about=\"\">\n";
+    const auto add = [this](const std::string& element, const std::string& text) {
+      if (!text.empty())
+        m_text += "<dc:" + element + "><cc:Agent><dc:title>" + xmlText(text) +
+                  "</dc:title></cc:Agent></dc:" + element + ">\n";
+    };
+    add("creator", m_credit.author);
+    add("rights", m_credit.copyright);
+    m_text += "</cc:Work>\n</rdf:RDF>\n</metadata>\n";
+  }
+
   void addFills() {
     open("fills", "Fills", " inkscape:groupmode=\"layer\"");
     for (const VectorStructure& structure : m_drawing.structures) {
       if (structure.fills.empty())
         continue;
-      open("fill-" + std::to_string(structure.id.value), nameOf(structure.id),
-           opacityAttribute(structure.fillOpacity));
+      openNamed("fill-" + std::to_string(structure.id.value), structure.id,
+                opacityAttribute(structure.fillOpacity));
       for (const VectorShape& shape : structure.fills)
         addPath(shape, true);
       close();
@@ -131,10 +156,10 @@ class Document {
     });
     for (const model::NodeId id : ids) {
       if (m_scene.find(id)->isGroup()) {
-        open("group-" + std::to_string(id.value), nameOf(id));
+        openNamed("group-" + std::to_string(id.value), id);
         addBelow(id);
       } else {
-        open("structure-" + std::to_string(id.value), nameOf(id));
+        openNamed("structure-" + std::to_string(id.value), id);
         addStructure(*m_branches[id].structures.front());
       }
       close();
@@ -154,6 +179,7 @@ class Document {
   const VectorDrawing& m_drawing;
   const model::Scene& m_scene;
   std::span<const SvgWriting> m_writings;
+  const ExportCredit& m_credit;
   int m_decimals;
   std::map<model::NodeId, Branch> m_branches;
   std::string m_text;
@@ -162,8 +188,8 @@ class Document {
 }  // namespace
 
 std::string svgDocument(const VectorDrawing& drawing, const model::Scene& scene,
-                        std::span<const SvgWriting> writings) {
-  return Document(drawing, scene, writings).make();
+                        std::span<const SvgWriting> writings, const ExportCredit& credit) {
+  return Document(drawing, scene, writings, credit).make();
 }
 
 }  // namespace sline::render

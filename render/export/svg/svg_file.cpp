@@ -28,10 +28,11 @@ Status writeSvg(const ExportOrder& order, const std::filesystem::path& target,
     return givenUp(target);
   std::vector<SvgWriting> writings;
   const FigurePlate plate = figurePlate(order);
+  progress.note(plate.notes);
   if (plate.labels)
     writings.push_back({"labels", "Labels", letteringOf(*plate.labels)});
   writings.push_back({"marks", "Marks", plate.marks.lettering});
-  return model::writeText(target, svgDocument(*drawing, order.scene, writings));
+  return model::writeText(target, svgDocument(*drawing, order.scene, writings, order.credit));
 }
 
 }  // namespace sline::render

@@ -4,7 +4,7 @@
 #include "render/export/label_texts.h"
 #include "render/export/svg/svg_path.h"
 #include "render/export/svg/svg_values.h"
-#include "render/export/svg/xml_text.h"
+#include "render/export/xml_text.h"
 
 namespace sline::render {
 

@@ -5,7 +5,7 @@
 #include <QtTest>
 
 #include "render/export/svg/svg_path.h"
-#include "render/export/svg/xml_text.h"
+#include "render/export/xml_text.h"
 
 using namespace sline;
 

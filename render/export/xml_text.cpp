@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/export/svg/xml_text.h"
+#include "render/export/xml_text.h"
 
 #include <array>
 #include <cstdint>
@@ -63,6 +63,25 @@ std::string xmlText(std::string_view text) {
     text.remove_prefix(length == 0 ? 1 : length);
   }
   return safe;
+}
+
+std::string plainLine(std::string_view text) {
+  std::string line;
+  while (!text.empty()) {
+    std::uint32_t code = 0;
+    const std::size_t length = utf8Length(text, code);
+    const bool breaks = length > 0 && (code == '\n' || code == '\r' || code == '\t');
+    if (breaks || (length > 0 && code == ' '))
+      line += line.empty() || line.back() == ' ' ? "" : " ";
+    else if (length == 0 || !isXmlCharacter(code))
+      line += replacement;
+    else
+      line += text.substr(0, length);
+    text.remove_prefix(length == 0 ? 1 : length);
+  }
+  if (line.ends_with(' '))
+    line.pop_back();
+  return line;
 }
 
 }  // namespace sline::render

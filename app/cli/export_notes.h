@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "render/export/order/export_notes.h"
+
+namespace sline::cli {
+
+/// What it is and what to do about it, in flags of `sline export`: "3 labels found no room:
+/// \"liver\" … Take a larger page …". One line, whatever the names are.
+std::string textOf(const render::ExportNote& note);
+
+}  // namespace sline::cli

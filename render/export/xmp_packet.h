@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "render/export/order/export_order.h"
+
+namespace sline::render {
+
+/// The credit as an XMP packet (ISO 16684-1) of Dublin Core's creator and rights; empty where there
+/// is none.
+std::string xmpPacket(const ExportCredit& credit);
+
+}  // namespace sline::render

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether two programs draw the same lines.
+#pragma once
+
+#include "tests/cli/sline_process.h"
+
+namespace sline::test {
+
+struct Agreement {
+  double share = 0.0;  ///< of the ink that has ink of the other within 1.5 px
+  int ink = 0;         ///< pixels
+};
+/// Ink is darker than mid-grey.
+Agreement agreement(const Pixels& from, const Pixels& to);
+
+}  // namespace sline::test

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/export/note_texts.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+namespace sline::widgets {
+
+namespace {
+
+QString tr(const char* text, const char* = nullptr, int n = -1) {
+  return QCoreApplication::translate("sline::widgets", text, nullptr, n);
+}
+
+/// A mark's name is the renderer's.
+QString markName(const QString& name) {
+  if (name.startsWith(QLatin1String("side ")))
+    return name.mid(5);
+  if (name == QLatin1String("view"))
+    return tr("the view's name");
+  if (name == QLatin1String("scale"))
+    return tr("the scale bar");
+  return tr("what sections have taken away");
+}
+
+QString listed(const render::ExportNote& note) {
+  constexpr qsizetype longest = 60;  // of a name
+  constexpr std::size_t most = 5;
+  const bool marks = note.kind == render::ExportNote::Kind::marksWithoutRoom;
+  QStringList names;
+  for (std::size_t i = 0; i < std::min(most, note.names.size()); ++i) {
+    QString name = QString::fromStdString(note.names[i]).simplified();
+    if (name.size() > longest)
+      name = name.left(longest) + QChar(u'…');
+    names << (marks ? markName(name) : tr("“%1”").arg(name));
+  }
+  const QString list = names.join(QStringLiteral(", "));
+  return note.names.size() > most
+             ? tr("%1 and %n more", nullptr, int(note.names.size() - most)).arg(list)
+             : list;
+}
+
+/// Without what to do; `%1` where names go.
+QString fact(const render::ExportNote& note) {
+  using Kind = render::ExportNote::Kind;
+  const auto count = int(note.names.size());
+  switch (note.kind) {
+    case Kind::labelsWithoutRoom:
+      return tr("%n labels found no room: %1.", nullptr, count);
+    case Kind::labelsOfHidden:
+      return tr("%n labels are left out, as nothing is drawn there: %1.", nullptr, count);
+    case Kind::labelsOffPage:
+      return tr("%n labels point to places beside the picture: %1.", nullptr, count);
+    case Kind::labelsUntranslated:
+      return tr("%n labels have no text in the language and stand in the scene's own: %1.", nullptr,
+                count);
+    case Kind::cardsWithoutRoom:
+      return tr("%n labels found no room and have no card: %1.", nullptr, count);
+    case Kind::marksWithoutRoom:
+      return tr("At the picture's edge there is no room for: %1.");
+    case Kind::sidesUnknown:
+      return tr("R and L are left out: nobody knows the directions of what is drawn.");
+    case Kind::textShortened:
+      return tr("%n texts are shortened: %1.", nullptr, count);
+    case Kind::sectionsUncut:
+      return tr("%n sections cut nothing in the file, which holds whole surfaces: %1.", nullptr,
+                count);
+    case Kind::standsOnWhite:
+      return tr("What is transparent stands on white.");
+    case Kind::depthNotKept:
+      return tr("This kind has fewer bits than were chosen.");
+    case Kind::filmRounded:
+      return tr("The film is %1 pixels large, as its sides are even numbers.");
+    case Kind::filmStretched:
+      return tr("The film takes %1 seconds, as it has whole pictures alone.");
+  }
+  return {};
+}
+
+QString remedy(render::ExportNote::Kind kind) {
+  using Kind = render::ExportNote::Kind;
+  switch (kind) {
+    case Kind::labelsWithoutRoom:
+      return tr("Take a larger page, smaller letters, or numbers.");
+    case Kind::labelsOfHidden:
+      return tr("Show the structures, or hide the labels, too.");
+    case Kind::labelsOffPage:
+      return tr("Choose a view that shows them.");
+    case Kind::labelsUntranslated:
+      return tr("Write them in the list of labels, or choose another language.");
+    case Kind::cardsWithoutRoom:
+    case Kind::marksWithoutRoom:
+      return tr("Take a larger page or smaller letters.");
+    case Kind::sidesUnknown:
+      return tr("Say them when the files are imported.");
+    case Kind::textShortened:
+      return tr("Write less, or take larger paper.");
+    case Kind::sectionsUncut:
+      return tr("Export a picture or a drawing to show the cut.");
+    case Kind::standsOnWhite:
+      return tr("Take PNG, TIFF, SVG or WebP to keep it transparent.");
+    case Kind::depthNotKept:
+      return tr("Take PNG or TIFF for more.");
+    case Kind::filmRounded:
+    case Kind::filmStretched:
+      return {};
+  }
+  return {};
+}
+
+/// Seconds as the person writes them.
+QString detailOf(const render::ExportNote& note) {
+  const QString detail = QString::fromStdString(note.detail);
+  bool isNumber = false;
+  const double number = detail.toDouble(&isNumber);
+  return isNumber ? QLocale().toString(number, 'g', 6) : detail;
+}
+
+}  // namespace
+
+QString noteText(const render::ExportNote& note) {
+  const QString text = fact(note);
+  const QString filled = text.contains(QLatin1String("%1"))
+                             ? text.arg(note.names.empty() ? detailOf(note) : listed(note))
+                             : text;
+  return (filled + QLatin1Char(' ') + remedy(note.kind)).trimmed();
+}
+
+QStringList noteTexts(const render::ExportNotes& notes) {
+  QStringList texts;
+  for (const render::ExportNote& note : notes)
+    texts << noteText(note);
+  return texts;
+}
+
+}  // namespace sline::widgets
