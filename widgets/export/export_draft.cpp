@@ -115,8 +115,12 @@ void remember(const ExportDraft& draft, QSettings& settings) {
   settings.setValue(keyOf("width"), double(page.sizeMm.x));
   settings.setValue(keyOf("height"), double(page.sizeMm.y));
   settings.setValue(keyOf("dpi"), double(page.dpi));
+  // Names and a patient's text lie in no settings, nor what an older program left of them.
   for (const ExportRow& row : exportRows({}))
-    settings.setValue(keyOf("options/") + row.id, row.toSettings(draft.order));
+    if (row.kept)
+      settings.setValue(keyOf("options/") + row.id, row.toSettings(draft.order));
+    else
+      settings.remove(keyOf("options/") + row.id);
   if (!draft.target.isEmpty())
     settings.setValue(keyOf("folder"), QFileInfo(draft.target).path());
 }
