@@ -166,12 +166,21 @@ std::optional<Spot> bestSpot(const Samples& samples, const glm::vec2& cell) {
   if (!seen)
     return deepest(samples, cell, [](const Sample&) { return true; });
   const float least = std::min(roomForDot, mostLost * seen->depth);
-  const auto clear =
-      deepest(samples, cell, [](const Sample& one) { return one.clear && one.firm; });
-  if (clear && clear->depth >= least)
-    return clear;
-  const auto firm = deepest(samples, cell, [](const Sample& one) { return one.seen && one.firm; });
-  return firm && firm->depth >= least ? firm : seen;
+  const auto deepEnough = [least](const std::optional<Spot>& spot) {
+    return spot && spot->depth >= least;
+  };
+  const auto clear = deepest(samples, cell, [](const Sample& one) { return one.clear; });
+  const Spot found = deepEnough(clear) ? *clear : *seen;
+  if (samples[found.cell]->firm)
+    return found;
+  for (const bool alsoClear : {true, false}) {
+    const auto firm = deepest(samples, cell, [alsoClear](const Sample& one) {
+      return one.firm && (alsoClear ? one.clear : one.seen);
+    });
+    if (deepEnough(firm))
+      return firm;
+  }
+  return found;
 }
 
 }  // namespace

@@ -243,7 +243,10 @@ class LabelAnchorsTest : public QObject {
     node.style.gamma = Gamma::clamped(5.0f);
     const model::NodeId id = scene.append(node);
     SightTrees trees;
-    const auto best = bestPlaceOn(scene, id, Screen(front(), paper), trees);
+    model::Camera camera = front();  // for which the fold is in the middle
+    camera.projection = model::Projection::orthographic;
+    camera.heightMm = 100.0f;
+    const auto best = bestPlaceOn(scene, id, Screen(camera, paper), trees);
     QVERIFY(best && !best->hidden);
     const float x = scene.placeOf(best->point)->x;
     QVERIFY2(std::abs(x) > 10.0f && std::abs(x) < 30.0f, qPrintable(QString::number(double(x))));
