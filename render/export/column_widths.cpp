@@ -176,8 +176,20 @@ ColumnWidths widthsBeside(const LabelTexts& texts) {
   for (const Trial& trial : trials)
     least = std::min(least, cost(trial));
   constexpr float negligible = 0.4f;
+  // Where columns reach into the anatomy anyway, lines are not made very short for it.
+  constexpr float shortest = 8.0f;  // of the font's size
+  const float em = texts.style.points * millimetresPerPoint;
+  const bool reaches = least > negligible;
+  const auto counts = [&](const Trial& trial) {
+    return !reaches || trial.text >= std::min(shortest * em, trials.back().text);
+  };
+  if (reaches) {
+    least = std::numeric_limits<float>::infinity();
+    for (const Trial& trial : trials)
+      least = counts(trial) ? std::min(least, cost(trial)) : least;
+  }
   const auto widest = std::find_if(trials.rbegin(), trials.rend(), [&](const Trial& trial) {
-    return cost(trial) <= least + negligible;
+    return counts(trial) && cost(trial) <= least + negligible;
   });
   return widthsOf(*widest);
 }
