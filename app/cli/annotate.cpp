@@ -128,11 +128,10 @@ void nameAfter(const std::string& name, Annotation& annotation) {
        {"nl", model::NameLanguage::dutch}}};
   const model::AnatomicalNames names;
   annotation.text = name;
-  for (const auto& [tag, language] : languages) {
-    const std::string text = names.displayName(name, language);
-    if (text != name)
-      annotation.texts.emplace(tag, text);
-  }
+  if (!names.knows(name))
+    return;
+  for (const auto& [tag, language] : languages)
+    annotation.texts.emplace(tag, names.displayName(name, language));
 }
 
 Result<Annotation> annotationFor(const AnnotateFlags& flags, const Where& where,

@@ -30,6 +30,9 @@ class AnatomicalNames {
   /// numbers and trailing letters are kept; a capital at the beginning stays one.
   std::string displayName(std::string_view name, NameLanguage language) const;
 
+  /// True where the table has the name, in every language.
+  bool knows(std::string_view name) const { return find(name).has_value(); }
+
   /// The name itself and all that the structure is called in any language, sides included.
   std::vector<std::string> searchWords(std::string_view name) const;
 

@@ -31,9 +31,7 @@ std::vector<double> seriesFor(double cutoff, int iterations) {
   return c;
 }
 
-}  // namespace
-
-std::vector<double> sincCoefficients(const SincFilter& filter) {
+std::vector<double> coefficientsFor(const SincFilter& filter) {
   // The window rounds the step off; moving the cutoff outwards brings the response at the pass band
   // back to 1 (Taubin et al. §4). It grows with the cutoff there, so bisection finds it.
   const double band = std::acos(1.0 - 0.5 * double(filter.passBand));
@@ -50,6 +48,21 @@ std::vector<double> sincCoefficients(const SincFilter& filter) {
   for (double& value : c)
     value /= atZero;
   return c;
+}
+
+}  // namespace
+
+std::vector<double> sincCoefficients(const SincFilter& filter) {
+  // All surfaces of a file are smoothed alike, and finding these takes longer than smoothing a
+  // small one.
+  struct Known {
+    SincFilter filter;
+    std::vector<double> coefficients;
+  };
+  thread_local Known last;
+  if (last.coefficients.empty() || last.filter != filter)
+    last = {filter, coefficientsFor(filter)};
+  return last.coefficients;
 }
 
 std::vector<glm::vec3> windowedSinc(std::span<const glm::vec3> positions, const VertexRings& rings,

@@ -16,6 +16,7 @@ namespace sline::model {
 struct SincFilter {
   int iterations = 60;
   float passBand = 0.05f;  ///< in [0, 2]; waves longer than 2π/acos(1 − passBand) edges stay
+  bool operator==(const SincFilter&) const = default;
 };
 
 /// The filtered positions; border vertices stay. Coordinates should be near the origin.

@@ -144,6 +144,18 @@ float textWidthFor(const LabelPlate& plate, const LabelRequest& request, const L
       .text;
 }
 
+/// Sets the texts in lines of the request's width and lays them out.
+void setPlate(LabelPlate& plate, LabelRequest& request, const LabelTurn& turn) {
+  plate.texts.clear();
+  request.items.clear();
+  for (ShownLabel& label : plate.labels) {
+    plate.texts.push_back(textOf(label, plate.style, request.textWidth));
+    label.item.box = plate.texts.back().box;
+    request.items.push_back(label.item);
+  }
+  plate.layout = layOutLabels(request, turn.before);
+}
+
 }  // namespace
 
 LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const LabelStyle& style,
@@ -160,12 +172,18 @@ LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const Lab
   if (!plate.labels.empty())
     request.obstacles = obstaclesOf(scene, screen);
   request.textWidth = textWidthFor(plate, request, turn);
-  for (ShownLabel& label : plate.labels) {
-    plate.texts.push_back(textOf(label, style, request.textWidth));
-    label.item.box = plate.texts.back().box;
-    request.items.push_back(label.item);
+  setPlate(plate, request, turn);
+  // Beside marks there may be room for long lines where there is none for several.
+  const bool chosen = !turn.before || request.textWidth != turn.before->textWidth;
+  if (chosen && !plate.layout.leftOut.empty()) {
+    LabelPlate wide = plate;
+    constexpr float nearlyHalf = 0.42f;
+    request.textWidth =
+        std::max(widestTextMm(screen.size().x, style), nearlyHalf * screen.size().x);
+    setPlate(wide, request, turn);
+    if (wide.layout.leftOut.size() < plate.layout.leftOut.size())
+      return wide;
   }
-  plate.layout = layOutLabels(request, turn.before);
   return plate;
 }
 

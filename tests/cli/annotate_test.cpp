@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "tests/cli/sline_process.h"
+#include "tests/support/shapes.h"
 
 namespace sline::test {
 
@@ -15,6 +16,7 @@ class AnnotateTest : public QObject {
   void init();
   void listsWhatItMade();
   void namesInOtherLanguages();
+  void namesThatAreTheSame();
   void removes();
   void refusals_data();
   void refusals();
@@ -75,6 +77,17 @@ void AnnotateTest::namesInOtherLanguages() {
   const QByteArray listed = list();
   QVERIFY2(listed.contains("\tkidney\tkidney\tde=Niere\t"), listed);
   QVERIFY2(listed.contains("la=arteria renalis"), listed);
+}
+
+// A name that is the same in another language is known there, too; one that nobody knows is not.
+void AnnotateTest::namesThatAreTheSame() {
+  writeObj(path("sample/ureter.obj"), *sphere(10.0f, 3));
+  writeObj(path("sample/blob.obj"), *sphere(12.0f, 3));
+  QCOMPARE(runSline({"import", path("sample"), "-o", scene()}).code, 0);
+  QCOMPARE(annotate({"--on", "ureter", "--on", "blob"}).code, 0);
+  const QByteArray listed = list();
+  QVERIFY2(listed.contains("\tureter\tureter\tde=Harnleiter\tla=ureter\t"), listed);
+  QVERIFY2(listed.contains("\tblob\tblob\n"), listed);
 }
 
 void AnnotateTest::removes() {

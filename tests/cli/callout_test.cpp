@@ -92,7 +92,8 @@ void CalloutTest::listsAreWithoutMarkers() {
 }
 
 void CalloutTest::vectorsHaveStyles() {
-  const QByteArray svg = exported("figure.svg", {"--labels", "on"});
+  // So wide that no line need be broken.
+  const QByteArray svg = exported("figure.svg", {"--labels", "on", "--size-mm", "240x135"});
   for (const char* part :
        {">Kidney</tspan> &amp; <tspan font-style=\"italic\">ren</tspan></tspan>",
         "<tspan font-weight=\"bold\">Kidney</tspan>",

@@ -125,8 +125,8 @@ struct ExportDesk : WindowFixture {
   }
   /// A small page, so that every kind is quick.
   void small() {
-    number("exportWidth", 40);
-    number("exportHeight", 30);
+    number("exportWidth", 60);
+    number("exportHeight", 45);
   }
   QString message() { return control<widgets::MessageBar>("messageBar").text(); }
   bool exporting() { return window.findChild<QToolButton*>(QStringLiteral("exportCancel")); }

@@ -101,11 +101,10 @@ model::Annotation withFirstText(Session& session, model::Annotation annotation,
   if (!node || text != offeredText(session, *structure, language))
     return withText(std::move(annotation), language, text);
   annotation.text = node->name;
-  for (const LabelLanguage& each : labelLanguages()) {
-    const std::string words = session.names().calledIn(node->name, each.tag).toStdString();
-    if (!each.tag.empty() && words != annotation.text)
-      annotation.texts[each.tag] = words;
-  }
+  if (session.names().knows(node->name))
+    for (const LabelLanguage& each : labelLanguages())
+      if (!each.tag.empty())
+        annotation.texts[each.tag] = session.names().calledIn(node->name, each.tag).toStdString();
   return annotation;
 }
 

@@ -24,6 +24,8 @@ class ShownNames : public QObject {
   /// The name as people read it; plain text.
   QString shown(const QString& name) const;
   QString shown(const std::string& name) const { return shown(QString::fromStdString(name)); }
+  /// True where the table has the name, in every language.
+  bool knows(const std::string& name) const { return m_table.knows(name); }
   /// In the language of that tag ("la"); of an empty or unknown one the name itself.
   QString calledIn(const std::string& name, std::string_view tag) const;
   /// All that the structure is called in any language.

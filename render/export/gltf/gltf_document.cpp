@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "model/scene/markup.h"
 #include "model/scene/resolved_styles.h"
 #include "render/export/gltf/gltf_buffer.h"
 #include "render/export/gltf/gltf_json.h"
@@ -138,7 +139,7 @@ class Document {
         shown = shown && scene.placeOf(anchor) && (!point || m_places.contains(point->structure));
       }
       if (!shown && annotation.visible)
-        unseen.names.push_back(model::textIn(annotation, m_order.labels.language));
+        unseen.names.push_back(model::plainTextIn(annotation, m_order.labels.language));
       if (!shown)
         continue;
       const std::size_t place = add(annotationNode(scene, annotation, m_order.labels.language));

@@ -4,6 +4,8 @@
 #include <QString>
 #include <set>
 
+#include "model/scene/markup.h"
+
 namespace sline::render {
 
 namespace {
@@ -12,7 +14,8 @@ using Kind = ExportNote::Kind;
 
 /// As a person knows it; a distance need not have a text.
 std::string nameOf(const model::Annotation& annotation, const std::string& language) {
-  const QString text = QString::fromStdString(model::textIn(annotation, language)).simplified();
+  const QString text =
+      QString::fromStdString(model::plainTextIn(annotation, language)).simplified();
   return text.isEmpty() ? "distance" : text.toStdString();
 }
 
