@@ -209,7 +209,7 @@ Camera anatomicalCamera(AnatomicalView view, const Box& bounds, float aspect) {
 }
 
 Camera fitted(Camera camera, std::span<const glm::vec3> points, float aspect) {
-  return fitted(std::move(camera), points, aspect, FreeSides());
+  return fitted(camera, points, aspect, FreeSides());
 }
 
 Camera fitted(Camera camera, std::span<const glm::vec3> points, float aspect,

@@ -19,6 +19,7 @@ float middleBetweenColumns(const std::vector<LabelItem>& items, float anatomyMid
   if (items.empty())
     return anatomyMiddle;
   std::vector<float> xs;
+  xs.reserve(items.size());
   for (const LabelItem& one : items)
     xs.push_back(placeOf(one).x);
   std::sort(xs.begin(), xs.end());

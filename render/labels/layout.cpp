@@ -184,10 +184,10 @@ std::vector<Span> Layouter::blockedIn(LabelPost post) const {
   };
   for (const LabelBox& box : m_request.space.reserved)
     block(box.grown(clearance));
-  for (std::size_t i = 0; i < m_placed.size(); ++i)
-    if (m_placed[i] && m_placed[i]->post == LabelPost::byHand) {
-      block(m_placed[i]->box.grown(clearance));
-      if (const auto heights = heightsWithin(m_placed[i]->leader, across.low, across.high))
+  for (const std::optional<PlacedLabel>& placed : m_placed)
+    if (placed && placed->post == LabelPost::byHand) {
+      block(placed->box.grown(clearance));
+      if (const auto heights = heightsWithin(placed->leader, across.low, across.high))
         blocked.push_back({heights->low - clearance, heights->high + clearance});
     }
   return blocked;

@@ -223,8 +223,8 @@ void joinTonesWithin(std::span<SeenTones> all, double mostOutline) {
   double atFull = 0.5;
   while (atFull < 32.0 && lengthWith(atFull) > mostOutline)
     atFull *= 1.1;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    joinTones(all[i], joined(all[i], atFull));
+  for (SeenTones& seen : all)
+    joinTones(seen, joined(seen, atFull));
 }
 
 }  // namespace sline::render
