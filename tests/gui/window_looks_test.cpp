@@ -83,6 +83,11 @@ class WindowLooksTest : public QObject {
     QTest::keyClick(&f.viewport(), Qt::Key_F);
     QVERIFY(QTest::qWaitFor([&] { return f.session.history().count() > steps; }, 60'000));
     shoot(f, "focus-" + theme);
+    // The one control that matters is seen as a whole, down to its number.
+    for (const char* name : {"gammaSlider", "stages", "gammaNumber"}) {
+      auto& control = f.control<QWidget>(name);
+      QCOMPARE(control.visibleRegion().boundingRect(), control.rect());
+    }
 
     f.control<QAbstractButton>("more").click();
     shoot(f, "expert-" + theme);

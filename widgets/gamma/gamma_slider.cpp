@@ -37,11 +37,11 @@ void GammaSlider::showGamma(const model::GammaRange& range, bool own) {
 }
 
 QSize GammaSlider::sizeHint() const {
-  return {wide, 330};
+  return {wide, 276};
 }
 
 QSize GammaSlider::minimumSizeHint() const {
-  return {wide, 280};
+  return {wide, 244};
 }
 
 QPointF GammaSlider::pointOf(Gamma gamma) const {

@@ -52,7 +52,7 @@ class StageStrip : public QWidget {
   void showPicture(int index, const QImage& image);
   void clearPictures();
   void setCurrent(std::optional<Gamma> gamma);
-  QSize minimumSizeHint() const override { return {130, 280}; }
+  QSize minimumSizeHint() const override { return {130, 244}; }
 
  signals:
   void chosen(sline::Gamma gamma);

@@ -159,6 +159,9 @@ void MainWindow::makePanels() {
   resizeDocks({findChild<QDockWidget*>(QStringLiteral("structuresPanel")),
                findChild<QDockWidget*>(QStringLiteral("gammaPanel"))},
               {366, 304}, Qt::Horizontal);
+  // The Γ slider is to be seen as a whole on small screens, too.
+  resizeDocks({findChild<QDockWidget*>(QStringLiteral("gammaPanel")), focusPanel}, {3, 2},
+              Qt::Vertical);
 }
 
 void MainWindow::makeControls() {
