@@ -2832,6 +2832,21 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::FilePager</name>
+    <message>
+        <source>Preview of the file before</source>
+        <translation>Forhåndsvisning av forrige fil</translation>
+    </message>
+    <message>
+        <source>Preview of the next file</source>
+        <translation>Forhåndsvisning av neste fil</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3)</source>
+        <translation>%1 (%2 av %3)</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::FocusContext</name>
     <message>
         <source>Focus</source>

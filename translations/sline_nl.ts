@@ -2832,6 +2832,21 @@ OpenGL: %3</translation>
     </message>
 </context>
 <context>
+    <name>sline::widgets::FilePager</name>
+    <message>
+        <source>Preview of the file before</source>
+        <translation>Voorbeeld van het vorige bestand</translation>
+    </message>
+    <message>
+        <source>Preview of the next file</source>
+        <translation>Voorbeeld van het volgende bestand</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3)</source>
+        <translation>%1 (%2 van %3)</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::FocusContext</name>
     <message>
         <source>Focus</source>

@@ -80,6 +80,35 @@ class ExportChoicesTest : public QObject {
     QVERIFY(desk.dialog()->preview().picture().pixelColor(2, 2).lightness() < 80);
   }
 
+  void eachOfSeveralFilesIsPreviewed() {
+    ExportDesk desk;
+    desk.show();
+    desk.chooseKind(QStringLiteral("svg"));
+    desk.target(desk.out.filePath(QStringLiteral("balls.svg")));
+    const auto& name = desk.part<QLabel>("exportPageName");
+    QVERIFY2(!name.isVisibleTo(desk.dialog()), "there is one file");
+    desk.click("exportSavedViews");
+    QVERIFY(name.isVisibleTo(desk.dialog()));
+    QCOMPARE(name.text(), QStringLiteral("balls - Front- 心.svg (1 of 2)"));
+    QVERIFY(!desk.part<QAbstractButton>("exportPageBack").isEnabled());
+    QVERIFY(desk.previewed());
+    const QImage first = desk.dialog()->preview().picture();
+    desk.click("exportPageOn");
+    QCOMPARE(name.text(), QStringLiteral("balls - front- 心 2.svg (2 of 2)"));
+    QVERIFY(!desk.part<QAbstractButton>("exportPageOn").isEnabled());
+    QVERIFY(desk.previewed());
+    QVERIFY(desk.dialog()->preview().picture() != first);
+    // It stays there whatever else is chosen, and one file is the first again.
+    desk.pick("export-labels", QStringLiteral("None"));
+    QVERIFY(name.text().endsWith(QStringLiteral("(2 of 2)")));
+    desk.click("exportPageBack");
+    desk.pick("export-labels", QStringLiteral("Texts"));
+    QVERIFY(desk.previewed());
+    QCOMPARE(desk.dialog()->preview().picture(), first);
+    desk.click("exportSeen");
+    QVERIFY(!name.isVisibleTo(desk.dialog()));
+  }
+
   void summaryTellsWhatWillBe() {
     ExportDesk desk;
     desk.show();

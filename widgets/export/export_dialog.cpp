@@ -21,6 +21,7 @@
 
 #include "widgets/export/export_preview.h"
 #include "widgets/export/export_texts.h"
+#include "widgets/export/file_pager.h"
 #include "widgets/export/page_panel.h"
 #include "widgets/export/row_form.h"
 #include "widgets/export/target_problems.h"
@@ -67,6 +68,7 @@ ExportDialog::ExportDialog(ExportDraft& draft, ExportSource source, Viewport& vi
       m_filled(new QCheckBox(tr("&Fill the page with what is shown"))),
       m_page(new PagePanel(draft)),
       m_preview(new ExportPreview(viewport)),
+      m_pager(new FilePager),
       m_summary(plainLabel("exportSummary")),
       m_doubt(plainLabel("exportDoubt")),
       m_target(new QLineEdit(QDir::toNativeSeparators(draft.target))),
@@ -197,6 +199,7 @@ QWidget* ExportDialog::makeOutlook() {
   auto* layout = new QVBoxLayout(column);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(m_preview, 1);
+  layout->addWidget(m_pager);
   layout->addSpacing(6);
   layout->addWidget(heading(tr("What the file will contain")));
   m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -248,6 +251,10 @@ void ExportDialog::connectControls() {
     refresh();
   });
   connect(m_preview, &ExportPreview::drawn, this, &ExportDialog::showDoubt);
+  connect(m_pager, &FilePager::turned, this, [this] {
+    m_preview->show(shown());
+    showDoubt();
+  });
   connect(m_page, &PagePanel::changed, this, &ExportDialog::refresh);
   connect(m_target, &QLineEdit::textChanged, this, [this](const QString& text) {
     m_draft.target = QDir::fromNativeSeparators(text.trimmed());
@@ -281,12 +288,17 @@ QString ExportDialog::target() const {
   return typed.isAbsolute() || named.isEmpty() ? named : QDir::home().filePath(named);
 }
 
+const ExportFile& ExportDialog::shown() const {
+  return m_files[m_pager->index()];
+}
+
 void ExportDialog::refresh() {
   ExportDraft whole = m_draft;
   whole.target = target();
   m_files = exportFiles(whole, m_source);
   m_page->setEnabled(!isSheet(m_draft));
-  m_preview->show(m_files.front());
+  m_pager->setFiles(targetsOf(m_files));
+  m_preview->show(shown());
   m_summary->setText(exportSummary(m_draft, m_files).join(QLatin1Char('\n')));
   showDoubt();
 }
@@ -295,11 +307,11 @@ void ExportDialog::showDoubt() {
   const QString problem = targetProblem(targetsOf(m_files));
   QString doubt = problem.isEmpty() ? exportDoubt(m_files) : problem;
   if (doubt.isEmpty()) {
-    // Of several files the first is looked at; films are long, and surfaces have no page. Until the
-    // next page is drawn the last one's remarks stay, as its picture does: nothing jumps.
+    // Of several files the one that is looked at; films are long, and surfaces have no page. Until
+    // the next page is drawn the last one's remarks stay, as its picture does: nothing jumps.
     const bool paged = pageIsAsPreviewed(m_draft.kind);
-    doubt = exportRemarks(m_draft, m_files.front().order,
-                          paged ? m_preview->notes() : render::ExportNotes());
+    doubt =
+        exportRemarks(m_draft, shown().order, paged ? m_preview->notes() : render::ExportNotes());
   }
   m_doubt->setStyleSheet(dress(palette()));
   m_doubt->setText(doubt);

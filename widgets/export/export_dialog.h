@@ -17,6 +17,7 @@ class QVBoxLayout;
 namespace sline::widgets {
 
 class ExportPreview;
+class FilePager;
 class PagePanel;
 class RowForm;
 class Viewport;
@@ -49,6 +50,8 @@ class ExportDialog : public QDialog {
   QLabel* heading(const QString& text);
   void chooseKind();
   void browse();
+  /// The one of the files that the preview shows.
+  const ExportFile& shown() const;
   /// Shows what follows from the draft.
   void refresh();
   /// What a person should know before: what is in the way, else what the files will lack.
@@ -75,6 +78,7 @@ class ExportDialog : public QDialog {
   std::vector<QWidget*> m_subjectWidgets;
   QLabel* m_pageHeading = nullptr;
   ExportPreview* m_preview;
+  FilePager* m_pager;
   QLabel* m_summary;
   QLabel* m_doubt;
   QLineEdit* m_target;

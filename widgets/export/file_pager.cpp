@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/export/file_pager.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace sline::widgets {
+
+namespace {
+
+QToolButton* arrowButton(Qt::ArrowType arrow, const char* name, const QString& text) {
+  auto* button = new QToolButton;
+  button->setObjectName(QLatin1String(name));
+  button->setArrowType(arrow);
+  button->setAutoRaise(true);
+  button->setAutoRepeat(true);
+  button->setFocusPolicy(Qt::StrongFocus);
+  button->setToolTip(text);
+  button->setAccessibleName(text);
+  return button;
+}
+
+}  // namespace
+
+FilePager::FilePager(QWidget* parent)
+    : QWidget(parent),
+      m_back(arrowButton(Qt::LeftArrow, "exportPageBack", tr("Preview of the file before"))),
+      m_text(new QLabel),
+      m_on(arrowButton(Qt::RightArrow, "exportPageOn", tr("Preview of the next file"))) {
+  m_text->setObjectName(QStringLiteral("exportPageName"));
+  m_text->setTextFormat(Qt::PlainText);
+  m_text->setAlignment(Qt::AlignCenter);
+  // A long name is no reason for a wide window.
+  m_text->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(m_back);
+  layout->addWidget(m_text, 1);
+  layout->addWidget(m_on);
+  connect(m_back, &QToolButton::clicked, this, [this] { turnTo(m_index - 1); });
+  connect(m_on, &QToolButton::clicked, this, [this] { turnTo(m_index + 1); });
+  hide();
+}
+
+void FilePager::setFiles(std::vector<std::filesystem::path> files) {
+  if (files.size() != m_files.size())
+    m_index = 0;
+  m_files = std::move(files);
+  showIndex();
+}
+
+void FilePager::turnTo(std::size_t index) {
+  m_index = index;
+  showIndex();
+  emit turned();
+}
+
+void FilePager::showIndex() {
+  setVisible(m_files.size() > 1);
+  if (m_files.size() < 2)
+    return;
+  const QString name = QString::fromStdString(m_files[m_index].filename().string());
+  m_text->setText(
+      tr("%1 (%2 of %3)").arg(name, QString::number(m_index + 1), QString::number(m_files.size())));
+  m_text->setToolTip(name);
+  m_back->setEnabled(m_index > 0);
+  m_on->setEnabled(m_index + 1 < m_files.size());
+}
+
+}  // namespace sline::widgets
