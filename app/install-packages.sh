@@ -13,8 +13,9 @@ packages=(
   libqt6opengl6-dev libgl-dev libglx-mesa0 fonts-dejavu-core fonts-dejavu-extra xvfb
   xauth libx11-dev
   libvtk9-dev libglew-dev
+  libopenexr-dev libjpeg62-turbo-dev
+  # other programs' opinion of our pictures, vector drawings and sheets
   libopenimageio-dev openimageio-tools libopencv-dev
-  # other programs' opinion of our vector drawings and sheets
   librsvg2-bin
   inkscape
   poppler-utils

@@ -73,13 +73,14 @@ Status renamed(const fs::path& temporary, const fs::path& file) {
 
 Status writeBeside(const fs::path& named, const std::function<Status(const fs::path&)>& write) {
   std::error_code failure;
-  const fs::path file =
-      fs::is_symlink(named, failure) ? fs::weakly_canonical(named, failure) : named;
-  const fs::file_status status = fs::status(file, failure);
+  const fs::file_status status = fs::status(named, failure);
   if (fs::is_directory(status))
     return Error{.file = named.string(), .reason = "it is a folder", .remedy = "Name a file"};
+  // As it is named: what /dev/stdout links to may be a pipe that has no path.
   if (fs::exists(status) && !fs::is_regular_file(status))
-    return write(file);
+    return write(named);
+  const fs::path file =
+      fs::is_symlink(named, failure) ? fs::weakly_canonical(named, failure) : named;
   const fs::path temporary =
       file.parent_path() / ("." + file.filename().string() + "." + std::to_string(getpid()));
   Status written = write(temporary);
@@ -127,9 +128,14 @@ Status GrowingFile::add(std::string_view bytes) {
 }
 
 Status GrowingFile::replace(std::uint64_t offset, std::string_view bytes) {
-  if (pwrite(m_descriptor, bytes.data(), bytes.size(), off_t(offset)) != ssize_t(bytes.size()))
-    return notWritten(m_file, errno);
-  return Unit{};
+  if (pwrite(m_descriptor, bytes.data(), bytes.size(), off_t(offset)) == ssize_t(bytes.size()))
+    return Unit{};
+  if (errno == ESPIPE)
+    return Error{
+        .file = m_file.string(),
+        .reason = "this kind of file cannot go through a pipe: its beginning is written last",
+        .remedy = "Name a file"};
+  return notWritten(m_file, errno);
 }
 
 Status GrowingFile::close() {

@@ -17,6 +17,8 @@ class ExportPicturesTest : public QObject {
   void sizes_data();
   void sizes();
   void severalKindsAtOnce();
+  void throughAPipe_data();
+  void throughAPipe();
   void blackAndWhiteIsPure();
   void wrongUse_data();
   void wrongUse();
@@ -65,6 +67,35 @@ void ExportPicturesTest::severalKindsAtOnce() {
   for (const QString& file : files)
     QVERIFY2(QFile(file).size() > 500, qPrintable(file));
   QVERIFY(QImage(files[0]).hasAlphaChannel());
+}
+
+void ExportPicturesTest::throughAPipe_data() {
+  QTest::addColumn<QString>("kind");
+  QTest::addColumn<bool>("can");
+  QTest::newRow("png") << "png" << true;
+  QTest::newRow("jpeg") << "jpeg" << true;
+  QTest::newRow("svg") << "svg" << true;
+  QTest::newRow("tiff") << "tiff" << false;
+  QTest::newRow("exr") << "exr" << false;
+}
+
+void ExportPicturesTest::throughAPipe() {
+  QFETCH(QString, kind);
+  QFETCH(bool, can);
+  const auto exported = [&](const QString& target) {
+    return runSline({"export", m_sample, "--" + kind, target, "--size-mm", "30x20", "--dpi", "96"});
+  };
+  const QString file = m_folder.filePath("whole." + kind);
+  QCOMPARE(exported(file).code, 0);
+  QFile whole(file);
+  QVERIFY(whole.open(QIODevice::ReadOnly));
+  const Finished piped = exported("/dev/stdout");
+  QCOMPARE(piped.code, can ? 0 : 1);
+  if (can)
+    QCOMPARE(piped.out, whole.readAll());
+  else
+    QVERIFY2(piped.err.contains("through a pipe") && piped.err.contains("Name a file"),
+             piped.err.constData());
 }
 
 void ExportPicturesTest::blackAndWhiteIsPure() {

@@ -93,8 +93,10 @@ Result<std::unique_ptr<RowFile>> rowFile(PixelKind kind, const PixelLayout& layo
                                          const fs::path& file) {
   if (kind == PixelKind::tiff)
     return tiffRows(layout, file);
-  if (kind != PixelKind::png)
-    return imageLibraryRows(kind, layout, file);
+  if (kind == PixelKind::exr)
+    return exrRows(layout, file);
+  if (kind == PixelKind::jpeg)
+    return jpegRows(layout, file);
   Result<std::unique_ptr<model::GrowingFile>> growing = model::GrowingFile::create(file);
   if (!growing.ok())
     return growing.error();

@@ -53,8 +53,11 @@ std::unique_ptr<RowFile> pngRows(const PixelLayout& layout, ByteSink sink);
 /// TIFF: 1, 8 or 16 bits; BigTIFF where the plain kind would be too short.
 Result<std::unique_ptr<RowFile>> tiffRows(const PixelLayout& layout,
                                           const std::filesystem::path& file);
-/// EXR (32 bits in, halves in the file) and JPEG (8 bits, no alpha).
-Result<std::unique_ptr<RowFile>> imageLibraryRows(PixelKind kind, const PixelLayout& layout,
-                                                  const std::filesystem::path& file);
+/// EXR: 32 bits in, halves in the file.
+Result<std::unique_ptr<RowFile>> exrRows(const PixelLayout& layout,
+                                         const std::filesystem::path& file);
+/// JPEG: 8 bits, no alpha.
+Result<std::unique_ptr<RowFile>> jpegRows(const PixelLayout& layout,
+                                          const std::filesystem::path& file);
 
 }  // namespace sline::render

@@ -2,7 +2,6 @@
 // TIFF 6.0 in deflated strips, and BigTIFF where four gigabytes are not enough.
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -11,7 +10,7 @@
 #include "render/export/pixels/byte_order.h"
 #include "render/export/pixels/colour_profile.h"
 #include "render/export/pixels/deflate.h"
-#include "render/export/pixels/row_file.h"
+#include "render/export/pixels/tiff_fields.h"
 #include "render/export/xmp_packet.h"
 
 namespace sline::render {
@@ -19,43 +18,6 @@ namespace sline::render {
 namespace {
 
 constexpr std::size_t stripBytes = 1 << 18;
-
-enum class FieldType : std::uint16_t {
-  octets = 1,
-  ascii = 2,
-  shorts = 3,
-  longs = 4,
-  rational = 5,
-  bytes = 7,
-  long8 = 16
-};
-
-struct Field {
-  std::uint16_t tag;
-  FieldType type;
-  std::uint64_t count;
-  std::string data;
-};
-
-Field shortField(std::uint16_t tag, const std::vector<unsigned>& values) {
-  Field field{tag, FieldType::shorts, values.size(), {}};
-  for (const unsigned value : values)
-    field.data += littleEndian(value, 2);
-  return field;
-}
-
-Field longField(std::uint16_t tag, std::uint64_t value) {
-  return {tag, FieldType::longs, 1, littleEndian(value, 4)};
-}
-
-Field textField(std::uint16_t tag, const std::string& text) {
-  return {tag, FieldType::ascii, text.size() + 1, text + '\0'};
-}
-
-Field rationalField(std::uint16_t tag, double value) {
-  const auto thousandths = std::uint64_t(std::llround(value * 1000.0));
-  return {tag, FieldType::rational, 1, littleEndian(thousandths, 4) + littleEndian(1000, 4)};
-}
 
 class TiffFile : public RowFile {
  public:
@@ -138,74 +100,42 @@ class TiffFile : public RowFile {
     }
   }
 
-  Field stripField(std::uint16_t tag, const std::vector<std::uint64_t>& values) const {
-    Field field{tag, m_big ? FieldType::long8 : FieldType::longs, values.size(), {}};
+  TiffField stripField(std::uint16_t tag, const std::vector<std::uint64_t>& values) const {
+    TiffField field{tag, m_big ? TiffType::long8 : TiffType::longs, values.size(), {}};
     for (const std::uint64_t value : values)
       field.data += littleEndian(value, m_big ? 8 : 4);
     return field;
   }
 
-  /// In the order of their tags.
-  std::vector<Field> fields() const {
-    const std::string profile = m_layout.isGrey() ? greyProfile() : srgbProfile();
-    std::vector<Field> list{longField(256, std::uint64_t(m_layout.width)),
-                            longField(257, std::uint64_t(m_layout.height)),
-                            shortField(258, std::vector<unsigned>(std::size_t(m_layout.channels),
-                                                                  unsigned(m_layout.bits))),
-                            shortField(259, {8}),  // deflate
-                            shortField(262, {m_layout.isGrey() ? 1u : 2u}),
-                            stripField(273, m_offsets),
-                            shortField(274, {1}),
-                            shortField(277, {unsigned(m_layout.channels)}),
-                            longField(278, m_rowsPerStrip),
-                            stripField(279, m_lengths)};
-    if (m_layout.dpi > 0.0f) {
-      list.push_back(rationalField(282, double(m_layout.dpi)));
-      list.push_back(rationalField(283, double(m_layout.dpi)));
-    }
-    list.push_back(shortField(284, {1}));
-    if (m_layout.dpi > 0.0f)
-      list.push_back(shortField(296, {2}));
-    list.push_back(textField(305, "Sline " SLINE_VERSION));
-    const ExportCredit& credit = m_layout.credit;
-    if (!credit.author.empty())
-      list.push_back(textField(315, credit.author));
+  std::vector<TiffField> fields() const {
+    std::vector<TiffField> list = descriptiveFields(m_layout);
+    list.insert(list.end(),
+                {longField(256, std::uint64_t(m_layout.width)),
+                 longField(257, std::uint64_t(m_layout.height)),
+                 shortField(258, std::vector<unsigned>(std::size_t(m_layout.channels),
+                                                       unsigned(m_layout.bits))),
+                 shortField(259, {8}),  // deflate
+                 shortField(262, {m_layout.isGrey() ? 1u : 2u}), stripField(273, m_offsets),
+                 shortField(274, {1}), shortField(277, {unsigned(m_layout.channels)}),
+                 longField(278, m_rowsPerStrip), stripField(279, m_lengths), shortField(284, {1})});
     if (predicts())
       list.push_back(shortField(317, {2}));
     if (m_layout.hasAlpha())
       list.push_back(shortField(338, {2}));  // straight
-    if (const std::string xmp = xmpPacket(credit); !xmp.empty())
-      list.push_back({700, FieldType::octets, xmp.size(), xmp});
-    if (!credit.copyright.empty())
-      list.push_back(textField(33432, credit.copyright));
-    list.push_back({34675, FieldType::bytes, profile.size(), profile});
+    if (const std::string xmp = xmpPacket(m_layout.credit); !xmp.empty())
+      list.push_back({700, TiffType::octets, xmp.size(), xmp});
+    const std::string profile = m_layout.isGrey() ? greyProfile() : srgbProfile();
+    list.push_back({34675, TiffType::bytes, profile.size(), profile});
     return list;
   }
 
   Status writeDirectory() {
-    const std::size_t word = m_big ? 8 : 4;
-    const std::vector<Field> list = fields();
-    std::string entries = littleEndian(list.size(), m_big ? 8 : 2);
-    std::string aside(m_file->size() % 2, '\0');
-    const std::uint64_t start = m_file->size();
-    for (const Field& field : list) {
-      entries += littleEndian(field.tag, 2) + littleEndian(std::uint64_t(field.type), 2) +
-                 littleEndian(field.count, word);
-      if (field.data.size() <= word) {
-        entries += field.data + std::string(word - field.data.size(), '\0');
-        continue;
-      }
-      entries += littleEndian(start + aside.size(), word);
-      aside += field.data + std::string(field.data.size() % 2, '\0');
-    }
-    entries += littleEndian(0, word);
-    if (Status written = m_file->add(aside + entries); !written.ok())
+    const TiffDirectory directory = tiffDirectory(fields(), m_file->size(), m_big);
+    if (Status written = m_file->add(directory.bytes); !written.ok())
       return written;
-    const std::uint64_t directory = start + aside.size();
-    if (Status written = m_file->replace(m_big ? 8 : 4, littleEndian(directory, word));
-        !written.ok())
-      return written;
-    return m_file->close();
+    const Status pointed =
+        m_file->replace(m_big ? 8 : 4, littleEndian(directory.at, m_big ? 8 : 4));
+    return pointed.ok() ? m_file->close() : pointed;
   }
 
   PixelLayout m_layout;

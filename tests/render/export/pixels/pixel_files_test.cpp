@@ -325,8 +325,8 @@ void PixelFilesTest::badTargets_data() {
 void PixelFilesTest::badTargets() {
   QFETCH(QString, extension);
   QFETCH(QString, target);
-  if (target == "/dev/full" && (!QFile::exists(target) || extension == "exr"))
-    QSKIP("no device without space, or one that OpenEXR asks for its position");
+  if (target == "/dev/full" && !QFile::exists(target))
+    QSKIP("no device without space");
   const QTemporaryDir folder;
   QVERIFY(QDir(folder.path()).mkdir("folder"));
   QFile file(folder.filePath("file"));
