@@ -29,6 +29,7 @@ Result<ArrangedScene> arrangedFor(const model::Scene& scene, const PictureOrder&
 Result<ArrangedScene> arrangedOn(const glm::vec2& pageMm, const model::Scene& scene,
                                  PictureOrder& order) {
   const model::Scene shown = asSaved(scene, order);
+  order.labels.viewName = shownViewName(scene, order);
   if (const Status ready = prepareLabels(order.labels, shown, pageMm); !ready.ok())
     return ready.error();
   return arrangedShown(shown, order);

@@ -189,7 +189,6 @@ Status understoodLabels(const PictureFlags& flags, PictureOrder& order) {
     return labels.error();
   order.labels = *labels;
   order.labels.style.onDark = order.background == render::Background::dark;
-  order.labels.viewName = order.camera ? std::string() : order.view;
   return Unit{};
 }
 
@@ -255,6 +254,15 @@ Result<PictureOrder> understoodLook(const PictureFlags& flags) {
     order.camera = *camera;
   }
   return order;
+}
+
+std::string shownViewName(const model::Scene& scene, const PictureOrder& order) {
+  if (!order.camera)
+    if (const model::View* saved = savedView(scene, order.view))
+      return saved->name;
+  const auto side = order.camera ? model::anatomicalViewOf(*order.camera)
+                                 : model::anatomicalViewNamed(model::normalisedName(order.view));
+  return side ? std::string(model::anatomicalViewNames[std::size_t(*side)]) : std::string();
 }
 
 model::Scene asSaved(const model::Scene& scene, const PictureOrder& order) {

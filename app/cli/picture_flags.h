@@ -72,13 +72,16 @@ struct PictureOrder {
   LabelOrder labels;
 };
 
-/// An error is a wrong use, here and in the next six.
+/// An error is a wrong use, here and below.
 Result<PictureOrder> understood(const PictureFlags& flags);
 /// The same where no picture is to be written.
 Result<PictureOrder> understoodLook(const PictureFlags& flags);
 /// The scene as the saved view that the order names shows it; unchanged where there is none. What
 /// is absent is warned of.
 model::Scene asSaved(const model::Scene& scene, const PictureOrder& order);
+/// What the picture's camera is called: as the saved view is, "anterior" and so on where it looks
+/// along an axis of the body, else nothing.
+std::string shownViewName(const model::Scene& scene, const PictureOrder& order);
 /// The scene with styles and visibility as ordered. A group's value holds for all in it; what is
 /// said of a structure or an inner group wins over what is said of a group around it, whatever the
 /// order of the flags.

@@ -114,6 +114,13 @@ Result<model::View> described(const model::Scene& scene, const ViewFlags& flags,
   return view;
 }
 
+/// A saved view is found before the side of the body that is called the same.
+void warnOfSide(const std::string& name) {
+  if (model::anatomicalViewNamed(model::normalisedName(name)))
+    warn("--view " + onOneLine(name) + " shows this saved view from now on, not the " +
+         model::normalisedName(name) + " view fitted to what is visible");
+}
+
 Outcome added(const model::Scene& scene, const ViewFlags& flags) {
   if (model::normalisedName(flags.add).empty())
     return Error{.reason = "a view needs a name", .remedy = "Write --add NAME"};
@@ -123,6 +130,7 @@ Outcome added(const model::Scene& scene, const ViewFlags& flags) {
   const Result<model::View> view = described(scene, flags, flags.add);
   if (!view.ok())
     return view.error();
+  warnOfSide(flags.add);
   return model::withView(scene, *view);
 }
 
@@ -151,6 +159,7 @@ Outcome renamed(const model::Scene& scene, const std::string& text) {
     if (taken && taken != view)
       return Error{.reason = "a view named \"" + name + "\" is already saved",
                    .remedy = "Take another name"};
+    warnOfSide(name);
     return model::withViewRenamed(scene, place, name);
   }
   if (text.find('=') == std::string::npos)

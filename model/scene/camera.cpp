@@ -208,6 +208,27 @@ Camera anatomicalCamera(AnatomicalView view, const Box& bounds, float aspect) {
   return fitted(camera, corners, aspect);
 }
 
+AnatomicalView nearestAnatomicalView(const Camera& camera) {
+  const glm::vec3 back = cameraFrame(camera).back;
+  const auto seen = [&back](AnatomicalView view) {
+    return glm::dot(back, directionOf(view).towardsEye);
+  };
+  AnatomicalView nearest = AnatomicalView::anterior;
+  for (std::size_t i = 1; i < anatomicalViewNames.size(); ++i)
+    if (seen(AnatomicalView(i)) > seen(nearest))
+      nearest = AnatomicalView(i);
+  return nearest;
+}
+
+std::optional<AnatomicalView> anatomicalViewOf(const Camera& camera) {
+  constexpr float nearly = 0.9999f;  // within 0.8°
+  const AnatomicalView nearest = nearestAnatomicalView(camera);
+  const Direction direction = directionOf(nearest);
+  const CameraFrame frame = cameraFrame(camera);
+  const bool along = glm::dot(frame.back, direction.towardsEye) > nearly;
+  return along && glm::dot(frame.up, direction.up) > nearly ? std::optional(nearest) : std::nullopt;
+}
+
 Camera fitted(Camera camera, std::span<const glm::vec3> points, float aspect) {
   return fitted(camera, points, aspect, FreeSides());
 }

@@ -41,6 +41,10 @@ std::optional<AnatomicalView> anatomicalViewNamed(std::string_view name);
 /// A perspective camera on that side of the box, fitted to its corners (see `fitted`). `aspect` is
 /// width / height. An empty box gives the default camera, turned to that side.
 Camera anatomicalCamera(AnatomicalView view, const Box& bounds, float aspect);
+/// The side that the camera sees, upright as `anatomicalCamera` shows it, within 0.8°.
+std::optional<AnatomicalView> anatomicalViewOf(const Camera& camera);
+/// The side that the camera sees most of, however it is held.
+AnatomicalView nearestAnatomicalView(const Camera& camera);
 /// Moves the camera without turning it (orthographic: also changes its height) so that all points
 /// fit, centred, with a margin of 5 % of the picture on either side where it is tightest. The
 /// target moves to the middle of the points' depth. No points, or all in one place: the distance

@@ -40,6 +40,7 @@ class ExportTest : public QObject {
   void writesGroupsAndPage();
   void optionsReachTheDrawing();
   void sectionsAndViews();
+  void theViewsNameIsTrue();
   void labelsAndMarks();
   void pathsStayOnThePage();
   void wrongUse_data();
@@ -104,6 +105,28 @@ void ExportTest::sectionsAndViews() {
   QVERIFY(cut.contains("Cut outlines"));
   QVERIFY(labels(cut).contains("Fills"));
   QVERIFY(!exported({}).contains("Cut outlines"));
+}
+
+/// A side is named only where the camera sees it, whatever a view or a flag is called.
+void ExportTest::theViewsNameIsTrue() {
+  const QString camera = m_folder.filePath("camera.json");
+  writeFile(camera, frontCamera());
+  QVERIFY(exported({"--camera", camera}).contains("Anterior view"));
+  writeFile(camera, QByteArray(frontCamera()).replace("-400", "400"));
+  QVERIFY(exported({"--camera", camera}).contains("Posterior view"));
+  writeFile(camera, QByteArray(frontCamera()).replace("[0,-400,0]", "[200,-400,0]"));
+  QVERIFY(!exported({"--camera", camera}).contains("view<"));
+  const QString scene = m_folder.filePath("views.sline");
+  QCOMPARE(runSline({"import", m_sample, "-o", scene}).code, 0);
+  const Finished hidden = runSline({"view", scene, "--add", "Anterior", "--from", "posterior"});
+  QCOMPARE(hidden.code, 0);
+  QVERIFY2(hidden.err.contains("--view Anterior shows this saved view"), hidden.err.constData());
+  QCOMPARE(runSline({"view", scene, "--add", "Urinary System"}).code, 0);
+  const QString file = m_folder.filePath("views.svg");
+  QCOMPARE(runSline({"export", scene, "--svg", file, "--view", "anterior"}).code, 0);
+  QVERIFY(contents(file).contains("Posterior view"));
+  QCOMPARE(runSline({"export", scene, "--svg", file, "--view", "urinary_system"}).code, 0);
+  QVERIFY(contents(file).contains(">Urinary System<"));
 }
 
 /// As text, in layers of their own; a name is text whatever it looks like.

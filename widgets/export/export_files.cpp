@@ -70,15 +70,8 @@ QString safeFileName(const QString& text) {
 }
 
 std::string viewNameOf(const model::Camera& camera) {
-  constexpr float nearly = 0.9999f;  // within 0.8°
-  const model::CameraFrame frame = model::cameraFrame(camera);
-  for (std::size_t i = 0; i < model::anatomicalViewNames.size(); ++i) {
-    const model::CameraFrame axis =
-        model::cameraFrame(model::anatomicalCamera(model::AnatomicalView(i), {}, 1.0f));
-    if (glm::dot(frame.back, axis.back) > nearly && glm::dot(frame.up, axis.up) > nearly)
-      return std::string(model::anatomicalViewNames[i]);
-  }
-  return {};
+  const auto side = model::anatomicalViewOf(camera);
+  return side ? std::string(model::anatomicalViewNames[std::size_t(*side)]) : std::string();
 }
 
 model::Camera reframed(model::Camera camera, float before, float aspect) {

@@ -89,10 +89,13 @@ MarkWords::MarkWords(const std::string& language)
     : m_table(tableOf(language)),
       m_locale(QString::fromStdString(language.empty() ? "en" : language)) {}
 
-QString MarkWords::view(const std::string& name) const {
-  const auto side = model::anatomicalViewNamed(model::normalisedName(name));
-  return side ? QString::fromUtf8(m_table.views[std::size_t(*side)])
-              : QString::fromStdString(name).simplified();
+QString MarkWords::view(const std::string& name, const model::Camera& camera) const {
+  const auto named = model::anatomicalViewNamed(model::normalisedName(name));
+  if (!named)
+    return QString::fromStdString(name).simplified();
+  const bool seen = model::nearestAnatomicalView(camera) == *named;
+  const auto side = seen ? named : model::anatomicalViewOf(camera);
+  return side ? QString::fromUtf8(m_table.views[std::size_t(*side)]) : QString();
 }
 
 QString MarkWords::section(const model::Plane& plane) const {

@@ -186,7 +186,7 @@ class MarkLayout {
         m_marks.edges.top = std::max(m_marks.edges.top, baseline + gap);
       }
     };
-    if (const QString view = m_words.view(m_order.viewName);
+    if (const QString view = m_words.view(m_order.viewName, m_order.camera);
         m_order.marks.viewName && !view.isEmpty())
       addLine("view", view, nameSize);
     if (!m_order.marks.sectionState)

@@ -113,6 +113,16 @@ void CameraTest::viewsShowTheirSide() {
   QVERIFY(project(camera, box, 1.5f, box.centre() + 5.0f * vec(atTop)).y > middle.y + 1e-3f);
   QVERIFY(project(camera, box, 1.5f, box.centre() + 5.0f * vec(near)).z < middle.z);
   QVERIFY(!anatomicalViewNamed("dorsal").has_value());
+  // The way back, from the camera to the name; a step aside leaves it the nearest.
+  QCOMPARE(anatomicalViewOf(camera), named);
+  Camera aside = camera;
+  aside.eye += 0.3f * glm::length(camera.eye - camera.target) * frame.right;
+  QCOMPARE(anatomicalViewOf(aside), std::nullopt);
+  QCOMPARE(nearestAnatomicalView(aside), *named);
+  Camera rolled = camera;
+  rolled.up = frame.right;
+  QCOMPARE(anatomicalViewOf(rolled), std::nullopt);
+  QCOMPARE(nearestAnatomicalView(rolled), *named);
 }
 
 void CameraTest::fitsBoxWithMargin_data() {

@@ -95,6 +95,8 @@ class MarksTest : public QObject {
   void theScaleIsTrue_data();
   void theScaleIsTrue();
   void sections();
+  void theViewsNameIsTrue_data();
+  void theViewsNameIsTrue();
   void words_data();
   void words();
   void nothingCoversAnything_data();
@@ -275,6 +277,31 @@ void MarksTest::sections() {
   marks = marksOf(orderOf(scene));
   QVERIFY(!find(marks, "section 1"));
   QCOMPARE(textOf(marks, "sections"), QString("4 sections"));
+}
+
+void MarksTest::theViewsNameIsTrue_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<glm::vec3>("eye");
+  QTest::addColumn<QString>("said");
+  QTest::newRow("from before") << "anterior" << glm::vec3(0, -500, 0) << "Anterior view";
+  QTest::newRow("from behind") << "anterior" << glm::vec3(0, 500, 0) << "Posterior view";
+  QTest::newRow("left is right") << "Left" << glm::vec3(-500, 0, 0) << "Right lateral view";
+  QTest::newRow("nearly") << "Left" << glm::vec3(500, 200, 0) << "Left lateral view";
+  QTest::newRow("along no axis") << "Left" << glm::vec3(-500, 200, 0) << "";
+  QTest::newRow("own words") << "Seen by the surgeon" << glm::vec3(0, 500, 0)
+                             << "Seen by the surgeon";
+}
+
+void MarksTest::theViewsNameIsTrue() {
+  QFETCH(QString, name);
+  QFETCH(glm::vec3, eye);
+  QFETCH(QString, said);
+  ExportOrder order = orderOf(sphereScene());
+  order.camera.eye = eye;
+  order.camera.target = {};
+  order.camera.up = {0, 0, 1};
+  order.viewName = name.toStdString();
+  QCOMPARE(textOf(marksOf(order), "view"), said);
 }
 
 void MarksTest::words_data() {
