@@ -249,7 +249,7 @@ Exit list(const model::Scene& scene) {
     const auto words = [&annotation](const std::string& text) {
       return onOneLine(model::plainText(annotation.kind, text));
     };
-    std::cout << (node ? node->name : "") << '\t' << words(annotation.text);
+    std::cout << (node ? onOneLine(node->name) : "") << '\t' << words(annotation.text);
     for (const auto& [language, text] : annotation.texts)
       std::cout << '\t' << language << '=' << words(text);
     std::cout << '\n';

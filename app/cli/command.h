@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "app/cli/names.h"
 #include "app/cli/scene_input.h"
 #include "model/base/result.h"
 
@@ -39,7 +40,7 @@ void addSteadiness(CLI::App& program, Exit& exit);
 
 /// Says what went wrong on standard error and hands the exit code on.
 inline Exit complain(const Error& error, Exit code) {
-  std::cerr << "sline: " << error.text() << '\n';
+  std::cerr << "sline: " << onOneLine(error.text()) << '\n';
   return code;
 }
 

@@ -8,6 +8,7 @@
 #include "app/cli/draw_scene.h"
 #include "app/cli/export_notes.h"
 #include "app/cli/film_options.h"
+#include "app/cli/interruption.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/pixel_options.h"
 #include "app/cli/sheet_options.h"
@@ -177,14 +178,15 @@ Result<render::ExportOrder> understoodJob(const ExportFlags& flags, Wanted& wish
 
 Exit writeAll(const render::ExportOrder& job, const std::map<std::string, std::string>& targets,
               Progress& progress, const Warn& tellWarning) {
+  const Interruption interruption;
   for (const render::ExportFormat& format : render::exportFormats()) {
     const auto target = targets.find(format.id);
     if (target == targets.end())
       continue;
     render::ExportNotes notes;
-    const auto show = [&progress](double share, std::string_view what) {
+    const auto show = [&](double share, std::string_view what) {
       progress.show(share, what);
-      return true;
+      return !interruption.wanted();
     };
     const Status written = format.write(job, target->second, {show, &notes});
     progress.wipe();
@@ -203,6 +205,8 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   Result<Wanted> wish = wanted(flags);
   if (!wish.ok())
     return complain(wish.error(), Exit::wrongUse);
+  if (flags.film.motion == "tour" && !flags.picture.only.empty())
+    tellWarning("a tour shows what its views show: --only changes nothing in it");
   // One for all that set text, the writers too.
   const auto typesetting = render::Typesetting::create();
   if (!typesetting.ok())
@@ -220,7 +224,10 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   const Result<render::ExportOrder> job = understoodJob(flags, *wish, *arranged, **typesetting);
   if (!job.ok())
     return complain(job.error(), Exit::wrongUse);
-  return writeAll(*job, flags.targets, progress, tellWarning);
+  const Exit written = writeAll(*job, flags.targets, progress, tellWarning);
+  if (written == Exit::done && job->labels.mode == render::LabelMode::numbers)
+    printKey(render::reportOfPlate(*job, **typesetting));
+  return written;
 }
 
 void declareExport(CLI::App& command, ExportFlags& flags) {

@@ -102,8 +102,12 @@ void drawLabels(render::Image& image, const model::Scene& scene, const model::Ca
   for (const std::string& text : report.leftOut)
     warn("there is no room for the label \"" + onOneLine(text) + "\"");
   if (order.style.mode == LabelMode::numbers)
-    for (const render::LabelReport::Line& line : report.key)
-      std::cout << line.number << '\t' << onOneLine(line.text) << '\n';
+    printKey(report);
+}
+
+void printKey(const render::LabelReport& report) {
+  for (const render::LabelReport::Line& line : report.key)
+    std::cout << line.number << '\t' << onOneLine(line.text) << '\n';
 }
 
 }  // namespace sline::cli

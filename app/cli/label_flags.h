@@ -36,6 +36,8 @@ struct LabelOrder {
 Result<LabelOrder> understood(const LabelFlags& flags);
 /// Makes the order ready for the scene, shown as it is drawn, on a page of that size.
 Status prepareLabels(LabelOrder& order, const model::Scene& scene, const glm::vec2& pageMm);
+/// Number and text of each label in the picture, a line each.
+void printKey(const render::LabelReport& report);
 /// Draws labels and marks, prints the key of numbers and warns of labels for which there is no
 /// room.
 void drawLabels(render::Image& image, const model::Scene& scene, const model::Camera& camera,

@@ -6,6 +6,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "app/cli/camera_file.h"
+#include "app/cli/interruption.h"
 #include "app/cli/names.h"
 #include "model/edit/style.h"
 #include "model/edit/views.h"
@@ -363,6 +364,7 @@ Status drawToFile(const model::Scene& scene, const model::Camera& camera, const 
   render::Image drawn = order.samples > 1 ? render::averaged(*image, order.samples) : *image;
   drawLabels(drawn, scene, camera, order.labels, order.background);
   progress.show(0.9, "writing " + order.output);
+  const Interruption interruption;  // what is written is soon whole
   return render::writeImage(drawn, order.output);
 }
 

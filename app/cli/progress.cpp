@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <iostream>
+#include <string>
+
+#include "app/cli/names.h"
 
 namespace sline::cli {
 
@@ -41,7 +44,7 @@ void Progress::wipe() {
 }
 
 void warn(std::string_view message) {
-  std::cerr << "sline: warning: " << message << '\n';
+  std::cerr << "sline: warning: " << onOneLine(std::string(message)) << '\n';
 }
 
 void tell(std::string_view message) {

@@ -79,7 +79,8 @@ void printViewsAndAnnotations(const SceneSummary& summary) {
   if (!summary.views.empty())
     std::cout << "saved views:";
   for (const model::View& view : summary.views)
-    std::cout << (&view == &summary.views.front() ? " " : ", ") << '"' << view.name << '"';
+    std::cout << (&view == &summary.views.front() ? " " : ", ") << '"' << onOneLine(view.name)
+              << '"';
   if (!summary.views.empty())
     std::cout << '\n';
   for (const AnnotationInfo& annotation : summary.annotations) {
@@ -100,10 +101,10 @@ void printSummary(const SceneSummary& summary, const std::string& frame) {
             << "triangles" << std::setw(8) << "closed" << std::setw(7) << "parts"
             << "  group\n";
   for (const StructureInfo& structure : summary.structures)
-    std::cout << std::left << std::setw(int(widest)) << structure.name << std::right
+    std::cout << std::left << std::setw(int(widest)) << onOneLine(structure.name) << std::right
               << std::setw(11) << structure.mesh->triangleCount() << std::setw(8)
               << (structure.closed ? "yes" : "no") << std::setw(7) << structure.components << "  "
-              << structure.group << '\n';
+              << onOneLine(structure.group) << '\n';
   const glm::vec3 size = summary.bounds.empty() ? glm::vec3(0.0f) : summary.bounds.size();
   std::cout << summary.structures.size() << " structures, " << summary.triangles << " triangles, "
             << summary.vertices << " vertices, " << std::fixed << std::setprecision(1) << size.x

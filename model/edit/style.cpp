@@ -82,8 +82,13 @@ Edited withInkAlone(const Scene& scene) {
     node.style.colour = Colour{255, 255, 255};  // of cut faces
     const ResolvedStyle style = scene.resolve(node.id);
     const bool shaded = style.gamma.value() > hatched.value();
-    if (shaded)
+    if (shaded) {
+      // As much darker as it was further on the way to its surface: what stood out still does.
+      constexpr float darker = 0.4f;
+      node.style.hatchTone = HatchTone::clamped(
+          style.hatchTone.value() * (1.0f + darker * (style.gamma.value() - hatched.value())));
       node.style.gamma = hatched;
+    }
     // Half of a fill would be a tone again.
     if (shaded || style.fill != Fill::none) {
       node.style.fill = style.opacity.value() >= 0.5f ? Fill::paper : Fill::none;

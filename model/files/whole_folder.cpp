@@ -36,6 +36,22 @@ Status free(const fs::path& folder) {
   return Unit{};
 }
 
+/// A new folder beside the one that is wanted. One of that name may be there already: what another
+/// program was killed over, and whose number came round again.
+Result<fs::path> folderBeside(const fs::path& folder) {
+  constexpr int most = 100;
+  const std::string name = "." + folder.filename().string() + "." + std::to_string(getpid());
+  for (int i = 0; i < most; ++i) {
+    const fs::path beside = folder.parent_path() / (i == 0 ? name : name + "-" + std::to_string(i));
+    std::error_code failure;
+    if (fs::create_directory(beside, failure))
+      return beside;
+    if (failure && failure != std::errc::file_exists)
+      return notMade(folder, failure);
+  }
+  return notMade(folder, std::make_error_code(std::errc::file_exists));
+}
+
 }  // namespace
 
 Status writeFolder(const fs::path& named, const std::function<Status(const fs::path&)>& write) {
@@ -43,21 +59,19 @@ Status writeFolder(const fs::path& named, const std::function<Status(const fs::p
   const fs::path folder = named.has_filename() ? named : named.parent_path();
   if (Status place = free(folder); !place.ok())
     return place;
-  const fs::path temporary =
-      folder.parent_path() / ("." + folder.filename().string() + "." + std::to_string(getpid()));
-  std::error_code failure;
-  fs::create_directory(temporary, failure);
-  if (failure)
-    return notMade(folder, failure);
-  Status written = write(temporary);
+  const Result<fs::path> temporary = folderBeside(folder);
+  if (!temporary.ok())
+    return temporary.error();
+  Status written = write(*temporary);
   if (written.ok()) {
-    fs::rename(temporary, folder, failure);
+    std::error_code failure;
+    fs::rename(*temporary, folder, failure);
     if (!failure)
       return written;
     written = notMade(folder, failure);
   }
   std::error_code ignored;
-  fs::remove_all(temporary, ignored);
+  fs::remove_all(*temporary, ignored);
   Error error = written.error();
   error.file = folder.string();
   return error;

@@ -389,4 +389,8 @@ LabelText textOf(const ShownLabel& label, const LabelStyle& style, float widestM
   return text;
 }
 
+std::string keyText(const ShownLabel& label, const LabelStyle& style) {
+  return label.lengthMm ? fullText(label, style).toStdString() : plainText(label);
+}
+
 }  // namespace sline::render

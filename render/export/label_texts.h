@@ -23,6 +23,9 @@ struct LabelText {
   glm::vec2 box{0.0f};  ///< millimetres, with padding
 };
 
+/// What a key says of the label: its words without markup, a distance's length behind them.
+std::string keyText(const ShownLabel& label, const LabelStyle& style);
+
 /// Of its runs one after the other, without its indent, in the font's pixels.
 qreal advanceOf(const TextLine& line);
 /// With its indent in that size, millimetres.

@@ -3,6 +3,7 @@
 
 #include <QFontMetricsF>
 #include <algorithm>
+#include <cmath>
 
 #include "render/export/label_texts.h"
 
@@ -12,6 +13,9 @@ namespace {
 
 /// Of a quarter of a circle as one Bézier: control points lie that far along the tangents.
 constexpr float quarter = 0.5522847f;
+
+/// Height of small letters in that of capitals.
+constexpr float smallLetters = 0.75f;
 
 QPointF point(const glm::vec2& p) {
   return {qreal(p.x), qreal(p.y)};
@@ -34,8 +38,8 @@ void paintHalo(QPainter& painter, const LetteringItem& item, const Colour& groun
     painter.drawPath(painterPath(shape.path));
   }
   if (item.text)
-    painter.strokePath(outlineOf(*item.text), QPen(painterColour(ground), qreal(2.0f * textHalo),
-                                                   Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.strokePath(haloOf(*item.text), QPen(painterColour(ground), qreal(2.0f * textHalo),
+                                                Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
 }
 
 void paintInk(QPainter& painter, const LetteringItem& item, const TextSetter& setText) {
@@ -143,6 +147,31 @@ QPainterPath outlineOf(const LetteringText& text) {
   }
   letters.setFillRule(Qt::WindingFill);
   return letters;
+}
+
+QPainterPath haloOf(const LetteringText& text) {
+  QPainterPath halo = outlineOf(text);
+  // As high as small letters are: as many bars as cover that without a gap.
+  const float high = smallLetters * capHeightMm(text.points);
+  const int bars = std::max(1, int(std::ceil((high - 2.0f * textHalo) / (2.0f * textHalo))) + 1);
+  const float between = bars > 1 ? (high - 2.0f * textHalo) / float(bars - 1) : 0.0f;
+  float baseline = text.at.y;
+  for (const TextLine& line : text.lines) {
+    const std::vector<float> places = runPlaces(text, line);
+    if (!places.empty() &&
+        line.runs.size() + std::size_t(plainText({line}).count(QChar(' '))) > 1) {
+      const float left = text.at.x + places.front();
+      const float right =
+          left + textWidthMm(line, text.points) - line.indent * text.points * millimetresPerPoint;
+      for (int i = 0; i < bars; ++i) {
+        const float y = baseline - textHalo - float(i) * between;
+        halo.moveTo(QPointF(qreal(left), qreal(y)));
+        halo.lineTo(QPointF(qreal(right), qreal(y)));
+      }
+    }
+    baseline += text.leading;
+  }
+  return halo;
 }
 
 void paintLettering(QPainter& painter, const Lettering& lettering, const TextSetter& setText) {

@@ -80,6 +80,9 @@ QPainterPath painterPath(const Path& path);
 std::vector<float> runPlaces(const LetteringText& text, const TextLine& line);
 /// The letters' outlines, to be filled by the winding rule.
 QPainterPath outlineOf(const LetteringText& text);
+/// To be stroked 2 `textHalo` wide behind the letters: their outlines, and along each line what
+/// keeps the drawing from showing between words, where it would read as a dash.
+QPainterPath haloOf(const LetteringText& text);
 QColor painterColour(const Colour& colour);
 
 }  // namespace sline::render

@@ -215,6 +215,8 @@ class Hatcher {
       if (m_piece.size() > 1)
         sharpen(i > 0 && m_samples[i - 1].angle >= 1.0f,
                 end < m_samples.size() && m_samples[end].angle >= 1.0f);
+      if (m_layout.length() > 0.0f)
+        slim();
       keepInk(seedPosition, seed);
       i = end;
     }
@@ -235,6 +237,16 @@ class Hatcher {
       limit(i, i - 1);
     for (std::size_t i = m_piece.size() - 1; i-- > 0;)
       limit(i, i + 1);
+  }
+
+  /// A stroke is longer than it is wide: what is left of one where it has hardly room, or is seen
+  /// along its length, becomes thin and goes, instead of standing as a dot.
+  void slim() {
+    float length = 0.0f;
+    for (std::size_t i = 1; i < m_along.size(); ++i)
+      length += glm::distance(m_along[i - 1], m_along[i]);
+    for (HatchPoint& point : m_piece)
+      point.halfWidth = std::min(point.halfWidth, opening * length);
   }
 
   /// Without points that have no width, but for one at either end.

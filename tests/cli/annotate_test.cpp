@@ -154,6 +154,9 @@ void AnnotateTest::modes() {
   const QStringList base{"render", scene(), "-o", path("p.png"), "--size", "400x200"};
   const Finished numbers = runSline(base + QStringList{"--labels", "numbers"});
   QCOMPARE(numbers.out, QByteArray("1\tkidney\n2\trenal artery\n3\trenal vein\n"));
+  const Finished exported = runSline(
+      {"export", scene(), "--svg", path("p.svg"), "--size-mm", "80x40", "--labels", "numbers"});
+  QCOMPARE(exported.out, numbers.out);
   const Finished german = runSline(base + QStringList{"--labels", "numbers", "--language", "de"});
   QVERIFY2(german.out.startsWith("1\tNiere\n"), german.out);
   const Pixels blank = rendered({"--labels", "blank"});

@@ -41,6 +41,7 @@ class InfoTest : public QObject {
   void openAndPartedMeshes();
   void warningsAreListed();
   void tableNamesStructures();
+  void namesCannotCommandATerminal();
   void abdomen();
 };
 
@@ -115,6 +116,25 @@ void InfoTest::tableNamesStructures() {
   for (const char* text : {"kidney", "renal artery", "Vessels", "3 structures", "LPS"})
     QVERIFY2(finished.out.contains(text), finished.out.constData());
   QCOMPARE(finished.err, QByteArray());
+}
+
+void InfoTest::namesCannotCommandATerminal() {
+  const QTemporaryDir folder;
+  const QString scene = folder.filePath("a.sline");
+  QCOMPARE(runSline({"import", writeSample(folder.path()), "-o", scene}).code, 0);
+  const QString name = "\x1b]0;evil\x07 \x1b[31mred";
+  QCOMPARE(runSline({"view", scene, "--add", name}).code, 0);
+  QCOMPARE(runSline({"annotate", scene, "--on", "kidney", "--label", name}).code, 0);
+  for (const QStringList& arguments :
+       {QStringList{"info", scene}, QStringList{"view", scene, "--list"},
+        QStringList{"annotate", scene, "--list"},
+        QStringList{"export", scene, "--view", "nope", "--svg", folder.filePath("a.svg")},
+        QStringList{"view", scene, "--add", name}}) {
+    const Finished finished = runSline(arguments);
+    const QByteArray said = finished.out + finished.err;
+    QVERIFY2(!said.contains('\x1b') && !said.contains('\x07'), said.constData());
+    QVERIFY(said.contains("red"));
+  }
 }
 
 void InfoTest::abdomen() {

@@ -18,8 +18,8 @@ class MarkWords {
   /// A BCP 47 tag; English for languages that are not known.
   explicit MarkWords(const std::string& language);
 
-  /// "Anterior view"; a name that is none of the six sides' as it is. Of a side that the camera does
-  /// not see most of: the side that it sees, or nothing where it looks along no axis.
+  /// "Anterior view"; a name that is none of the six sides' as it is. Of a side that the camera
+  /// does not see most of: the side that it sees, or nothing where it looks along no axis.
   QString view(const std::string& name, const model::Camera& camera) const;
   /// "Coronal section at A 12.0 mm, posterior part kept".
   QString section(const model::Plane& plane) const;

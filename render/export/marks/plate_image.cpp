@@ -15,11 +15,13 @@ namespace {
 
 LabelReport reportOf(const LabelPlate& plate) {
   LabelReport report;
-  for (const ShownLabel& label : plate.labels)
+  for (const ShownLabel& label : plate.labels) {
+    const std::string text = keyText(label, plate.style);
     if (plate.layout.find(label.item.id))
-      report.key.push_back({label.number, plainText(label)});
+      report.key.push_back({label.number, text});
     else
-      report.leftOut.push_back(plainText(label));
+      report.leftOut.push_back(text);
+  }
   return report;
 }
 
@@ -69,6 +71,11 @@ LabelReport drawPlate(Image& image, const ExportOrder& given, const Typesetting&
   for (int y = 0; y < image.height; ++y)
     std::memcpy(&image.rgba[std::size_t(4) * std::size_t(y) * std::size_t(image.width)],
                 drawn.constScanLine(y), std::size_t(4) * std::size_t(image.width));
+  return plate.labels ? reportOf(*plate.labels) : LabelReport{};
+}
+
+LabelReport reportOfPlate(const ExportOrder& order, const Typesetting&) {
+  const FigurePlate plate = figurePlate(order);
   return plate.labels ? reportOf(*plate.labels) : LabelReport{};
 }
 

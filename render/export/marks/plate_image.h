@@ -25,6 +25,9 @@ struct LabelReport {
 /// is the picture's.
 LabelReport drawPlate(Image& image, const ExportOrder& order, const Typesetting& typesetting);
 
+/// The same report without a picture.
+LabelReport reportOfPlate(const ExportOrder& order, const Typesetting& typesetting);
+
 /// What columns of labels and marks take at the page's sides, for a camera that is to be fitted,
 /// whose direction is the order's: each column is as wide as what stands in it, and lines are
 /// broken so that the anatomy between them is as large as it can be.

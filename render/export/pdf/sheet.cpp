@@ -121,7 +121,8 @@ class Sheet {
       noteOf(numbered, progress);
     for (const ShownLabel& label : numbered.labels->labels)
       if (numbered.labels->layout.find(label.item.id))
-        m_numbers.push_back({label.number, QString::fromStdString(plainText(label)).simplified()});
+        m_numbers.push_back(
+            {label.number, QString::fromStdString(keyText(label, m_order.labels)).simplified()});
     if (hasLabels(m_given.scene) || m_order.labels.mode != LabelMode::numbers)
       return;
     for (const model::Annotation& annotation : m_order.scene.annotations())

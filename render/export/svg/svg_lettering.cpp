@@ -65,7 +65,7 @@ class Layer {
         addPath(shape.path, shape.pen + 2.0f * shape.halo,
                 shape.fill ? " fill=\"" + hex(ground) + "\"" : std::string());
     if (item.text)
-      addPath(pathOf(outlineOf(*item.text)), 2.0f * textHalo, {});
+      addPath(pathOf(haloOf(*item.text)), 2.0f * textHalo, {});
   }
 
   void addItem(const LetteringItem& item) {

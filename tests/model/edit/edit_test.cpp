@@ -285,6 +285,8 @@ void EditTest::inkAlone() {
     QCOMPARE(*drawn.inkColour, (Colour{0, 0, 0}));
     if (newFill != int(Fill::none))
       QCOMPARE(drawn.opacity.value(), 1.0f);
+    // What was shaded more is hatched darker.
+    QCOMPARE(drawn.hatchTone.value(), 1.0f + 0.4f * std::max(gamma - 3.0f, 0.0f));
   }
   QCOMPARE(edited.scene.resolve(s.id("d")).gamma, scene.resolve(s.id("d")).gamma);
   QVERIFY(!withInkAlone(edited.scene).changed);

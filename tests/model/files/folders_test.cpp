@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <unistd.h>
+
+#include <QTemporaryDir>
 #include <QtTest>
 #include <cstring>
+#include <fstream>
 
 #include "model/files/cache_folder.h"
 #include "model/files/ply_writer.h"
+#include "model/files/whole_folder.h"
 #include "tests/support/shapes.h"
 
 using namespace sline;
@@ -14,6 +19,7 @@ class FoldersTest : public QObject {
   void plyIsExact();
   void userFolders_data();
   void userFolders();
+  void whatWasLeftIsNotTaken();
 };
 
 void FoldersTest::plyIsExact() {
@@ -56,6 +62,27 @@ void FoldersTest::userFolders() {
   QVERIFY(folder().empty());
   qputenv(variable.constData(), before);
   qputenv("HOME", home);
+}
+
+/// A program that was killed left a folder, and its number has come round again.
+void FoldersTest::whatWasLeftIsNotTaken() {
+  namespace fs = std::filesystem;
+  const QTemporaryDir place;
+  const fs::path folder = fs::path(place.path().toStdString()) / "frames";
+  const fs::path left =
+      folder.parent_path() / (".frames." + std::to_string(static_cast<long>(getpid())));
+  fs::create_directory(left);
+  std::ofstream(left / "old.png") << "old";
+  const Status written = model::writeFolder(folder, [](const fs::path& temporary) -> Status {
+    std::ofstream(temporary / "new.png") << "new";
+    return Unit{};
+  });
+  QVERIFY(written.ok());
+  QVERIFY(fs::exists(folder / "new.png"));
+  QVERIFY(!fs::exists(folder / "old.png"));
+  QVERIFY(fs::exists(left / "old.png"));
+  QCOMPARE(std::distance(fs::directory_iterator(folder.parent_path()), fs::directory_iterator()),
+           std::ptrdiff_t(2));
 }
 
 QTEST_APPLESS_MAIN(FoldersTest)

@@ -246,6 +246,30 @@ class HatchingTest : public QObject {
     QVERIFY2(largest < 0.12, qPrintable(QString::number(largest)));
   }
 
+  // On a thin tube there is hardly room for strokes, and some are seen along their length: what is
+  // left of them is still no dot.
+  void strokesAreLongerThanWide() {
+    const Subject tube(test::torus(10.0f, 0.8f, 200, 24));
+    for (const float height : {24.0f, 60.0f}) {
+      const model::Camera camera = orthographic(slanted, height);
+      const render::ViewScale scale(camera);
+      const render::Hatching hatching = tube.hatched(camera);
+      QVERIFY(hatching.strokes.size() > 20);
+      for (const render::HatchStroke& stroke : hatching.strokes) {
+        float length = 0.0f;
+        float widest = 0.0f;
+        const auto points = pointsOf(hatching, stroke);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+          widest = std::max(widest, 2.0f * points[i].halfWidth);
+          if (i > 0)
+            length += glm::distance(scale.project(points[i - 1].position).at,
+                                    scale.project(points[i].position).at);
+        }
+        QVERIFY2(length > 2.0f * widest, qPrintable(QString("%1 %2").arg(length).arg(widest)));
+      }
+    }
+  }
+
   // Strokes of one sheet never touch: between their middles is room for both half widths.
   void strokesDoNotTouch() {
     const Subject torus = torusSubject();

@@ -2,6 +2,8 @@
 // Texts of labels and callouts: their fonts, how wide their runs are, where their lines end.
 #include <QElapsedTimer>
 #include <QFontInfo>
+#include <QImage>
+#include <QPainter>
 #include <QRawFont>
 #include <QtTest>
 
@@ -118,6 +120,44 @@ class LetteringTest : public QObject {
                               .boundingRect();
     QVERIFY(std::abs(second.left() - path.boundingRect().left() -
                      10.0 * double(millimetresPerPoint)) < 0.05);
+  }
+
+  /// A line of the drawing that shows between two words would read as a dash.
+  void halosCloseTheGapsBetweenWords() {
+    const TextLine line = lineOf({{"Pin ", plain}, {"here", bold}});
+    Lettering lettering{.ground = {255, 255, 255}, .items = {}};
+    lettering.items.push_back(
+        {.name = {}, .shapes = {}, .text = textAt({line}, TextAnchor::start)});
+    constexpr int perMm = 10;
+    const QPointF at(double(lettering.items[0].text->at.x), double(lettering.items[0].text->at.y));
+    QImage image(100 * perMm, 100 * perMm, QImage::Format_RGB32);
+    image.fill(Qt::red);
+    QPainter painter(&image);
+    painter.scale(perMm, perMm);
+    paintLettering(painter, lettering, [](QPainter&, const LetteringText&) {});
+    painter.end();
+    const double gap = double(textWidthMm(lineOf({{"Pin", plain}}), 10.0f)) +
+                       0.5 * double(textWidthMm(lineOf({{" ", plain}}), 10.0f));
+    for (double above = 0.1; above < 1.8; above += 0.1)
+      QCOMPARE(image.pixelColor(QPoint(int(perMm * (at.x() + gap)), int(perMm * (at.y() - above)))),
+               QColor(Qt::white));
+    // One word has no gap; its own letters are enough.
+    QCOMPARE(haloOf(textAt({lineOf({{"Pin", plain}})}, TextAnchor::start)),
+             outlineOf(textAt({lineOf({{"Pin", plain}})}, TextAnchor::start)));
+  }
+
+  void keysSayWhatLabelsSay() {
+    ShownLabel label;
+    label.item.kind = model::AnnotationKind::distance;
+    label.lengthMm = 88.4f;
+    QCOMPARE(QString::fromStdString(keyText(label, {})), QStringLiteral("88\u00a0mm"));
+    label.text = "Conjugata vera";
+    QCOMPARE(QString::fromStdString(keyText(label, {})),
+             QStringLiteral("Conjugata vera 88\u00a0mm"));
+    label.item.kind = model::AnnotationKind::callout;
+    label.lengthMm.reset();
+    label.text = "**Ren** *dexter*";
+    QCOMPARE(QString::fromStdString(keyText(label, {})), QStringLiteral("Ren dexter"));
   }
 
   void calloutsAreParsed() {
