@@ -2386,6 +2386,10 @@
         <source>Take PNG or TIFF for more.</source>
         <translation>Nimm PNG oder TIFF für mehr.</translation>
     </message>
+    <message>
+        <source>The text is for a patient&apos;s sheet: this one does not have it.</source>
+        <translation>Der Text gehört auf ein Blatt für Patienten: dieses hat ihn nicht.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

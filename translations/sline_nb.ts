@@ -2386,6 +2386,10 @@
         <source>Take PNG or TIFF for more.</source>
         <translation>Ta PNG eller TIFF for flere.</translation>
     </message>
+    <message>
+        <source>The text is for a patient&apos;s sheet: this one does not have it.</source>
+        <translation>Teksten hører til et ark for pasienter: dette arket har den ikke.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

@@ -2386,6 +2386,10 @@
         <source>Take PNG or TIFF for more.</source>
         <translation>Neem PNG of TIFF voor meer.</translation>
     </message>
+    <message>
+        <source>The text is for a patient&apos;s sheet: this one does not have it.</source>
+        <translation>De tekst hoort op een blad voor patiënten: dit blad heeft hem niet.</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>

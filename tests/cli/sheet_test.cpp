@@ -202,6 +202,7 @@ void SheetTest::patientSheet() {
   QString file =
       exported({m_sample, "--sheet", "patient", "--title", "Your kidney", "--text", source});
   QVERIFY(pages(file) >= 2);
+  QVERIFY(run("pdfinfo", {file}).contains(QRegularExpression("Title: +Your kidney\\n")));
   QString all;
   for (int page = 1; page <= pages(file); ++page)
     all += textOf(file, page) + ' ';
@@ -217,6 +218,11 @@ void SheetTest::patientSheet() {
   file = exported({m_sample, "--sheet", "patient", "--text", "Short and on the command line"});
   QCOMPARE(pages(file), 1);
   QVERIFY(textOf(file, 1).contains("Short and on the command line"));
+  // The figure takes what a short text leaves: that one stands at the page's foot.
+  static const QRegularExpression word("yMin=\"([0-9.]+)\"[^>]*>Short<");
+  const QRegularExpressionMatch found = word.match(run("pdftotext", {"-bbox", file, "-"}));
+  QVERIFY(found.hasMatch());
+  QVERIFY2(found.captured(1).toDouble() > 0.88 * 842.0, qPrintable(found.captured(1)));
 }
 
 /// Markup, quotes and brackets of PDF are letters like others; where no font has a letter nothing

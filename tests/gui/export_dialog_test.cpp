@@ -5,6 +5,8 @@
 #include <QAction>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QRegularExpression>
+#include <QSet>
 #include <QStatusBar>
 
 #include "model/edit/visibility.h"
@@ -92,6 +94,52 @@ class ExportDialogTest : public QObject {
     QVERIFY(svg.contains("width=\"148mm\" height=\"210mm\""));
     QVERIFY(svg.contains("#faf6ec"));
     QVERIFY(svg.contains("left ball"));
+  }
+
+  void inkAloneInVectors() {
+    ExportDesk desk;
+    desk.show();
+    desk.chooseKind(QStringLiteral("svg"));
+    desk.small();
+    desk.click("export-pureInk");
+    desk.target(desk.out.filePath(QStringLiteral("ink.svg")));
+    desk.click("exportButton");
+    QVERIFY(desk.finished());
+    static const QRegularExpression colour(QStringLiteral("\"(#[0-9a-fA-F]{6})\""));
+    const QString svg = QString::fromUtf8(contents(desk.out.filePath(QStringLiteral("ink.svg"))));
+    QSet<QString> colours;
+    for (auto each = colour.globalMatch(svg); each.hasNext();)
+      colours << each.next().captured(1);
+    QCOMPARE(colours, (QSet<QString>{QStringLiteral("#000000"), QStringLiteral("#ffffff")}));
+  }
+
+  /// Letters are for a screen, whatever paper was chosen before.
+  void filmsHaveAPageOfTheirOwn() {
+    widgets::ExportDraft draft;
+    draft.kind = QStringLiteral("mp4");
+    draft.target = QStringLiteral("/nowhere/a.mp4");
+    for (const glm::vec2 size : {glm::vec2(841.0f, 594.0f), glm::vec2(60.0f, 85.0f)}) {
+      draft.order.page.sizeMm = size;
+      const glm::vec2 page = widgets::exportFiles(draft, {}).front().order.page.sizeMm;
+      QCOMPARE(std::min(page.x, page.y), 106.0f);
+      QVERIFY(std::abs(page.x / page.y - size.x / size.y) < 1e-4f);
+    }
+  }
+
+  void textThatNoSheetHasIsTold() {
+    ExportDesk desk;
+    desk.show();
+    desk.chooseKind(QStringLiteral("pdf"));
+    desk.pick("export-sheet", QStringLiteral("For teaching, with self-test"));
+    auto& text = desk.part<QPlainTextEdit>("export-sheetText");
+    text.setFocus();
+    QTest::keyClicks(&text, QStringLiteral("Dear patient"));
+    desk.pick("export-sheet", QStringLiteral("With title and legend"));
+    const auto& doubt = desk.part<QLabel>("exportDoubt");
+    QVERIFY2(doubt.isVisible() && doubt.text().contains(QStringLiteral("patient's sheet")),
+             qPrintable(doubt.text()));
+    desk.pick("export-sheet", QStringLiteral("For a patient"));
+    QVERIFY2(!doubt.text().contains(QStringLiteral("patient's sheet")), qPrintable(doubt.text()));
   }
 
   /// What the files lack is said before, as far as the preview tells, and after.

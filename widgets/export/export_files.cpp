@@ -15,10 +15,16 @@ namespace sline::widgets {
 
 namespace {
 
-/// Kinds that have a choice of depth and of ink alone; what was chosen for them is not asked of
-/// others.
+/// Kinds that have a choice of depth; what was chosen for them is not asked of others.
 bool isFine(const QString& kind) {
   return kind == QLatin1String("png") || kind == QLatin1String("tiff");
+}
+
+/// Of a film's picture: the page's shape, so small that letters are read on a screen, whatever
+/// paper was chosen for others: 10 points are 1/30 of its height.
+glm::vec2 filmPage(const glm::vec2& sizeMm) {
+  constexpr float shorterSide = 106.0f;
+  return sizeMm * (shorterSide / std::min(sizeMm.x, sizeMm.y));
 }
 
 ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const model::View* view) {
@@ -30,11 +36,14 @@ ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const mo
   order.look.keyLight = source.keyLight;
   if (!isFine(draft.kind))
     order.pixels.bits = render::ExportPixels().bits;
-  if (draft.order.pixels.pureInk && isFine(draft.kind)) {
+  const bool drawing = pageUseOf(draft.kind) == PageUse::drawing;
+  if (draft.order.pixels.pureInk && (isFine(draft.kind) || drawing)) {
     order.scene = model::withInkAlone(order.scene).scene;
     order.look.background = render::Background::white;
   }
   order.labels.onDark = order.look.background == render::Background::dark;
+  if (pageUseOf(draft.kind) == PageUse::shape)
+    order.page.sizeMm = filmPage(order.page.sizeMm);
   if (isSheet(draft))
     order.page.sizeMm = render::sheetFigureMm(order);
   const float aspect = order.page.sizeMm.x / order.page.sizeMm.y;

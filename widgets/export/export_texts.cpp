@@ -228,7 +228,11 @@ QString exportRemarks(const ExportDraft& draft, const render::ExportOrder& order
   render::ExportNotes notes = page;
   for (const render::ExportNote& note : formatOf(draft.kind)->foreseen(order))
     render::addNote(notes, note);
-  return noteTexts(notes).mid(0, most).join(QLatin1Char('\n'));
+  QStringList remarks = noteTexts(notes);
+  const bool sheet = isSheet(draft) && draft.order.sheet.kind != render::SheetKind::patient;
+  if (sheet && !draft.order.sheet.text.empty())
+    remarks.prepend(tr("The text is for a patient's sheet: this one does not have it."));
+  return remarks.mid(0, most).join(QLatin1Char('\n'));
 }
 
 }  // namespace sline::widgets

@@ -61,7 +61,7 @@ std::vector<ExportRow> pixelRows() {
           row("pureInk", tr("Black in&k alone"),
               tr("For print without tones: each pixel is ink or paper; what is shaded is "
                  "hatched instead"),
-              fine),
+              fine + QStringList{QStringLiteral("svg"), QStringLiteral("pdf")}),
           [](auto& o) -> auto& { return o.pixels.pureInk; })};
 }
 

@@ -58,20 +58,29 @@ QByteArray textString(const std::string& text) {
   return hex + '>';
 }
 
-/// In the document's information, where older programs look, and as XMP.
-void addCredit(PdfObjects& objects, const ExportCredit& credit) {
-  if (credit.empty())
+/// In the document's information, where all programs look; the credit as XMP, too.
+void addInformation(PdfObjects& objects, const ExportCredit& credit, const std::string& title) {
+  if (credit.empty() && title.empty())
     return;
   QByteArray info("<<");
+  if (!title.empty())
+    info += "/Title " + textString(title);
   if (!credit.author.empty())
     info += "/Author " + textString(credit.author);
   if (!credit.copyright.empty())
     info += "/Copyright " + textString(credit.copyright);
   objects.setInfo(objects.add(info + ">>\n"));
+  const auto addToCatalog = [&objects](const QByteArray& entry) {
+    QByteArray& catalog = objects[objects.catalog()];
+    catalog.insert(catalog.indexOf("/Type"), entry);
+  };
+  if (!title.empty())
+    addToCatalog("/ViewerPreferences <</DisplayDocTitle true>>\n");
+  if (credit.empty())
+    return;
   const PdfId xmp = objects.addPlainStream(QByteArray::fromStdString(xmpPacket(credit)),
                                            "/Type/Metadata/Subtype/XML");
-  QByteArray& catalog = objects[objects.catalog()];
-  catalog.insert(catalog.indexOf("/Type"), "/Metadata " + reference(xmp) + '\n');
+  addToCatalog("/Metadata " + reference(xmp) + '\n');
 }
 
 }  // namespace
@@ -123,7 +132,7 @@ void PdfPages::join(PdfObjects& objects, PdfId page, const PdfContent& content) 
   insertInto(objects[*resources], "/XObject", content.forms);
 }
 
-Result<QByteArray> PdfPages::finish(const ExportCredit& credit) {
+Result<QByteArray> PdfPages::finish(const ExportCredit& credit, const std::string& title) {
   m_painter.end();
   m_writer.reset();
   std::optional<PdfObjects> objects = PdfObjects::read(m_bytes.data());
@@ -141,7 +150,7 @@ Result<QByteArray> PdfPages::finish(const ExportCredit& credit) {
   }
   QByteArray& catalog = (*objects)[objects->catalog()];
   catalog.insert(catalog.indexOf("/Type"), "/Lang (" + tagOf(m_language) + ")\n");
-  addCredit(*objects, credit);
+  addInformation(*objects, credit, title);
   return objects->written();
 }
 

@@ -32,9 +32,9 @@ class PdfPages {
   /// A drawing of the current page, below all that is painted; it must live until `finish`.
   void place(const VectorDrawing& drawing, const PdfPlace& place);
 
-  /// The whole file. Holds no more than what the pages show and the credit: no title, program, date
-  /// or machine.
-  Result<QByteArray> finish(const ExportCredit& credit = {});
+  /// The whole file. Holds no more than what the pages show, the credit and the title that readers
+  /// show above them, where there is one: no program, date or machine.
+  Result<QByteArray> finish(const ExportCredit& credit = {}, const std::string& title = {});
 
  private:
   struct Placed {

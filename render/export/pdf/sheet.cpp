@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/pdf/sheet.h"
 
-#include <QTextLayout>
 #include <algorithm>
 #include <map>
 
 #include "render/export/label_texts.h"
 #include "render/export/marks/figure_plate.h"
+#include "render/export/pdf/patient_text.h"
 #include "render/export/pdf/sheet_lists.h"
 #include "render/export/pdf/sheet_order.h"
 #include "render/export/pdf/sheet_words.h"
@@ -18,7 +18,6 @@ namespace {
 
 constexpr float titlePoints = 18.0f;
 constexpr float leastTitlePoints = 10.0f;
-constexpr float patientPoints = 12.0f;
 
 Result<VectorDrawing> drawn(const ExportOrder& order, const std::filesystem::path& target,
                             const ExportProgress& progress) {
@@ -79,7 +78,7 @@ class Sheet {
       }
     }
     progress.note(m_notes);
-    return m_pages->finish(m_given.credit);
+    return m_pages->finish(m_given.credit, m_given.sheet.title);
   }
 
  private:
@@ -289,39 +288,22 @@ class Sheet {
   int m_total = 0;
 };
 
-/// Paragraphs, broken between words, from below the figure on to as many pages as they need.
+/// From below the figure on to as many pages as it needs.
 void Sheet::setPatientText() {
-  constexpr float leading = 1.45f * patientPoints * millimetresPerPoint;
-  constexpr float paragraphSpace = 0.5f * leading;
-  constexpr float widestLine = 165.0f;  // longer ones are hard to read
   const qreal scale = qreal(patientPoints * millimetresPerPoint) / labelFontPixels;
   LabelBox frame = m_layout.text;
   float y = frame.low.y;
   const auto needLine = [&] {
-    if (y + leading <= frame.high.y)
+    if (y + patientLeading <= frame.high.y)
       return;
     beginPage({});
     frame = m_layout.content;
     y = frame.low.y;
   };
-  const QString all = QString::fromStdString(m_order.sheet.text);
-  for (const QString& paragraph : all.split(QLatin1Char('\n'))) {
-    const QString text = paragraph.simplified();
-    if (text.isEmpty()) {
-      y += paragraphSpace;
-      continue;
-    }
-    QTextLayout layout(text, labelFont());
-    QTextOption option;
-    option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
-    layout.setTextOption(option);
-    layout.beginLayout();
-    for (QTextLine one = layout.createLine(); one.isValid(); one = layout.createLine())
-      one.setLineWidth(qreal(std::min(widestLine, frame.size().x)) / scale);
-    layout.endLayout();
-    for (int i = 0; i < layout.lineCount(); ++i) {
+  for (const auto& paragraph : patientParagraphs(m_order.sheet.text, frame.size().x)) {
+    for (int i = 0; paragraph && i < paragraph->lineCount(); ++i) {
       needLine();
-      const QTextLine one = layout.lineAt(i);
+      const QTextLine one = paragraph->lineAt(i);
       QPainter& painter = m_pages->painter();
       painter.save();
       painter.setPen(painterColour(textInk));
@@ -329,9 +311,9 @@ void Sheet::setPatientText() {
       painter.scale(scale, scale);
       one.draw(&painter, QPointF(0.0, -one.y()));
       painter.restore();
-      y += leading;
+      y += patientLeading;
     }
-    y += paragraphSpace;
+    y += patientParagraphSpace;
   }
 }
 

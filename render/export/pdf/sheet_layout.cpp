@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "render/export/marks/marks.h"
+#include "render/export/pdf/patient_text.h"
 #include "render/export/pdf/sheet_order.h"
 
 namespace sline::render {
@@ -17,8 +18,8 @@ constexpr float headerHeight = 13.0f;  ///< title and rule
 constexpr float belowFigure = 4.0f;
 /// What lists take of the content at most, before they go on on the next page.
 constexpr float mostOfHeight = 0.44f;
-constexpr float sideWidth = 62.0f;  ///< of lists beside a figure on landscape paper
-constexpr float patientText = 0.42f;
+constexpr float sideWidth = 62.0f;        ///< of lists beside a figure on landscape paper
+constexpr float mostPatientText = 0.42f;  ///< of the first page's height
 
 glm::vec2 paperSize(const ExportSheet& sheet) {
   const glm::vec2 upright =
@@ -187,7 +188,8 @@ SheetLayout sheetLayout(const ExportOrder& order) {
   const float height = layout.content.size().y;
   if (order.sheet.kind == SheetKind::patient) {
     if (!order.sheet.text.empty()) {
-      layout.figure.high.y -= patientText * height;
+      const float text = patientTextHeight(order.sheet.text, layout.content.size().x);
+      layout.figure.high.y -= std::min(mostPatientText * height, text + belowFigure + tolerance);
       layout.text.low.y = layout.figure.high.y + belowFigure;
     }
     return layout;
