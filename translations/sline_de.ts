@@ -2390,6 +2390,14 @@
         <source>The text is for a patient&apos;s sheet: this one does not have it.</source>
         <translation>Der Text gehört auf ein Blatt für Patienten: dieses hat ihn nicht.</translation>
     </message>
+    <message>
+        <source>&amp;Print Proof…</source>
+        <translation>Druck&amp;probe …</translation>
+    </message>
+    <message>
+        <source>Find neighbours that a press without colours or some eyes cannot tell apart, and what would help</source>
+        <translation>Findet Nachbarn, die ein Druck ohne Farben oder manche Augen nicht unterscheiden, und was helfen würde</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -2670,6 +2678,10 @@ OpenGL: %3</translation>
     <message>
         <source>Go On</source>
         <translation>Weitermachen</translation>
+    </message>
+    <message>
+        <source>Print proof</source>
+        <translation>Druckprobe</translation>
     </message>
 </context>
 <context>
@@ -3832,6 +3844,123 @@ OpenGL: %3</translation>
     <message>
         <source>&amp;Manage…</source>
         <translation>&amp;Verwalten …</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PrintProofDialog</name>
+    <message>
+        <source>in grey</source>
+        <translation>in Grau</translation>
+    </message>
+    <message>
+        <source>with protanopia</source>
+        <translation>mit Protanopie</translation>
+    </message>
+    <message>
+        <source>with deuteranopia</source>
+        <translation>mit Deuteranopie</translation>
+    </message>
+    <message>
+        <source>with tritanopia</source>
+        <translation>mit Tritanopie</translation>
+    </message>
+    <message>
+        <source>on the screen</source>
+        <translation>auf dem Bildschirm</translation>
+    </message>
+    <message>
+        <source>Neighbours that look alike</source>
+        <translation>Nachbarn, die gleich aussehen</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Nachbarn</translation>
+    </message>
+    <message>
+        <source>Look alike</source>
+        <translation>Sehen gleich aus</translation>
+    </message>
+    <message>
+        <source>What would help</source>
+        <translation>Was helfen würde</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>&amp;Also what looks alike on the screen</source>
+        <translation>&amp;Auch, was auf dem Bildschirm gleich aussieht</translation>
+    </message>
+    <message>
+        <source>&amp;With the changes</source>
+        <translation>&amp;Mit den Änderungen</translation>
+    </message>
+    <message>
+        <source>Make the &amp;Changes</source>
+        <translation>Änderungen ü&amp;bernehmen</translation>
+    </message>
+    <message>
+        <source>Print Proof</source>
+        <translation>Druckprobe</translation>
+    </message>
+    <message>
+        <source>Which may be meant: both kidneys have one colour</source>
+        <translation>Was gewollt sein kann: beide Nieren haben eine Farbe</translation>
+    </message>
+    <message>
+        <source>As it is seen</source>
+        <translation>Wie es gesehen wird</translation>
+    </message>
+    <message>
+        <source>Seen %1</source>
+        <translation>Gesehen %1</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Looking at the picture…</source>
+        <translation>Das Bild wird geprüft …</translation>
+    </message>
+    <message>
+        <source>All neighbours can be told apart in grey and by all eyes.</source>
+        <translation>Alle Nachbarn lassen sich in Grau und von allen Augen unterscheiden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pairs of neighbours look alike in print or to some eyes.</source>
+        <translation>
+            <numerusform>%n Paar Nachbarn sieht im Druck oder für manche Augen gleich aus.</numerusform>
+            <numerusform>%n Paare von Nachbarn sehen im Druck oder für manche Augen gleich aus.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>For %n of them no change was found.</source>
+        <translation>
+            <numerusform>Für %n davon wurde keine Änderung gefunden.</numerusform>
+            <numerusform>Für %n davon wurde keine Änderung gefunden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Γ %1</source>
+        <translation>Γ %1</translation>
+    </message>
+    <message>
+        <source>Drawing…</source>
+        <translation>Wird gezeichnet …</translation>
     </message>
 </context>
 <context>

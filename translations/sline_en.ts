@@ -277,6 +277,23 @@
     </message>
 </context>
 <context>
+    <name>sline::widgets::PrintProofDialog</name>
+    <message numerus="yes">
+        <source>%n pairs of neighbours look alike in print or to some eyes.</source>
+        <translation>
+            <numerusform>%n pair of neighbours looks alike in print or to some eyes.</numerusform>
+            <numerusform>%n pairs of neighbours look alike in print or to some eyes.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>For %n of them no change was found.</source>
+        <translation>
+            <numerusform>For %n of them no change was found.</numerusform>
+            <numerusform>For %n of them no change was found.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets::SelectionPanel</name>
     <message numerus="yes">
         <source>For the selected %n structures</source>

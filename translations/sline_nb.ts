@@ -2390,6 +2390,14 @@
         <source>The text is for a patient&apos;s sheet: this one does not have it.</source>
         <translation>Teksten hører til et ark for pasienter: dette arket har den ikke.</translation>
     </message>
+    <message>
+        <source>&amp;Print Proof…</source>
+        <translation>Prø&amp;vetrykk …</translation>
+    </message>
+    <message>
+        <source>Find neighbours that a press without colours or some eyes cannot tell apart, and what would help</source>
+        <translation>Finner naboer som et trykk uten farger eller noen øyne ikke kan skille, og hva som ville hjelpe</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -2670,6 +2678,10 @@ OpenGL: %3</translation>
     <message>
         <source>Go On</source>
         <translation>Fortsett</translation>
+    </message>
+    <message>
+        <source>Print proof</source>
+        <translation>Prøvetrykk</translation>
     </message>
 </context>
 <context>
@@ -3832,6 +3844,123 @@ OpenGL: %3</translation>
     <message>
         <source>&amp;Manage…</source>
         <translation>&amp;Behandle …</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PrintProofDialog</name>
+    <message>
+        <source>in grey</source>
+        <translation>i grått</translation>
+    </message>
+    <message>
+        <source>with protanopia</source>
+        <translation>med protanopi</translation>
+    </message>
+    <message>
+        <source>with deuteranopia</source>
+        <translation>med deuteranopi</translation>
+    </message>
+    <message>
+        <source>with tritanopia</source>
+        <translation>med tritanopi</translation>
+    </message>
+    <message>
+        <source>on the screen</source>
+        <translation>på skjermen</translation>
+    </message>
+    <message>
+        <source>Neighbours that look alike</source>
+        <translation>Naboer som ser like ut</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Naboer</translation>
+    </message>
+    <message>
+        <source>Look alike</source>
+        <translation>Ser like ut</translation>
+    </message>
+    <message>
+        <source>What would help</source>
+        <translation>Hva som ville hjelpe</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Ny</translation>
+    </message>
+    <message>
+        <source>&amp;Also what looks alike on the screen</source>
+        <translation>&amp;Også det som ser likt ut på skjermen</translation>
+    </message>
+    <message>
+        <source>&amp;With the changes</source>
+        <translation>&amp;Med endringene</translation>
+    </message>
+    <message>
+        <source>Make the &amp;Changes</source>
+        <translation>&amp;Gjør endringene</translation>
+    </message>
+    <message>
+        <source>Print Proof</source>
+        <translation>Prøvetrykk</translation>
+    </message>
+    <message>
+        <source>Which may be meant: both kidneys have one colour</source>
+        <translation>Som kan være ment: begge nyrene har én farge</translation>
+    </message>
+    <message>
+        <source>As it is seen</source>
+        <translation>Slik det ses</translation>
+    </message>
+    <message>
+        <source>Seen %1</source>
+        <translation>Sett %1</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Forhåndsvisning</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Lukk</translation>
+    </message>
+    <message>
+        <source>Looking at the picture…</source>
+        <translation>Ser på bildet …</translation>
+    </message>
+    <message>
+        <source>All neighbours can be told apart in grey and by all eyes.</source>
+        <translation>Alle naboer kan skilles fra hverandre i grått og av alle øyne.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pairs of neighbours look alike in print or to some eyes.</source>
+        <translation>
+            <numerusform>%n par naboer ser likt ut på trykk eller for noen øyne.</numerusform>
+            <numerusform>%n par naboer ser like ut på trykk eller for noen øyne.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>For %n of them no change was found.</source>
+        <translation>
+            <numerusform>For %n av dem ble det ikke funnet noen endring.</numerusform>
+            <numerusform>For %n av dem ble det ikke funnet noen endring.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 og %2</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>farge</translation>
+    </message>
+    <message>
+        <source>Γ %1</source>
+        <translation>Γ %1</translation>
+    </message>
+    <message>
+        <source>Drawing…</source>
+        <translation>Tegner …</translation>
     </message>
 </context>
 <context>

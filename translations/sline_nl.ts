@@ -2390,6 +2390,14 @@
         <source>The text is for a patient&apos;s sheet: this one does not have it.</source>
         <translation>De tekst hoort op een blad voor patiënten: dit blad heeft hem niet.</translation>
     </message>
+    <message>
+        <source>&amp;Print Proof…</source>
+        <translation>D&amp;rukproef…</translation>
+    </message>
+    <message>
+        <source>Find neighbours that a press without colours or some eyes cannot tell apart, and what would help</source>
+        <translation>Vindt buren die een druk zonder kleuren of sommige ogen niet onderscheiden, en wat zou helpen</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -2670,6 +2678,10 @@ OpenGL: %3</translation>
     <message>
         <source>Go On</source>
         <translation>Doorgaan</translation>
+    </message>
+    <message>
+        <source>Print proof</source>
+        <translation>Drukproef</translation>
     </message>
 </context>
 <context>
@@ -3832,6 +3844,123 @@ OpenGL: %3</translation>
     <message>
         <source>&amp;Manage…</source>
         <translation>&amp;Beheren…</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::PrintProofDialog</name>
+    <message>
+        <source>in grey</source>
+        <translation>in grijs</translation>
+    </message>
+    <message>
+        <source>with protanopia</source>
+        <translation>met protanopie</translation>
+    </message>
+    <message>
+        <source>with deuteranopia</source>
+        <translation>met deuteranopie</translation>
+    </message>
+    <message>
+        <source>with tritanopia</source>
+        <translation>met tritanopie</translation>
+    </message>
+    <message>
+        <source>on the screen</source>
+        <translation>op het scherm</translation>
+    </message>
+    <message>
+        <source>Neighbours that look alike</source>
+        <translation>Buren die op elkaar lijken</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Buren</translation>
+    </message>
+    <message>
+        <source>Look alike</source>
+        <translation>Lijken op elkaar</translation>
+    </message>
+    <message>
+        <source>What would help</source>
+        <translation>Wat zou helpen</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nieuw</translation>
+    </message>
+    <message>
+        <source>&amp;Also what looks alike on the screen</source>
+        <translation>&amp;Ook wat op het scherm op elkaar lijkt</translation>
+    </message>
+    <message>
+        <source>&amp;With the changes</source>
+        <translation>&amp;Met de wijzigingen</translation>
+    </message>
+    <message>
+        <source>Make the &amp;Changes</source>
+        <translation>Wijzigingen &amp;doorvoeren</translation>
+    </message>
+    <message>
+        <source>Print Proof</source>
+        <translation>Drukproef</translation>
+    </message>
+    <message>
+        <source>Which may be meant: both kidneys have one colour</source>
+        <translation>Wat bedoeld kan zijn: beide nieren hebben één kleur</translation>
+    </message>
+    <message>
+        <source>As it is seen</source>
+        <translation>Zoals het gezien wordt</translation>
+    </message>
+    <message>
+        <source>Seen %1</source>
+        <translation>Gezien %1</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Voorbeeld</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Sluiten</translation>
+    </message>
+    <message>
+        <source>Looking at the picture…</source>
+        <translation>De afbeelding wordt bekeken…</translation>
+    </message>
+    <message>
+        <source>All neighbours can be told apart in grey and by all eyes.</source>
+        <translation>Alle buren zijn in grijs en voor alle ogen te onderscheiden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pairs of neighbours look alike in print or to some eyes.</source>
+        <translation>
+            <numerusform>%n paar buren lijkt in druk of voor sommige ogen op elkaar.</numerusform>
+            <numerusform>%n paren buren lijken in druk of voor sommige ogen op elkaar.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>For %n of them no change was found.</source>
+        <translation>
+            <numerusform>Voor %n ervan is geen wijziging gevonden.</numerusform>
+            <numerusform>Voor %n ervan is geen wijziging gevonden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 en %2</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>kleur</translation>
+    </message>
+    <message>
+        <source>Γ %1</source>
+        <translation>Γ %1</translation>
+    </message>
+    <message>
+        <source>Drawing…</source>
+        <translation>Wordt getekend…</translation>
     </message>
 </context>
 <context>

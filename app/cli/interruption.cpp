@@ -22,8 +22,8 @@ Interruption::Interruption() : m_before{} {
   received = 0;
   struct sigaction action {};
   action.sa_handler = receive;
-  // Once; and calls that wait go on.
-  action.sa_flags = int(SA_RESETHAND) | SA_RESTART;
+  // Once. Calls that wait, for a pipe's reader perhaps, do not go on.
+  action.sa_flags = int(SA_RESETHAND);
   for (std::size_t i = 0; i < signals.size(); ++i) {
     sigaction(signals[i], nullptr, &m_before[i]);
     // What whoever started the program wants ignored stays so (nohup).

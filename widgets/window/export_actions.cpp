@@ -21,6 +21,7 @@
 #include "widgets/export/note_texts.h"
 #include "widgets/export/page_presets.h"
 #include "widgets/export/picture_copier.h"
+#include "widgets/export/print_proof_dialog.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/window/message_bar.h"
 #include "widgets/window/window_actions.h"
@@ -66,6 +67,8 @@ void ExportActions::connectActions() {
           &ExportActions::showDialog);
   connect(&m_actions[QStringLiteral("copyPicture")], &QAction::triggered, this,
           &ExportActions::copyPicture);
+  connect(&m_actions[QStringLiteral("printProof")], &QAction::triggered, this,
+          &ExportActions::showProof);
   showState();
 }
 
@@ -82,6 +85,7 @@ void ExportActions::showState() {
                                [](const model::Node& node) { return !node.isGroup(); });
   action.setEnabled(any && !m_job);
   m_actions[QStringLiteral("copyPicture")].setEnabled(any);
+  m_actions[QStringLiteral("printProof")].setEnabled(any);
 }
 
 ExportSource ExportActions::source() const {
@@ -94,6 +98,26 @@ ExportSource ExportActions::source() const {
 
 void ExportActions::copyPicture() {
   m_copier->copy(source(), rememberedDraft(m_settings).order);
+}
+
+void ExportActions::showProof() {
+  const ExportSource seen = source();
+  render::ExportOrder order;
+  order.scene = seen.scene;
+  order.camera = seen.camera;
+  order.page.sizeMm = render::usualHeightMm * glm::vec2(seen.aspect, 1.0f);
+  order.look.background = render::Background::white;
+  order.look.keyLight = seen.keyLight;
+  order.labels.mode = render::LabelMode::off;
+  order.marks = render::ExportMarks::none();
+  auto* dialog = new PrintProofDialog(std::move(order), m_session.names(), m_viewport, &m_window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &PrintProofDialog::changesWanted, this,
+          [this](const std::vector<render::ProofProposal>& proposals) {
+            m_session.apply(tr("Print proof"),
+                            {render::withProposals(m_session.scene(), proposals), true});
+          });
+  dialog->open();
 }
 
 void ExportActions::prepareDraft() {

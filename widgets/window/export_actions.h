@@ -56,6 +56,7 @@ class ExportActions : public QObject {
   void prepareDraft();
   ExportSource source() const;
   void copyPicture();
+  void showProof();
   void begin(const QString& kind, const std::vector<ExportFile>& files);
   void showProgress();
   void end();

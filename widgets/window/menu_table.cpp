@@ -50,6 +50,7 @@ std::vector<MenuRow> menuRows() {
                "revert",
                "",
                "export",
+               "printProof",
                "",
                "reload",
                "recover",

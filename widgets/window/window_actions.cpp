@@ -53,6 +53,11 @@ std::vector<ActionRow> fileRows() {
           {QStringLiteral("export"), tr("&Export…"), key(tr("Ctrl+Shift+E")),
            tr("Write pictures, drawings and other files for print, teaching and other programs"),
            "export"},
+          {QStringLiteral("printProof"),
+           tr("&Print Proof…"),
+           {},
+           tr("Find neighbours that a press without colours or some eyes cannot tell apart, and "
+              "what would help")},
           {QStringLiteral("close"), tr("&Close"), key(QKeySequence::Close),
            tr("Close the scene and go to the start page")},
           {QStringLiteral("reload"), tr("Re&load from Source"), key(QKeySequence::Refresh),

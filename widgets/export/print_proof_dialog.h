@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QDialog>
+#include <QImage>
+#include <array>
+#include <optional>
+
+#include "render/export/proof/print_proof.h"
+#include "widgets/session/background_queue.h"
+#include "widgets/session/shown_names.h"
+#include "widgets/viewport/viewport.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTreeWidget;
+
+namespace sline::widgets {
+
+/// Which neighbours in the picture a press without colours or some eyes cannot tell apart, what
+/// would help, and how both look to them. Changes nothing itself.
+class PrintProofDialog : public QDialog {
+  Q_OBJECT
+ public:
+  /// The order's picture is looked at; names and viewport must outlive the dialog.
+  PrintProofDialog(render::ExportOrder order, const ShownNames& names, Viewport& viewport,
+                   QWidget* parent = nullptr);
+  ~PrintProofDialog() override;
+
+  /// Null while the picture is looked at.
+  const std::optional<render::PrintProof>& proof() const { return m_proof; }
+
+ signals:
+  /// The dialog has closed itself.
+  void changesWanted(const std::vector<sline::render::ProofProposal>& proposals);
+
+ private:
+  QWidget* makeFindings();
+  QWidget* makeOutlook();
+  QWidget* makeButtons();
+  void look();
+  void took(const Result<render::PrintProof>& proof);
+  void showFindings();
+  void showProposals();
+  void askPictures();
+  void showPicture();
+
+  const render::ExportOrder m_order;
+  const ShownNames& m_names;
+  QPointer<Viewport> m_viewport;
+  QLabel* m_told;
+  QTreeWidget* m_pairs;
+  QTreeWidget* m_changes;
+  QCheckBox* m_all;
+  QLabel* m_picture;
+  QComboBox* m_vision;
+  QCheckBox* m_changed;
+  QPushButton* m_apply;
+  int m_asked = 0;  ///< counts what was looked at
+  std::optional<render::PrintProof> m_proof;
+  std::array<QImage, 2> m_pictures;  ///< as it is, with the changes
+  BackgroundQueue m_queue;
+};
+
+}  // namespace sline::widgets
