@@ -11,6 +11,7 @@
 #include "app/cli/picture_options.h"
 #include "app/cli/pixel_options.h"
 #include "app/cli/sheet_options.h"
+#include "app/cli/targets.h"
 #include "render/export/formats/export_formats.h"
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_order.h"
@@ -196,6 +197,14 @@ Exit writeAll(const render::ExportOrder& job, const std::map<std::string, std::s
   return Exit::done;
 }
 
+/// Whether all targets may be written.
+Status checkTargets(const ExportFlags& flags) {
+  std::vector<std::string> read = flags.input.inputs;
+  read.push_back(flags.picture.cameraFile);
+  read.push_back(flags.sheet.text);
+  return checkTargets(exportTargets(flags.targets), read);
+}
+
 Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   ExportFlags flags = typed;
   if (const Status film = addFilmTarget(typed.film, flags.targets); !film.ok())
@@ -203,6 +212,8 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   Result<Wanted> wish = wanted(flags);
   if (!wish.ok())
     return complain(wish.error(), Exit::wrongUse);
+  if (const Status fine = checkTargets(flags); !fine.ok())
+    return complain(fine.error(), Exit::wrongUse);
   // One for all that set text, the writers too.
   const auto typesetting = render::Typesetting::create();
   if (!typesetting.ok())

@@ -2,6 +2,7 @@
 // `sline import`: whatever can be read in, a scene file out.
 #include "app/cli/command.h"
 #include "app/cli/plan_report.h"
+#include "app/cli/targets.h"
 #include "app/cli/thumbnail.h"
 #include "model/files/scene_file.h"
 #include "model/import/plan.h"
@@ -24,6 +25,10 @@ Result<model::ImportOptions> understoodImport(const ImportFlags& flags) {
     return Error{.file = flags.output,
                  .reason = "a scene file's name ends with " + std::string(model::sceneExtension),
                  .remedy = "Name it so"};
+  const Target scene{.flag = "--output", .name = flags.output, .endings = {}, .scene = true};
+  if (!flags.output.empty())
+    if (const Status fine = checkTargets({&scene, 1}, flags.input.inputs); !fine.ok())
+      return fine.error();
   return importOptions(flags.input);
 }
 

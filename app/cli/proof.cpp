@@ -9,6 +9,7 @@
 #include "app/cli/draw_scene.h"
 #include "app/cli/json_values.h"
 #include "app/cli/picture_options.h"
+#include "app/cli/targets.h"
 #include "app/cli/thumbnail.h"
 #include "model/edit/views.h"
 #include "model/files/scene_file.h"
@@ -239,7 +240,8 @@ Status wellAsked(const ProofFlags& flags) {
     return Error{.file = flags.output,
                  .reason = "a scene file's name ends with " + std::string(model::sceneExtension),
                  .remedy = "Give such a name"};
-  return Unit{};
+  const Target scene{.flag = "--output", .name = flags.output, .endings = {}, .scene = true};
+  return flags.apply ? checkTargets({&scene, 1}, flags.input.inputs) : Unit{};
 }
 
 Exit runProof(const ProofFlags& flags) {
