@@ -39,6 +39,11 @@ class InputsStayTest : public QObject {
     QCOMPARE(runSline({"import", mesh, "-o", scene}).code, 0);
     QCOMPARE(runSline({"export", mesh, "--glb", m_folder.filePath("meshes/liver.glb")}).code, 0);
     QVERIFY(QFile::link(scene, m_folder.filePath("picture.png")));
+    writeFile(m_folder.filePath("list.csv"), "input,pdf\nscene.sline,scene.sline\n");
+    writeFile(
+        m_folder.filePath("other.csv"),
+        "input,glb\nscene.sline,new.glb\nmesh.obj,meshes/liver.glb\nmeshes/liver.glb,b.glb\n");
+    writeFile(m_folder.filePath("itself.json"), R"([{"input":"scene.sline","svg":"itself.json"}])");
   }
 
   void refused_data() {
@@ -61,6 +66,9 @@ class InputsStayTest : public QObject {
     row("curvature over the mesh", "curvature|DIR/mesh.obj|-o|DIR/mesh.obj", "mesh.obj");
     row("curvature over a scene", "curvature|DIR/mesh.obj|-o|DIR/scene.sline", "scene.sline");
     row("sheet over a link", "ramp|DIR/scene.sline|--sheet|DIR/picture.png", "picture.png");
+    row("a job over its scene", "jobs|DIR/list.csv", "line 2|scene.sline");
+    row("a job over another's mesh", "jobs|DIR/other.csv", "line 3|liver.glb");
+    row("a job over the list", "jobs|DIR/itself.json", "job 1|itself.json");
 
     row("two films of a kind", exported + "--gif|DIR/a.gif|--video|DIR/b.gif", "--video|--gif");
     row("one file for two", exported + "--png|DIR/a|--tiff|DIR/./a", "--png|--tiff|same file");
