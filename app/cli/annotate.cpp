@@ -254,7 +254,7 @@ Exit list(const model::Scene& scene) {
       std::cout << '\t' << language << '=' << words(text);
     std::cout << '\n';
   }
-  return std::cout.flush() ? Exit::done : Exit::failed;
+  return Exit::done;
 }
 
 Exit runAnnotate(const AnnotateFlags& flags) {
@@ -281,7 +281,7 @@ Exit runAnnotate(const AnnotateFlags& flags) {
   const std::vector<Annotation>& all = document->scene.annotations();
   for (std::size_t i = all.size() - made; i < all.size(); ++i)
     std::cout << all[i].id.value << '\n';
-  return std::cout.flush() ? Exit::done : Exit::failed;
+  return Exit::done;
 }
 
 void declareAnnotate(CLI::App& command, AnnotateFlags& flags) {

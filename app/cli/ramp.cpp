@@ -301,8 +301,6 @@ Exit runRamp(const RampFlags& flags) {
   } else if (report.structures.size() > 1) {
     printSummary(report.structures);
   }
-  if (std::fflush(stdout) != 0)
-    return Exit::failed;
   return flags.measure.check && !report.passes() ? Exit::failed : Exit::done;
 }
 

@@ -72,7 +72,7 @@ Exit reloadInto(const ReloadFlags& flags, const model::SceneLock* lock) {
     if (const Status written = model::writeSceneFile(*lock, *document); !written.ok())
       return complain(written.error(), Exit::failed);
   }
-  return std::cout.flush() && !anyFailed(reloaded) ? Exit::done : Exit::failed;
+  return anyFailed(reloaded) ? Exit::failed : Exit::done;
 }
 
 Exit runReload(const ReloadFlags& flags) {
