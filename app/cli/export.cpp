@@ -176,6 +176,18 @@ Result<render::ExportOrder> understoodJob(const ExportFlags& flags, Wanted& wish
   return onSheet(job, wish.order, typesetting);
 }
 
+/// What is written beside a sheet shows the sheet's figure, and is as large.
+void tellOfSheet(const render::ExportOrder& job,
+                 const std::map<std::string, std::string>& targets) {
+  if (job.sheet.kind == render::SheetKind::none)
+    return;
+  const auto rounded = [](float mm) { return std::to_string(std::lround(mm)); };
+  for (const auto& [kind, target] : targets)
+    if (kind != "pdf" && kind != "glb")
+      tell(target + " is of the sheet's figure: " + rounded(job.page.sizeMm.x) + " by " +
+           rounded(job.page.sizeMm.y) + " mm");
+}
+
 Exit writeAll(const render::ExportOrder& job, const std::map<std::string, std::string>& targets,
               Progress& progress, const Warn& tellWarning) {
   for (const render::ExportFormat& format : render::exportFormats()) {
@@ -231,6 +243,7 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   const Result<render::ExportOrder> job = understoodJob(flags, *wish, *arranged, **typesetting);
   if (!job.ok())
     return complain(job.error(), Exit::wrongUse);
+  tellOfSheet(*job, flags.targets);
   return writeAll(*job, flags.targets, progress, tellWarning);
 }
 
@@ -245,12 +258,11 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
             },
             format.help)
         ->type_name(*format.extension ? "FILE" : "FOLDER");
-  CLI::Option* size =
-      command.add_option("--size-mm", flags.sizeMm, "Width and height of the page in millimetres")
-          ->type_name("WxH")
-          ->capture_default_str();
+  command.add_option("--size-mm", flags.sizeMm, "Width and height of the page in millimetres")
+      ->type_name("WxH")
+      ->capture_default_str();
   addPixelOptions(command, flags.pixels);
-  addSheetOptions(command, flags.sheet, size);
+  addSheetOptions(command, flags.sheet);
   CLI::Option* view = command
                           .add_option("--view,--from", flags.picture.view,
                                       "A saved view of the scene, shown as it was saved; else "
