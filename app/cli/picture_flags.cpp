@@ -263,8 +263,9 @@ model::Scene asSaved(const model::Scene& scene, const PictureOrder& order) {
     return scene;
   model::ShownScene shown = model::shown(scene, *saved);
   if (!shown.absent.empty())
-    warn("the view \"" + saved->name + "\" shows " + std::to_string(shown.absent.size()) +
-         " structures or groups that the scene no longer has");
+    warn("of what the view \"" + saved->name + "\" shows, " + std::to_string(shown.absent.size()) +
+         (shown.absent.size() == 1 ? " structure or group is" : " structures or groups are") +
+         " no longer in the scene");
   return std::move(shown.scene);
 }
 

@@ -244,16 +244,8 @@ void printList(const model::Scene& scene) {
     std::cout << "the scene has no saved views\n";
 }
 
-Result<model::SceneDocument> opened(const std::string& file) {
-  Result<model::SceneDocument> document = model::readSceneFile(file);
-  if (document.ok())
-    if (const std::string warning = document->warning(); !warning.empty())
-      warn(file + ": " + warning);
-  return document;
-}
-
 Exit list(const ViewFlags& flags) {
-  const Result<model::SceneDocument> document = opened(flags.scene);
+  const Result<model::SceneDocument> document = openedScene(flags.scene);
   if (!document.ok())
     return complain(document.error(), Exit::failed);
   if (flags.json)
@@ -268,7 +260,7 @@ Exit edit(const ViewFlags& flags) {
   const auto lock = model::SceneLock::acquire(flags.output.empty() ? flags.scene : flags.output);
   if (!lock.ok())
     return complain(lock.error(), Exit::failed);
-  Result<model::SceneDocument> document = opened(flags.scene);
+  Result<model::SceneDocument> document = openedScene(flags.scene);
   if (!document.ok())
     return complain(document.error(), Exit::failed);
   Outcome outcome = edited(document->scene, flags);
