@@ -57,7 +57,7 @@ std::string rounded(double value) {
 }
 
 render::ExportOrder exportOrder(const ArrangedScene& arranged, const PictureOrder& order) {
-  constexpr float pixelMm = 25.4f / 96.0f;
+  constexpr float pixelMm = render::millimetresPerInch / 96.0f;
   render::ExportOrder job;
   job.scene = arranged.scene;
   job.camera = arranged.camera;
