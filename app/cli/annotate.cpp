@@ -57,14 +57,43 @@ Result<glm::vec3> parsePlace(std::string_view text) {
   return glm::vec3(values[0], values[1], values[2]);
 }
 
+bool isBlank(const std::string& text) {
+  return text.find_first_not_of(" \t\r\n") == std::string::npos;
+}
+
+/// As languages are named (BCP 47): "de", "nb", "zh-Hant", "de-AT-1996".
+bool isLanguageTag(std::string_view tag) {
+  constexpr std::size_t longest = 35;
+  constexpr std::size_t longestPart = 8;
+  if (tag.size() > longest)
+    return false;
+  std::size_t begin = 0;
+  for (bool first = true; begin <= tag.size(); first = false) {
+    const std::size_t end = std::min(tag.find('-', begin), tag.size());
+    const std::string_view part = tag.substr(begin, end - begin);
+    const auto fits = [first](char c) {
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (!first && c >= '0' && c <= '9');
+    };
+    if (part.size() < (first ? 2u : 1u) || part.size() > longestPart ||
+        !std::all_of(part.begin(), part.end(), fits))
+      return false;
+    begin = end + 1;
+  }
+  return true;
+}
+
 /// The texts by language; the whole map is the annotation's.
 Result<std::map<std::string, std::string>> parseTexts(const std::vector<std::string>& texts) {
   std::map<std::string, std::string> parsed;
   for (const std::string& text : texts) {
     const std::size_t cut = text.find('=');
-    if (cut == 0 || cut == std::string::npos || cut > 35)
+    if (cut == std::string::npos || !isLanguageTag(text.substr(0, cut)))
       return wrong("the text \"" + text + "\" does not say its language", "Write de=\"Niere\"");
-    parsed[text.substr(0, cut)] = text.substr(cut + 1);
+    if (isBlank(text.substr(cut + 1)))
+      return wrong("--text " + text + " has no words", "Write some, or leave it out");
+    if (!parsed.emplace(text.substr(0, cut), text.substr(cut + 1)).second)
+      return wrong("--text says two things in the language " + text.substr(0, cut),
+                   "Leave one out");
   }
   return parsed;
 }
@@ -179,6 +208,8 @@ std::optional<Error> fault(const AnnotateFlags& flags) {
   if (flags.on.size() > 1 && (flags.label || !flags.at.empty() || !flags.texts.empty()))
     return wrong("one text or place is given for several structures",
                  "Leave --label, --text and --at out, or name one structure");
+  if (flags.label && isBlank(*flags.label))
+    return wrong("--label has no words", "Write some, or leave it out for the structure's name");
   const bool making = !flags.list && flags.remove.empty();
   if (making && flags.on.empty() && (flags.at.empty() || !flags.label))
     return wrong("the label has no text or no place",
@@ -191,14 +222,6 @@ std::optional<Error> fault(const AnnotateFlags& flags) {
   return std::nullopt;
 }
 
-/// The saved view of that name, by its place in the scene.
-std::optional<std::size_t> savedView(const model::Scene& scene, const std::string& name) {
-  for (std::size_t i = 0; i < scene.views().size(); ++i)
-    if (model::normalisedName(scene.views()[i].name) == model::normalisedName(name))
-      return i;
-  return std::nullopt;
-}
-
 /// The scene with what the flags ask for; an error is a wrong use.
 Result<model::Scene> annotated(const model::Scene& scene, const AnnotateFlags& flags) {
   PictureOrder order;
@@ -207,9 +230,10 @@ Result<model::Scene> annotated(const model::Scene& scene, const AnnotateFlags& f
   const Result<model::Camera> camera = cameraFor(shown, order);
   if (!camera.ok())
     return camera.error();
-  const std::optional<std::size_t> view = savedView(scene, flags.view);
+  const model::View* view = savedView(scene, flags.view);
   if (flags.onlyInView && !view)
     return wrong("\"" + flags.view + "\" is no saved view", "Name one with --view");
+  const auto place = view ? std::size_t(view - scene.views().data()) : 0;
   render::SightTrees trees;
   const float height = render::usualHeightMm;
   const Where where{shown, render::Screen(*camera, {order.size.aspect() * height, height}), trees};
@@ -224,7 +248,7 @@ Result<model::Scene> annotated(const model::Scene& scene, const AnnotateFlags& f
     after = model::withAnnotation(after, *made).scene;
     const model::AnnotationId id = after.annotations().back().id;
     if (view)
-      after = model::withAnnotationInView(after, id, *view, flags.onlyInView).scene;
+      after = model::withAnnotationInView(after, id, place, flags.onlyInView).scene;
   }
   return after;
 }
@@ -254,20 +278,20 @@ Exit list(const model::Scene& scene) {
       std::cout << '\t' << language << '=' << words(text);
     std::cout << '\n';
   }
-  return std::cout.flush() ? Exit::done : Exit::failed;
+  return Exit::done;
 }
 
 Exit runAnnotate(const AnnotateFlags& flags) {
   if (const std::optional<Error> error = fault(flags))
     return complain(*error, Exit::wrongUse);
   if (flags.list) {
-    const auto document = model::readSceneFile(flags.scene);
+    const auto document = openedScene(flags.scene);
     return document.ok() ? list(document->scene) : complain(document.error(), Exit::failed);
   }
   const auto lock = model::SceneLock::acquire(flags.scene);
   if (!lock.ok())
     return complain(lock.error(), Exit::failed);
-  Result<model::SceneDocument> document = model::readSceneFile(flags.scene);
+  Result<model::SceneDocument> document = openedScene(flags.scene);
   if (!document.ok())
     return complain(document.error(), Exit::failed);
   Result<model::Scene> after =
@@ -281,7 +305,7 @@ Exit runAnnotate(const AnnotateFlags& flags) {
   const std::vector<Annotation>& all = document->scene.annotations();
   for (std::size_t i = all.size() - made; i < all.size(); ++i)
     std::cout << all[i].id.value << '\n';
-  return std::cout.flush() ? Exit::done : Exit::failed;
+  return Exit::done;
 }
 
 void declareAnnotate(CLI::App& command, AnnotateFlags& flags) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/arguments.h"
 
-#include <set>
-
 namespace sline::cli {
 
 namespace {
@@ -14,26 +12,25 @@ bool isOption(const std::string& argument) {
 }  // namespace
 
 std::vector<std::string> withInputsFirst(const std::vector<std::string>& arguments,
-                                         const std::function<bool(const std::string&)>& exists) {
+                                         const ArgumentKinds& kinds) {
   if (arguments.empty())
     return arguments;
   std::vector<std::string> inputs;
   std::vector<std::string> others;
-  std::string option;
+  Values taken = Values::one;
   std::size_t values = 0;
   for (std::size_t i = 1; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
     if (isOption(argument)) {
-      option = argument;
-      values = 0;
+      const std::size_t equals = argument.find('=');
+      taken = kinds.valuesOf(argument.substr(0, equals));
+      values = equals == std::string::npos ? 0 : 1;
       others.push_back(argument);
       continue;
     }
-    static const std::set<std::string> assigning{"--gamma", "--pen",        "--hatch-density",
-                                                 "--color", "--hatch-tone", "--colour"};
-    const bool assigns = assigning.contains(option);
-    const bool isInput = (assigns && values > 0 && argument.find('=') == std::string::npos) ||
-                         (option == "--only" && values > 0 && exists(argument));
+    const bool assigned = argument.find('=') != std::string::npos;
+    const bool isInput = values > 0 && ((taken == Values::assignments && !assigned) ||
+                                        (taken == Values::several && kinds.exists(argument)));
     ++values;
     (isInput ? inputs : others).push_back(argument);
   }

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/cli/command.h"
+#include "app/cli/targets.h"
 #include "app/cli/text_file.h"
 #include "model/geometry/normals.h"
 
@@ -63,6 +64,9 @@ Exit runCurvature(const CurvatureFlags& flags) {
   const Result<model::ImportOptions> options = importOptions(input);
   if (!options.ok())
     return complain(options.error(), Exit::wrongUse);
+  const Target table{.flag = "--output", .name = flags.output, .endings = {"csv"}};
+  if (const Status fine = checkTargets({&table, 1}, flags.input.inputs); !fine.ok())
+    return complain(fine.error(), Exit::wrongUse);
   Progress progress;
   const Result<model::Imported> imported = readInputs(input.inputs, *options, progress);
   if (!imported.ok())

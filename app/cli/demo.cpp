@@ -9,6 +9,7 @@
 #include "app/cli/mesh_folder.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/scene_summary.h"
+#include "app/cli/targets.h"
 #include "app/cli/thumbnail.h"
 #include "model/demo/demo.h"
 #include "model/files/cache_folder.h"
@@ -48,7 +49,7 @@ Exit list(const DemoFlags& flags) {
     std::cout << jsonText(summaryJson(summary, "LPS"), 2) << '\n';
   else
     printSummary(summary, "LPS (modelled in it)");
-  return std::cout.flush() ? Exit::done : Exit::failed;
+  return Exit::done;
 }
 
 Exit writeMeshes(const DemoFlags& flags) {
@@ -71,6 +72,9 @@ Exit draw(const DemoFlags& flags) {
   Result<PictureOrder> order = understood(flags.picture);
   if (!order.ok())
     return complain(order.error(), Exit::wrongUse);
+  const Target picture{.flag = "--output", .name = flags.picture.output, .endings = {}};
+  if (const Status fine = checkTargets({&picture, 1}, {&flags.picture.cameraFile, 1}); !fine.ok())
+    return complain(fine.error(), Exit::wrongUse);
   Progress progress;
   progress.show(0.0, "modelling");
   const model::Scene scene = sceneFor(flags);

@@ -12,6 +12,7 @@
 #include "app/cli/picture_options.h"
 #include "app/cli/pixel_options.h"
 #include "app/cli/sheet_options.h"
+#include "app/cli/targets.h"
 #include "render/export/formats/export_formats.h"
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_order.h"
@@ -176,6 +177,18 @@ Result<render::ExportOrder> understoodJob(const ExportFlags& flags, Wanted& wish
   return onSheet(job, wish.order, typesetting);
 }
 
+/// What is written beside a sheet shows the sheet's figure, and is as large.
+void tellOfSheet(const render::ExportOrder& job,
+                 const std::map<std::string, std::string>& targets) {
+  if (job.sheet.kind == render::SheetKind::none)
+    return;
+  const auto rounded = [](float mm) { return std::to_string(std::lround(mm)); };
+  for (const auto& [kind, target] : targets)
+    if (kind != "pdf" && kind != "glb")
+      tell(target + " is of the sheet's figure: " + rounded(job.page.sizeMm.x) + " by " +
+           rounded(job.page.sizeMm.y) + " mm");
+}
+
 Exit writeAll(const render::ExportOrder& job, const std::map<std::string, std::string>& targets,
               Progress& progress, const Warn& tellWarning) {
   const Interruption interruption;
@@ -198,6 +211,14 @@ Exit writeAll(const render::ExportOrder& job, const std::map<std::string, std::s
   return Exit::done;
 }
 
+/// Whether all targets may be written.
+Status checkTargets(const ExportFlags& flags) {
+  std::vector<std::string> read = flags.input.inputs;
+  read.push_back(flags.picture.cameraFile);
+  read.push_back(flags.sheet.text);
+  return checkTargets(exportTargets(flags.targets), read);
+}
+
 Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   ExportFlags flags = typed;
   if (const Status film = addFilmTarget(typed.film, flags.targets); !film.ok())
@@ -205,6 +226,8 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   Result<Wanted> wish = wanted(flags);
   if (!wish.ok())
     return complain(wish.error(), Exit::wrongUse);
+  if (const Status fine = checkTargets(flags); !fine.ok())
+    return complain(fine.error(), Exit::wrongUse);
   if (flags.film.motion == "tour" && !flags.picture.only.empty())
     tellWarning("a tour shows what its views show: --only changes nothing in it");
   // One for all that set text, the writers too.
@@ -224,6 +247,7 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   const Result<render::ExportOrder> job = understoodJob(flags, *wish, *arranged, **typesetting);
   if (!job.ok())
     return complain(job.error(), Exit::wrongUse);
+  tellOfSheet(*job, flags.targets);
   const Exit written = writeAll(*job, flags.targets, progress, tellWarning);
   if (written == Exit::done && job->labels.mode == render::LabelMode::numbers)
     printKey(render::reportOfPlate(*job, **typesetting));
@@ -241,12 +265,11 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
             },
             format.help)
         ->type_name(*format.extension ? "FILE" : "FOLDER");
-  CLI::Option* size =
-      command.add_option("--size-mm", flags.sizeMm, "Width and height of the page in millimetres")
-          ->type_name("WxH")
-          ->capture_default_str();
+  command.add_option("--size-mm", flags.sizeMm, "Width and height of the page in millimetres")
+      ->type_name("WxH")
+      ->capture_default_str();
   addPixelOptions(command, flags.pixels);
-  addSheetOptions(command, flags.sheet, size);
+  addSheetOptions(command, flags.sheet);
   CLI::Option* view = command
                           .add_option("--view,--from", flags.picture.view,
                                       "A saved view of the scene, shown as it was saved; else "

@@ -67,17 +67,23 @@ Result<render::FilmOptions> understood(const FilmFlags& flags, const model::Scen
 }
 
 Status addFilmTarget(const FilmFlags& flags, std::map<std::string, std::string>& targets) {
-  if (flags.file.empty())
+  if (!flags.file)
     return Unit{};
-  std::string extension = std::filesystem::path(flags.file).extension().string();
+  std::string extension = std::filesystem::path(*flags.file).extension().string();
   for (char& c : extension)
     c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-  for (const char* kind : {"mp4", "webp", "gif"})
-    if (extension == std::string(".") + kind) {
-      targets.emplace(kind, flags.file);
-      return Unit{};
-    }
-  return Error{.file = flags.file,
+  for (const char* kind : {"mp4", "webp", "gif"}) {
+    if (extension != std::string(".") + kind)
+      continue;
+    const auto [other, fresh] = targets.emplace(kind, *flags.file);
+    if (!fresh)
+      return Error{.file = *flags.file,
+                   .reason = "--video and --" + std::string(kind) + " " + other->second +
+                             " ask for two films of one kind",
+                   .remedy = "Leave one out, or export twice"};
+    return Unit{};
+  }
+  return Error{.file = *flags.file,
                .reason = extension.empty()
                              ? "the name has no extension, which decides the kind of film"
                              : "no film is written as \"" + extension + "\"",

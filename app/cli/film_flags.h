@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace sline::cli {
 
 /// As typed.
 struct FilmFlags {
-  std::string file;  ///< of a kind that its extension tells
+  std::optional<std::string> file;  ///< of a kind that its extension tells
   std::string motion = "turntable";
   double seconds = 8.0;
   double framesPerSecond = 25.0;
@@ -25,7 +26,8 @@ struct FilmFlags {
 
 /// Whose Γ changes is looked up in the scene. An error is a wrong use.
 Result<render::FilmOptions> understood(const FilmFlags& flags, const model::Scene& scene);
-/// `--video FILE` as one of the kinds that have a flag of their own.
+/// `--video FILE` as one of the kinds that have a flag of their own; fails where that kind has a
+/// target already.
 Status addFilmTarget(const FilmFlags& flags, std::map<std::string, std::string>& targets);
 
 }  // namespace sline::cli

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/film_flags.h"
+#include "app/cli/option_kinds.h"
 
 namespace sline::cli {
 
@@ -20,30 +21,27 @@ inline void addFilmOptions(CLI::App& command, FilmFlags& flags) {
       ->capture_default_str();
   command.add_option("--seconds", flags.seconds, "How long a film is")
       ->type_name("S")
-      ->check(CLI::Range(0.1, 600.0))
+      ->check(within(0.1, 600.0))
       ->capture_default_str();
   command.add_option("--fps", flags.framesPerSecond, "Frames per second; GIF: at most 50")
       ->type_name("N")
-      ->check(CLI::Range(1.0, 60.0))
+      ->check(within(1.0, 60.0))
       ->capture_default_str();
   command
       .add_option("--film-height", flags.height,
                   "Of a film, in pixels; the page's shape gives the width")
       ->type_name("PIXELS")
-      ->check(CLI::Range(16.0, 4320.0))
+      ->check(within(16.0, 4320.0))
       ->capture_default_str();
   command
       .add_option("--hold", flags.hold,
                   "Seconds of rest at each view of a tour, or at either end of a gamma-sweep; else "
                   "2/5 or 1/6 of the film together")
       ->type_name("S");
-  command
-      .add_option("--sweep", flags.swept,
-                  "A structure or group whose Γ a gamma-sweep changes, else everything's; may be "
-                  "given again")
-      ->take_all()
-      ->type_size(1)
-      ->expected(1, CLI::detail::expected_max_vector_size)
+  many(command.add_option(
+           "--sweep", flags.swept,
+           "A structure or group whose Γ a gamma-sweep changes, else everything's; may be "
+           "given again"))
       ->type_name("NAME");
 }
 

@@ -4,20 +4,18 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/focus_flags.h"
+#include "app/cli/option_kinds.h"
 
 namespace sline::cli {
 
 /// Declares the flags of `FocusFlags` on a sub-command.
 inline void addFocusOptions(CLI::App& command, FocusFlags& flags) {
-  command
-      .add_option("--focus", flags.names,
-                  "Draws these structures and groups in detail and everything else by what it is "
-                  "to them: vessels that come to them, neighbours, shells that hide them, the "
-                  "rest. What --gamma and --fill say wins; may be given again")
-      ->type_name("NAME[,NAME...]")
-      ->take_all()
-      ->type_size(1)
-      ->expected(1, CLI::detail::expected_max_vector_size);
+  many(command.add_option(
+           "--focus", flags.names,
+           "Draws these structures and groups in detail and everything else by what it is "
+           "to them: vessels that come to them, neighbours, shells that hide them, the "
+           "rest. What --gamma and --fill say wins; may be given again"))
+      ->type_name("NAME[,NAME...]");
   command
       .add_option_function<double>(
           "--context",

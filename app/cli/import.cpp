@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // `sline import`: whatever can be read in, a scene file out.
 #include "app/cli/command.h"
+#include "app/cli/option_kinds.h"
 #include "app/cli/plan_report.h"
+#include "app/cli/targets.h"
 #include "app/cli/thumbnail.h"
 #include "model/files/scene_file.h"
 #include "model/import/plan.h"
@@ -24,6 +26,10 @@ Result<model::ImportOptions> understoodImport(const ImportFlags& flags) {
     return Error{.file = flags.output,
                  .reason = "a scene file's name ends with " + std::string(model::sceneExtension),
                  .remedy = "Name it so"};
+  const Target scene{.flag = "--output", .name = flags.output, .endings = {}, .scene = true};
+  if (!flags.output.empty())
+    if (const Status fine = checkTargets({&scene, 1}, flags.input.inputs); !fine.ok())
+      return fine.error();
   return importOptions(flags.input);
 }
 
@@ -40,7 +46,7 @@ Exit showPlan(const ImportFlags& flags, const model::ImportOptions& options) {
   if (!plan.ok())
     return complain(plan.error(), Exit::failed);
   std::cout << (flags.json ? jsonText(planJson(*plan), 2) + "\n" : planText(*plan));
-  return std::cout.flush() ? Exit::done : Exit::failed;
+  return Exit::done;
 }
 
 Exit runImport(const ImportFlags& flags) {
@@ -91,7 +97,7 @@ void declareImport(CLI::App& command, ImportFlags& flags) {
           "its shading: about 0.05 keeps what is drawn of an organ, 0.3 little more than its "
           "outline")
       ->type_name("MM")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(within(0.0, 100.0))
       ->default_str("0");
   command.footer(
       "The scene file holds all of the scene, exactly: nothing is read from the inputs again. "

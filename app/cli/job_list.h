@@ -54,4 +54,9 @@ Result<Shard> parseShard(std::string_view text);
 /// never climbs out.
 bool staysBelow(const std::filesystem::path& path);
 
+/// Where a path leads, with all its links followed, a last one that leads to nothing yet, too.
+std::filesystem::path realPath(const std::filesystem::path& path);
+/// Whether it leads below the folder, links followed.
+bool liesBelow(const std::filesystem::path& path, const std::filesystem::path& folder);
+
 }  // namespace sline::cli

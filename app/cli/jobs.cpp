@@ -5,9 +5,10 @@
 #include <new>
 #include <set>
 
-#include "app/cli/arguments.h"
 #include "app/cli/command.h"
+#include "app/cli/film_flags.h"
 #include "app/cli/job_list.h"
+#include "app/cli/targets.h"
 #include "render/export/formats/export_formats.h"
 
 namespace sline::cli {
@@ -25,8 +26,18 @@ struct JobsFlags {
 /// A job as it is carried out.
 struct Order {
   std::string where;
-  std::vector<std::string> arguments;  ///< of the program, from "export" on
+  std::vector<std::string> flags;  ///< "--view=left": nothing in a list is taken for a flag
+  std::vector<std::string> inputs;
   std::vector<std::filesystem::path> targets;
+
+  /// Of the program. No input is a flag either, whatever it is called.
+  std::vector<std::string> arguments() const {
+    std::vector<std::string> all{"export"};
+    all.insert(all.end(), flags.begin(), flags.end());
+    all.emplace_back("--");
+    all.insert(all.end(), inputs.begin(), inputs.end());
+    return all;
+  }
 };
 
 /// What `sline export` takes, asked of itself.
@@ -49,10 +60,6 @@ class ExportCommand {
                             : m_program.get_subcommand("export")->get_option_no_throw("--" + flag);
   }
   Exit run(std::vector<std::string> arguments) {
-    arguments = withInputsFirst(arguments, [](const std::string& path) {
-      std::error_code unknown;
-      return std::filesystem::exists(path, unknown);
-    });
     std::reverse(arguments.begin(), arguments.end());
     try {
       m_program.parse(arguments);
@@ -80,13 +87,26 @@ class ExportCommand {
 
 bool isTarget(const std::string& flag) {
   const auto formats = render::exportFormats();
-  return std::any_of(formats.begin(), formats.end(),
+  return flag == "video" ||
+         std::any_of(formats.begin(), formats.end(),
                      [&flag](const render::ExportFormat& each) { return flag == each.id; });
 }
 
 /// Relative to the list, as everybody who moves both expects.
-std::filesystem::path besideList(const std::filesystem::path& folder, const std::string& path) {
-  return std::filesystem::path(path).is_absolute() ? std::filesystem::path(path) : folder / path;
+std::string besideList(const std::filesystem::path& folder, const std::string& path) {
+  return (std::filesystem::path(path).is_absolute() ? std::filesystem::path(path) : folder / path)
+      .string();
+}
+
+/// What a flag's value is to `sline export` that is run elsewhere than in the list's folder.
+std::string valueBeside(const std::filesystem::path& folder, const std::string& flag,
+                        const std::string& value) {
+  if (flag == "camera")
+    return besideList(folder, value);
+  // A text, or the name of a file with it.
+  std::error_code unknown;
+  const std::string file = besideList(folder, value);
+  return flag == "text" && std::filesystem::is_regular_file(file, unknown) ? file : value;
 }
 
 std::vector<std::string> parted(const std::string& text) {
@@ -123,7 +143,8 @@ Result<bool> isSaid(const JobField& field) {
 class Orders {
  public:
   Orders(const std::filesystem::path& list, const std::string& folder)
-      : m_beside(list.parent_path()),
+      : m_list(list.string()),
+        m_beside(list.parent_path()),
         m_targets(folder.empty() ? m_beside : std::filesystem::path(folder)) {}
 
   Result<std::vector<Order>> of(const std::vector<Job>& jobs) {
@@ -134,16 +155,20 @@ class Orders {
         return order.error();
       orders.push_back(std::move(*order));
     }
+    if (const Status apart = checkEachOther(orders); !apart.ok())
+      return apart.error();
     return orders;
   }
 
  private:
   Result<Order> orderOf(const Job& job) {
-    Order order{.where = job.where, .arguments = {"export"}, .targets = {}};
+    Order order{.where = job.where, .flags = {}, .inputs = {}, .targets = {}};
     if (!job.find("input"))
       return Error{.where = job.where,
                    .reason = "it says nothing of what to draw",
                    .remedy = "Give it an input: a scene, mesh or folder"};
+    m_named.clear();
+    m_film.file.reset();
     for (const JobField& field : job.fields)
       if (const Status added = add(field, order); !added.ok())
         return added.error();
@@ -152,7 +177,20 @@ class Orders {
                    .reason = "it says nothing of what to write",
                    .remedy = "Give it a target, as in a column " +
                              std::string(render::exportFormats().front().id)};
+    if (const Status fine = checkNames(order); !fine.ok()) {
+      Error error = fine.error();
+      error.where = job.where + (error.file.empty() ? "" : ", " + error.file);
+      return error;
+    }
     return order;
+  }
+
+  Status checkNames(const Order& order) {
+    if (const Status film = addFilmTarget(m_film, m_named); !film.ok())
+      return film;
+    std::vector<std::string> read = order.inputs;
+    read.push_back(m_list);
+    return checkTargets(exportTargets(m_named), read);
   }
 
   Status add(const JobField& field, Order& order) {
@@ -163,7 +201,12 @@ class Orders {
                    .remedy = "See `sline export --help`; `input` names what is drawn"};
     if (field.flag == "input") {
       for (const std::string& path : field.values)
-        order.arguments.push_back(besideList(m_beside, path).string());
+        if (path.empty())
+          return Error{.where = field.where,
+                       .reason = "an input has no name",
+                       .remedy = "Name a scene, mesh or folder"};
+        else
+          order.inputs.push_back(besideList(m_beside, path));
       return Unit{};
     }
     if (isTarget(field.flag))
@@ -174,19 +217,20 @@ class Orders {
       if (!said.ok())
         return said.error();
       if (*said)
-        order.arguments.push_back(flag);
+        order.flags.push_back(flag);
       return Unit{};
     }
-    if (field.values.empty())
-      return Error{.where = field.where,
-                   .reason = flag + " needs a value",
-                   .remedy = "See `sline export --help`"};
     const bool several = option->get_expected_max() > 1;
-    const bool path = option->get_type_name().starts_with("FILE");
-    order.arguments.push_back(flag);
+    std::vector<std::string> values;
     for (const std::string& value : field.values)
       for (const std::string& part : several ? parted(value) : std::vector<std::string>{value})
-        order.arguments.push_back(path ? besideList(m_beside, part).string() : part);
+        values.push_back(part);
+    if (values.empty() || std::find(values.begin(), values.end(), "") != values.end())
+      return Error{.where = field.where,
+                   .reason = flag + " needs a value",
+                   .remedy = "Write one, or leave it out; see `sline export --help`"};
+    for (const std::string& value : values)
+      order.flags.push_back(flag + "=" + valueBeside(m_beside, field.flag, value));
     return Unit{};
   }
 
@@ -195,28 +239,49 @@ class Orders {
       return Error{
           .where = field.where, .reason = "it names no file, or several", .remedy = "Write one"};
     const std::filesystem::path named(field.values.front());
-    if (!staysBelow(named))
+    const std::filesystem::path target = (m_targets / named).lexically_normal();
+    if (!staysBelow(named) || !liesBelow(target, m_targets))
       return Error{.where = field.where,
                    .reason = "\"" + named.string() +
                              "\" lies outside of the folder that is "
                              "written to",
                    .remedy = "Write a path below it, or choose that folder with --to"};
-    const std::filesystem::path target = (m_targets / named).lexically_normal();
-    const auto [before, fresh] = m_seen.emplace(target, field.where);
+    const auto [before, fresh] = m_seen.emplace(realPath(target), field.where);
     if (!fresh)
       return Error{.where = field.where,
                    .reason = "\"" + named.string() + "\" is written by " + before->second + ", too",
                    .remedy = "Give each job a target of its own"};
     order.targets.push_back(target);
-    order.arguments.push_back("--" + field.flag);
-    order.arguments.push_back(target.string());
+    order.flags.push_back("--" + field.flag + "=" + target.string());
+    if (field.flag == "video")
+      m_film.file = target.string();
+    else
+      m_named[field.flag] = target.string();
     return Unit{};
   }
 
+  /// No job may write what another reads: which is done first, nobody knows.
+  Status checkEachOther(const std::vector<Order>& orders) const {
+    std::map<std::filesystem::path, std::string> readers;
+    for (const Order& order : orders)
+      for (const std::string& input : order.inputs)
+        readers.emplace(realPath(input), order.where);
+    for (const Order& order : orders)
+      for (const std::filesystem::path& target : order.targets)
+        if (const auto reader = readers.find(realPath(target)); reader != readers.end())
+          return Error{.where = order.where,
+                       .reason = "\"" + target.string() + "\" is read by " + reader->second,
+                       .remedy = "Give it another name"};
+    return Unit{};
+  }
+
+  std::string m_list;
   std::filesystem::path m_beside;
   std::filesystem::path m_targets;
   ExportCommand m_command;
   std::map<std::filesystem::path, std::string> m_seen;
+  std::map<std::string, std::string> m_named;  ///< the targets of the job that is looked at
+  FilmFlags m_film;                            ///< and its --video
 };
 
 bool allThere(const Order& order) {
@@ -267,7 +332,7 @@ void carryOut(const Order& order, Tally& tally) {
   if (const Status prepared = prepareFolders(order); !prepared.ok())
     exit = complain(prepared.error(), Exit::failed);
   else
-    exit = command.run(order.arguments);
+    exit = command.run(order.arguments());
   ++(exit == Exit::done ? tally.done : tally.failed);
   tally.withWarnings += command.warnings() > 0 ? 1 : 0;
   if (exit != Exit::done)

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/label_flags.h"
+#include "app/cli/option_kinds.h"
 
 namespace sline::cli {
 
@@ -23,7 +24,7 @@ inline void addLabelOptions(CLI::App& command, LabelFlags& flags, const std::str
       ->type_name("TAG");
   command.add_option("--label-size", flags.points, "Of labels' letters, in points of " + size)
       ->type_name("PT")
-      ->check(CLI::Range(4.0, 48.0))
+      ->check(within(4.0, 48.0))
       ->capture_default_str();
   command
       .add_option("--marks", flags.marks,

@@ -9,6 +9,7 @@
 #include "app/cli/command.h"
 #include "app/cli/json_values.h"
 #include "app/cli/section_options.h"
+#include "app/cli/targets.h"
 #include "app/cli/text_file.h"
 #include "app/cli/values.h"
 #include "model/geometry/spatial_order.h"
@@ -209,6 +210,11 @@ Exit runLines(const LinesFlags& flags) {
   const Result<LinesOrder> order = understoodLines(flags);
   if (!order.ok())
     return complain(order.error(), Exit::wrongUse);
+  std::vector<std::string> read = flags.input.inputs;
+  read.push_back(flags.camera);
+  const Target lines{.flag = "--output", .name = flags.output, .endings = {"json"}};
+  if (const Status fine = checkTargets({&lines, 1}, read); !fine.ok())
+    return complain(fine.error(), Exit::wrongUse);
   Progress progress;
   const Result<model::Imported> imported = readInputs(flags.input.inputs, order->import, progress);
   if (!imported.ok())

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // The `sline` program: line illustrations of anatomy without a display.
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <new>
 
 #include "app/cli/arguments.h"
 #include "app/cli/command.h"
+#include "app/cli/option_kinds.h"
 
 namespace {
 
@@ -21,6 +26,46 @@ constexpr const char* footer =
     "Exit codes: 0 done (parts that are missing or broken are left out, with a warning);\n"
     "1 nothing could be read, drawn or written; 2 wrong use.\n"
     "`sline COMMAND --help` explains a command.";
+
+/// Streams that were closed are opened on nothing: else a file that is written might get the number
+/// of standard output and, within it, what is printed. Printing there fails, as it should.
+void keepStandardStreams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) < 0 &&
+        open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY) < 0)
+      return;
+}
+
+/// The exit code, and a message where what was printed went nowhere.
+int afterOutput(int code) {
+  std::cout.flush();
+  const bool told = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (told && std::cout.good())
+    return code;
+  sline::cli::complain({.reason = "standard output cannot be written",
+                        .remedy = "See that it is open and its disk has space"},
+                       Exit::failed);
+  return code == int(Exit::done) ? int(Exit::failed) : code;
+}
+
+std::vector<std::string> arranged(const CLI::App& program,
+                                  const std::vector<std::string>& arguments) {
+  const auto commands = program.get_subcommands([&arguments](const CLI::App* each) {
+    return !arguments.empty() && each->get_name() == arguments.front();
+  });
+  const CLI::App* command = commands.empty() ? nullptr : commands.front();
+  return sline::cli::withInputsFirst(
+      arguments, {.valuesOf =
+                      [command](const std::string& option) {
+                        return command ? sline::cli::valuesOf(*command, option)
+                                       : sline::cli::Values::one;
+                      },
+                  .exists =
+                      [](const std::string& path) {
+                        std::error_code unknown;  // a name too long for a path is none
+                        return std::filesystem::exists(path, unknown);
+                      }});
+}
 
 int run(int argc, char** argv) {
   CLI::App program(description, "sline");
@@ -46,11 +91,7 @@ int run(int argc, char** argv) {
   sline::cli::addRamp(program, exit);
   sline::cli::addSteadiness(program, exit);
   try {
-    std::vector<std::string> arguments = sline::cli::withInputsFirst(
-        {argv + std::min(argc, 1), argv + argc}, [](const std::string& path) {
-          std::error_code unknown;  // a name too long for a path is none
-          return std::filesystem::exists(path, unknown);
-        });
+    std::vector<std::string> arguments = arranged(program, {argv + std::min(argc, 1), argv + argc});
     // CLI11 takes them from the last to the first.
     std::reverse(arguments.begin(), arguments.end());
     program.parse(arguments);
@@ -63,8 +104,9 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keepStandardStreams();
   try {
-    return run(argc, argv);
+    return afterOutput(run(argc, argv));
   } catch (const std::bad_alloc&) {
     std::cerr << "sline: there is not enough memory. Close other programs or draw fewer parts.\n";
   } catch (const std::exception& failure) {

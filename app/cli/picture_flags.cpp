@@ -144,17 +144,15 @@ const model::View* savedView(const model::Scene& scene, const std::string& name)
 
 namespace {
 
-/// Two, but one where a picture is so large that its pixels are fine enough.
 Result<int> understoodSamples(const std::string& text, const Size& size) {
   const Result<std::optional<int>> samples = parseSamples(text);
   if (!samples.ok())
     return samples.error();
-  constexpr std::int64_t fine = 8'000'000;
-  const int number = samples->value_or(std::int64_t(size.width) * size.height > fine ? 1 : 2);
-  if (*samples && std::max(size.width, size.height) > largestSide / number)
+  const int number = samples->value_or(render::samplesAtOnce({size.width, size.height}));
+  if (*samples && std::max(size.width, size.height) > render::largestPixelSide / number)
     return Error{.reason = text + " samples across a pixel are too many for so large a picture",
                  .remedy = "Its longer side times the samples may reach " +
-                           std::to_string(largestSide) + "; take fewer"};
+                           std::to_string(render::largestPixelSide) + "; take fewer"};
   return number;
 }
 
@@ -272,8 +270,9 @@ model::Scene asSaved(const model::Scene& scene, const PictureOrder& order) {
     return scene;
   model::ShownScene shown = model::shown(scene, *saved);
   if (!shown.absent.empty())
-    warn("the view \"" + saved->name + "\" shows " + std::to_string(shown.absent.size()) +
-         " structures or groups that the scene no longer has");
+    warn("of what the view \"" + saved->name + "\" shows, " + std::to_string(shown.absent.size()) +
+         (shown.absent.size() == 1 ? " structure or group is" : " structures or groups are") +
+         " no longer in the scene");
   return std::move(shown.scene);
 }
 

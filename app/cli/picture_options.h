@@ -5,15 +5,11 @@
 
 #include "app/cli/focus_options.h"
 #include "app/cli/label_options.h"
+#include "app/cli/option_kinds.h"
 #include "app/cli/picture_flags.h"
 #include "app/cli/section_options.h"
 
 namespace sline::cli {
-
-/// An option that takes several values and may be given again.
-inline CLI::Option* many(CLI::Option* option) {
-  return option->take_all()->type_size(1)->expected(1, CLI::detail::expected_max_vector_size);
-}
 
 /// Declares those flags of `PictureFlags` that are about colours and pens; that of inks.
 inline CLI::Option* addStyleOptions(CLI::App& command, PictureFlags& flags) {

@@ -27,8 +27,7 @@ Result<std::optional<render::ExportPage>> pageOf(const PixelFlags& flags) {
   const Result<Size> size = parseSize(flags.sizePx);
   if (!size.ok())
     return size.error();
-  constexpr float millimetresPerInch = 25.4f;
-  const float pixel = millimetresPerInch / float(flags.dpi);
+  const float pixel = render::millimetresPerInch / float(flags.dpi);
   return std::optional(
       render::ExportPage{.sizeMm = pixel * glm::vec2(float(size->width), float(size->height)),
                          .dpi = float(flags.dpi)});

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/option_kinds.h"
 #include "app/cli/pixel_flags.h"
 
 namespace sline::cli {
@@ -17,7 +18,7 @@ inline void addPixelOptions(CLI::App& command, PixelFlags& flags) {
       ->excludes("--size-mm");
   command.add_option("--dpi", flags.dpi, "Pixels to the inch, for png, tiff, jpeg and exr")
       ->type_name("N")
-      ->check(CLI::Range(10.0, 4800.0))
+      ->check(within(10.0, 4800.0))
       ->capture_default_str();
   command.add_option("--bits", flags.bits, "Of a channel in png and tiff; 1 needs --bw")
       ->type_name("8|16|1")

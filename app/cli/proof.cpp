@@ -8,7 +8,9 @@
 #include "app/cli/command.h"
 #include "app/cli/draw_scene.h"
 #include "app/cli/json_values.h"
+#include "app/cli/option_kinds.h"
 #include "app/cli/picture_options.h"
+#include "app/cli/targets.h"
 #include "app/cli/thumbnail.h"
 #include "model/edit/views.h"
 #include "model/files/scene_file.h"
@@ -55,7 +57,7 @@ std::string rounded(double value) {
 }
 
 render::ExportOrder exportOrder(const ArrangedScene& arranged, const PictureOrder& order) {
-  constexpr float pixelMm = 25.4f / 96.0f;
+  constexpr float pixelMm = render::millimetresPerInch / 96.0f;
   render::ExportOrder job;
   job.scene = arranged.scene;
   job.camera = arranged.camera;
@@ -239,7 +241,8 @@ Status wellAsked(const ProofFlags& flags) {
     return Error{.file = flags.output,
                  .reason = "a scene file's name ends with " + std::string(model::sceneExtension),
                  .remedy = "Give such a name"};
-  return Unit{};
+  const Target scene{.flag = "--output", .name = flags.output, .endings = {}, .scene = true};
+  return flags.apply ? checkTargets({&scene, 1}, flags.input.inputs) : Unit{};
 }
 
 Exit runProof(const ProofFlags& flags) {
@@ -278,7 +281,7 @@ Exit runProof(const ProofFlags& flags) {
     printJson(job.scene, *proof, settings);
   else
     printText(job.scene, *proof, settings);
-  return std::cout.flush() ? Exit::done : Exit::failed;
+  return Exit::done;
 }
 
 void declareProof(CLI::App& command, ProofFlags& flags) {
@@ -294,7 +297,7 @@ void declareProof(CLI::App& command, ProofFlags& flags) {
       .add_option("--threshold", flags.threshold,
                   "The least difference of two colours that tells areas apart, CIEDE2000")
       ->type_name("N")
-      ->check(CLI::Range(1.0, 100.0))
+      ->check(within(1.0, 100.0))
       ->capture_default_str();
   addDrawingOptions(command, flags.picture);
   command.add_option("--smooth", flags.input.smooth, smoothHelp)

@@ -11,6 +11,7 @@
 
 #include "app/cli/json_values.h"
 #include "app/cli/measure_options.h"
+#include "app/cli/targets.h"
 #include "render/measures/contact_sheet.h"
 
 namespace sline::cli {
@@ -262,10 +263,20 @@ std::optional<Exit> measureAll(const MeasureOrder& order, const RampFlags& flags
   return std::nullopt;
 }
 
+Status checkSheet(const RampFlags& flags) {
+  if (flags.sheet.empty())
+    return Unit{};
+  if (const Status named = render::checkImageName(flags.sheet); !named.ok())
+    return named;
+  std::vector<std::string> read = flags.measure.input.inputs;
+  read.push_back(flags.measure.cameraFile);
+  const Target sheet{.flag = "--sheet", .name = flags.sheet, .endings = {}};
+  return checkTargets({&sheet, 1}, read);
+}
+
 Exit runRamp(const RampFlags& flags) {
-  if (!flags.sheet.empty())
-    if (const Status named = render::checkImageName(flags.sheet); !named.ok())
-      return complain(named.error(), Exit::wrongUse);
+  if (const Status named = checkSheet(flags); !named.ok())
+    return complain(named.error(), Exit::wrongUse);
   Progress progress;
   bool wrongUse = false;
   const Result<MeasureOrder> order = measureOrder(flags.measure, progress, wrongUse);
@@ -290,8 +301,6 @@ Exit runRamp(const RampFlags& flags) {
   } else if (report.structures.size() > 1) {
     printSummary(report.structures);
   }
-  if (std::fflush(stdout) != 0)
-    return Exit::failed;
   return flags.measure.check && !report.passes() ? Exit::failed : Exit::done;
 }
 

@@ -55,11 +55,9 @@ bool anyFailed(const model::Reloaded& reloaded) {
 
 /// Reads, reloads and writes; what is written to is locked all the while.
 Exit reloadInto(const ReloadFlags& flags, const model::SceneLock* lock) {
-  Result<model::SceneDocument> document = model::readSceneFile(flags.scene);
+  Result<model::SceneDocument> document = openedScene(flags.scene);
   if (!document.ok())
     return complain(document.error(), Exit::failed);
-  if (const std::string warning = document->warning(); !warning.empty())
-    warn(flags.scene + ": " + warning);
   std::vector<std::filesystem::path> places(flags.from.begin(), flags.from.end());
   if (places.empty())
     places.push_back(std::filesystem::absolute(flags.scene).parent_path());
@@ -72,7 +70,7 @@ Exit reloadInto(const ReloadFlags& flags, const model::SceneLock* lock) {
     if (const Status written = model::writeSceneFile(*lock, *document); !written.ok())
       return complain(written.error(), Exit::failed);
   }
-  return std::cout.flush() && !anyFailed(reloaded) ? Exit::done : Exit::failed;
+  return anyFailed(reloaded) ? Exit::failed : Exit::done;
 }
 
 Exit runReload(const ReloadFlags& flags) {

@@ -3,6 +3,7 @@
 #include "app/cli/command.h"
 #include "app/cli/draw_scene.h"
 #include "app/cli/picture_options.h"
+#include "app/cli/targets.h"
 
 namespace sline::cli {
 
@@ -20,6 +21,11 @@ Exit runRender(const RenderFlags& flags) {
   const Result<PictureOrder> order = understood(flags.picture);
   if (!order.ok())
     return complain(order.error(), Exit::wrongUse);
+  std::vector<std::string> read = flags.input.inputs;
+  read.push_back(flags.picture.cameraFile);
+  const Target picture{.flag = "--output", .name = flags.picture.output, .endings = {}};
+  if (const Status fine = checkTargets({&picture, 1}, read); !fine.ok())
+    return complain(fine.error(), Exit::wrongUse);
 
   Progress progress;
   const Result<model::Imported> imported = readInputs(flags.input.inputs, *options, progress);

@@ -55,4 +55,12 @@ Result<model::Imported> readInputs(const std::vector<std::string>& inputs,
   return imported;
 }
 
+Result<model::SceneDocument> openedScene(const std::string& file) {
+  Result<model::SceneDocument> document = model::readSceneFile(file);
+  if (document.ok())
+    if (const std::string warning = document->warning(); !warning.empty())
+      warn(file + ": " + warning);
+  return document;
+}
+
 }  // namespace sline::cli

@@ -7,6 +7,7 @@
 
 #include "app/cli/progress.h"
 #include "model/base/result.h"
+#include "model/files/scene_file.h"
 #include "model/import/import.h"
 
 namespace sline::cli {
@@ -27,5 +28,8 @@ Result<model::ImportOptions> importOptions(const InputFlags& flags);
 /// Imports with progress on a terminal and passes each warning on to standard error.
 Result<model::Imported> readInputs(const std::vector<std::string>& inputs,
                                    const model::ImportOptions& options, Progress& progress);
+
+/// A scene file to be looked at or changed; what it warns of is passed on likewise.
+Result<model::SceneDocument> openedScene(const std::string& file);
 
 }  // namespace sline::cli

@@ -3,34 +3,40 @@
 
 #include <array>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
+
+#include "app/cli/text_file.h"
 
 namespace sline::cli {
 
 namespace {
 
 /// Enough for a book; what is longer is no leaflet's text.
-constexpr std::uintmax_t mostBytes = 1'000'000;
+constexpr std::size_t mostBytes = 1'000'000;
+
+/// A single word with a folder or an ending, as in "leaflets/bladder.txt"; no address of a page.
+bool looksLikeFile(const std::string& text) {
+  if (text.empty() || text.find_first_of(" \t\r\n") != std::string::npos ||
+      text.find("://") != std::string::npos)
+    return false;
+  return text.find('/') != std::string::npos ||
+         std::filesystem::path(text).extension().string().size() > 1;
+}
 
 /// The text of the file of that name, where there is one.
 Result<std::string> textOrFile(const std::string& text) {
   namespace fs = std::filesystem;
   std::error_code fault;
-  const fs::path file(text);
-  if (text.empty() || text.size() > 4000 || text.find('\n') != std::string::npos ||
-      !fs::is_regular_file(file, fault))
-    return text;
-  if (fs::file_size(file, fault) > mostBytes || fault)
+  const fs::file_status there = text.find('\n') == std::string::npos && text.size() <= 4000
+                                    ? fs::status(text, fault)
+                                    : fs::file_status(fs::file_type::not_found);
+  if (fs::exists(there) && !fs::is_directory(there))
+    return readText(text, mostBytes);
+  if (looksLikeFile(text))
     return Error{.file = text,
-                 .reason = "the file is too long for the text of a sheet",
-                 .remedy = "Give a text file of less than 1 MB"};
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream read;
-  read << in.rdbuf();
-  if (!in)
-    return Error{.file = text, .reason = "the file cannot be read", .remedy = "Check its rights"};
-  return read.str();
+                 .reason = fs::is_directory(there) ? "it is a folder, and no text for a patient"
+                                                   : "there is no such file with a text",
+                 .remedy = "Check its name; a text of one word ends with a full stop"};
+  return text;
 }
 
 }  // namespace

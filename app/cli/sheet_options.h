@@ -7,17 +7,20 @@
 
 namespace sline::cli {
 
-/// Declares the flags of `SheetFlags` on a sub-command; `size` is that of a page's size.
-inline void addSheetOptions(CLI::App& command, SheetFlags& flags, CLI::Option* size) {
+/// Declares the flags of `SheetFlags` on a sub-command that has --size-mm and --size-px.
+inline void addSheetOptions(CLI::App& command, SheetFlags& flags) {
   CLI::Option* sheet =
       command
-          .add_option("--sheet", flags.kind,
-                      "Makes the PDF a sheet of paper. figure: with title and legend; teaching: "
-                      "besides, numbered labels, a page without them to test oneself and the key "
-                      "(a scene without labels gets its structures labelled); patient: large "
-                      "labels and a text of one's own. The figure is as large as the paper lets it")
+          .add_option(
+              "--sheet", flags.kind,
+              "Makes the PDF a sheet of paper. figure: with title and legend; teaching: "
+              "besides, numbered labels, a page without them to test oneself and the key "
+              "(a scene without labels gets its structures labelled); patient: large "
+              "labels and a text of one's own. The figure is as large as the paper lets it, and so "
+              "are pictures of it that are written besides")
           ->type_name("figure|teaching|patient")
-          ->excludes(size);
+          ->excludes("--size-mm")
+          ->excludes("--size-px");
   command.add_option("--paper", flags.paper, "The sheet's paper")
       ->type_name("a4|letter")
       ->needs(sheet)

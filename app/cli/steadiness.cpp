@@ -7,6 +7,7 @@
 
 #include "app/cli/json_values.h"
 #include "app/cli/measure_options.h"
+#include "app/cli/option_kinds.h"
 
 namespace sline::cli {
 
@@ -117,8 +118,6 @@ Exit runSteadiness(const SteadinessFlags& flags) {
   }
   if (flags.measure.json)
     std::printf("%s\n", jsonText({{"structures", list}, {"passes", passes}}, 2).c_str());
-  if (std::fflush(stdout) != 0)
-    return Exit::failed;
   return flags.measure.check && !passes ? Exit::failed : Exit::done;
 }
 
@@ -128,14 +127,14 @@ void declareSteadiness(CLI::App& command, SteadinessFlags& flags) {
       ->type_name("G")
       ->capture_default_str();
   command.add_option("--frames", flags.frames, "Turns of half a degree, 1 to 360")
-      ->check(CLI::Range(1, 360))
+      ->check(within(1, 360))
       ->capture_default_str();
   command
       .add_option(
           "--oversampling", flags.oversampling,
           "Draws strokes, which are the same drawing at any size, that many times as large and "
           "compares them at the size given, so that nothing is lost between pixels; 1 to 4")
-      ->check(CLI::Range(1, 4))
+      ->check(within(1, 4))
       ->capture_default_str();
   command.footer(
       "Turns the camera about the structure's middle in steps of half a degree, hatching alone, "

@@ -84,7 +84,8 @@ int hexDigit(char c) {
 
 Result<Size> parseSize(std::string_view text) {
   const std::string right = "WIDTHxHEIGHT in pixels, each from " + std::to_string(smallestSide) +
-                            " to " + std::to_string(largestSide) + ", such as 1920x1080";
+                            " to " + std::to_string(render::largestPixelSide) +
+                            ", such as 1920x1080";
   const std::size_t cut = text.find_first_of("xX");
   if (cut == std::string_view::npos)
     return wrong("size", text, right);
@@ -93,7 +94,7 @@ Result<Size> parseSize(std::string_view text) {
   if (!width || !height)
     return wrong("size", text, right);
   const auto [low, high] = std::minmax(*width, *height);
-  if (low < smallestSide || high > largestSide)
+  if (low < smallestSide || high > render::largestPixelSide)
     return Error{.reason = "size " + std::string(text) + " is out of range",
                  .remedy = "Give " + right};
   return Size{*width, *height};

@@ -11,6 +11,7 @@
 #include "model/base/units.h"
 #include "model/import/import.h"
 #include "model/scene/style.h"
+#include "render/export/order/export_order.h"
 #include "render/picture/picture.h"
 
 namespace sline::cli {
@@ -22,10 +23,9 @@ struct Size {
   float aspect() const { return float(width) / float(height); }
 };
 inline constexpr int smallestSide = 16;
-inline constexpr int largestSide = 20000;
 inline constexpr int mostSamples = 4;
 
-/// "1920x1080"; both sides within [smallestSide, largestSide].
+/// "1920x1080"; both sides within [smallestSide, render::largestPixelSide].
 Result<Size> parseSize(std::string_view text);
 /// "auto" (nothing) or a number from 1 to 4.
 Result<std::optional<int>> parseSamples(std::string_view text);

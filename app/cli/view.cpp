@@ -253,23 +253,15 @@ void printList(const model::Scene& scene) {
     std::cout << "the scene has no saved views\n";
 }
 
-Result<model::SceneDocument> opened(const std::string& file) {
-  Result<model::SceneDocument> document = model::readSceneFile(file);
-  if (document.ok())
-    if (const std::string warning = document->warning(); !warning.empty())
-      warn(file + ": " + warning);
-  return document;
-}
-
 Exit list(const ViewFlags& flags) {
-  const Result<model::SceneDocument> document = opened(flags.scene);
+  const Result<model::SceneDocument> document = openedScene(flags.scene);
   if (!document.ok())
     return complain(document.error(), Exit::failed);
   if (flags.json)
     printJson(document->scene);
   else
     printList(document->scene);
-  return std::cout.flush() ? Exit::done : Exit::failed;
+  return Exit::done;
 }
 
 /// Reads, edits and writes; what is written to is locked all the while.
@@ -277,7 +269,7 @@ Exit edit(const ViewFlags& flags) {
   const auto lock = model::SceneLock::acquire(flags.output.empty() ? flags.scene : flags.output);
   if (!lock.ok())
     return complain(lock.error(), Exit::failed);
-  Result<model::SceneDocument> document = opened(flags.scene);
+  Result<model::SceneDocument> document = openedScene(flags.scene);
   if (!document.ok())
     return complain(document.error(), Exit::failed);
   Outcome outcome = edited(document->scene, flags);

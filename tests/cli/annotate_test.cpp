@@ -70,6 +70,10 @@ void AnnotateTest::listsWhatItMade() {
   QCOMPARE(done.err, QByteArray());
   QCOMPARE(done.out, QByteArray("1\n"));
   QCOMPARE(list(), QByteArray("1\tlabel\tkidney\tHilus <b>\tde=Niere=links\n"));
+  QCOMPARE(annotate({"--on", "kidney", "--label", "x", "--text", "zh-Hant=\xE8\x85\x8E", "--text",
+                     "de-AT-1996=Niere"})
+               .code,
+           0);
 }
 
 void AnnotateTest::namesInOtherLanguages() {
@@ -114,6 +118,19 @@ void AnnotateTest::refusals_data() {
                                   << QByteArray("two places");
   QTest::newRow("no language") << QStringList{"--on", "kidney", "--text", "Niere"}
                                << QByteArray("its language");
+  for (const char* tag : {"xx_bad!", "d", "-de", "de-", "de--AT", "4d", "deutschland", ""})
+    QTest::addRow("language '%s'", tag)
+        << QStringList{"--on", "kidney", "--text", QString(tag) + "=foo"}
+        << QByteArray("its language");
+  QTest::newRow("a language twice")
+      << QStringList{"--on", "kidney", "--text", "de=a", "--text", "de=b"}
+      << QByteArray("two things in the language de");
+  QTest::newRow("a language without words")
+      << QStringList{"--on", "kidney", "--text", "de="} << QByteArray("no words");
+  QTest::newRow("label without words")
+      << QStringList{"--on", "kidney", "--label", ""} << QByteArray("--label has no words");
+  QTest::newRow("label of spaces")
+      << QStringList{"--on", "kidney", "--label", " \n"} << QByteArray("--label has no words");
   QTest::newRow("unknown view") << QStringList{"--on", "kidney", "--view", "front"}
                                 << QByteArray("anterior");
   QTest::newRow("no saved view") << QStringList{"--on", "kidney", "--view", "left",

@@ -34,6 +34,11 @@ void ArgumentsTest::inputsFirst_data() {
       "render a.obj --only liver spleen -o b.png");
   row("names that are no files", "render a.obj --only liver spleen",
       "render a.obj --only liver spleen");
+  row("after an assignment", "render --pen liver=2 a.obj", "render a.obj --pen liver=2");
+  row("after an equals sign", "render --gamma=2 a.obj --only=liver b.obj",
+      "render a.obj b.obj --gamma=2 --only=liver");
+  row("an input that is not there", "render --gamma 2 absent", "render absent --gamma 2");
+  row("a name like a file", "render --only a.obj b.obj", "render b.obj --only a.obj");
   row("negative number", "render --gamma -1 a.obj", "render a.obj --gamma -1");
   row("after an option of one value", "render --view left a.obj", "render --view left a.obj");
 }
@@ -45,8 +50,16 @@ void ArgumentsTest::inputsFirst() {
   for (const QString& word : given.split(' ', Qt::SkipEmptyParts))
     arguments.push_back(word.toStdString());
   QStringList result;
-  for (const std::string& word :
-       withInputsFirst(arguments, [](const std::string& name) { return name.ends_with(".obj"); }))
+  const ArgumentKinds kinds{
+      .valuesOf =
+          [](const std::string& option) {
+            const std::string assigning = "--gamma --color --pen --hatch-tone";
+            return option == "--only"                            ? Values::several
+                   : assigning.find(option) != std::string::npos ? Values::assignments
+                                                                 : Values::one;
+          },
+      .exists = [](const std::string& name) { return name.ends_with(".obj"); }};
+  for (const std::string& word : withInputsFirst(arguments, kinds))
     result << QString::fromStdString(word);
   QCOMPARE(result.join(' '), arranged);
 }

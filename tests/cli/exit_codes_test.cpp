@@ -15,6 +15,8 @@ class ExitCodesTest : public QObject {
   void initTestCase();
   void answers_data();
   void answers();
+  void outputThatGoesNowhere_data();
+  void outputThatGoesNowhere();
 
  private:
   QTemporaryDir m_folder;
@@ -107,6 +109,36 @@ void ExitCodesTest::answers_data() {
   QTest::newRow("a folder as output")
       << "curvature|SAMPLE/Organs/kidney.obj|-o|DIR/empty" << 1 << "folder";
 
+  const QString exported = "export|--svg|DIR/a.svg|--size-mm|20x20|";
+  // Inputs after options that take several values, in every command that has them.
+  const QString after = "|SAMPLE|--svg|DIR/a.svg|--size-mm|20x20";
+  QTest::newRow("input after an ink") << "export|--ink-color|#30405a" + after << 0 << "";
+  QTest::newRow("input after an ink of a name")
+      << "export|--ink-colour|kidney=#30405a" + after << 0 << "";
+  QTest::newRow("input after a focus") << "export|--focus|kidney" + after << 0 << "";
+  QTest::newRow("input after what is swept")
+      << "export|--sweep|kidney|SAMPLE|--gif|DIR/a.gif|--film-height|24|--seconds|0.2|--fps|10|"
+         "--motion|gamma-sweep"
+      << 0 << "";
+  QTest::newRow("input after kinds of lines")
+      << "lines|--kinds|contour|SAMPLE/Organs/kidney.obj|--camera|DIR/front.json|--size|64x64|"
+         "-o|DIR/l.json"
+      << 0 << "";
+  QTest::newRow("absent input after an ink")
+      << "export|--ink-color|#30405a|DIR/none.stl|--svg|DIR/a.svg" << 1 << "none.stl";
+
+  for (const char* flag : {"--dpi", "--label-size", "--fps", "--seconds", "--film-height", "--hold",
+                           "--size-mm", "--size-px", "--pen", "--gamma"})
+    for (const char* number : {"nan", "inf", "-inf"})
+      QTest::addRow("%s %s", flag, number)
+          << exported.chopped(1).replace("|--size-mm|20x20", "") + "|SAMPLE|" + flag + "=" + number
+          << 2 << number;
+  QTest::newRow("no context") << exported + "SAMPLE|--focus|kidney|--context=nan" << 2 << "0 to 1";
+  QTest::newRow("section nowhere") << exported + "SAMPLE|--section|axial=nan" << 2 << "nan";
+  QTest::newRow("threshold of nothing") << "proof|SAMPLE|--threshold|nan" << 2 << "nan";
+  QTest::newRow("decimated by nothing")
+      << "import|SAMPLE|-o|DIR/a.sline|--decimate-mm|nan" << 2 << "nan";
+
   QTest::newRow("good") << render << 0 << "";
   QTest::newRow("good with all flags")
       << render +
@@ -130,6 +162,45 @@ void ExitCodesTest::answers() {
     QVERIFY2(text.contains(part.toUtf8()), text.constData());
   if (code != 0)
     QVERIFY2(!finished.err.isEmpty(), "a failure says why on standard error");
+}
+
+void ExitCodesTest::outputThatGoesNowhere_data() {
+  QTest::addColumn<QString>("streams");
+  QTest::addColumn<QString>("arguments");
+  QTest::addColumn<bool>("tells");  // something on standard output
+  const QString scene = m_folder.filePath("labelled.sline");
+  QCOMPARE(runSline({"import", m_sample, "-o", scene}).code, 0);
+  for (const char* streams : {">&-", ">/dev/full", "<&- >&-"}) {
+    const auto row = [&](const char* name, const QString& arguments, bool tells) {
+      QTest::addRow("%s %s", name, streams) << streams << arguments << tells;
+    };
+    row("version", "--version", true);
+    row("help", "export|--help", true);
+    row("number of a label", "annotate|DIR/labelled.sline|--on|kidney", true);
+    row("labels", "annotate|DIR/labelled.sline|--list", true);
+    row("views", "view|DIR/labelled.sline|--list", true);
+    row("info", "info|SAMPLE", true);
+    row("plan", "import|SAMPLE|--plan", true);
+    row("key of numbers",
+        "render|DIR/labelled.sline|-o|DIR/n.png|--size|64x64|--labels|numbers|--only|kidney", true);
+    row("measures", "steadiness|SAMPLE/Organs/kidney.obj|--frames|1|--size|32x32|--oversampling|1",
+        true);
+    row("a picture", "render|SAMPLE|-o|DIR/a.png|--size|64x64", false);
+  }
+}
+
+void ExitCodesTest::outputThatGoesNowhere() {
+  QFETCH(QString, streams);
+  QFETCH(QString, arguments);
+  QFETCH(bool, tells);
+  if (streams.contains("/dev/full") && !QFile::exists("/dev/full"))
+    QSKIP("this system has no device without space");
+  arguments.replace("SAMPLE", m_sample).replace("DIR", m_folder.path());
+  const Finished finished = runSlineLed(streams, arguments.split('|'));
+  QVERIFY2(finished.code == (tells ? 1 : 0), finished.err.constData());
+  QCOMPARE(finished.err.contains("standard output cannot be written"), tells);
+  // What is printed is in no file that was written meanwhile.
+  QCOMPARE(runSline({"info", m_folder.filePath("labelled.sline")}).code, 0);
 }
 
 }  // namespace sline::test

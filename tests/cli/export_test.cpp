@@ -250,7 +250,8 @@ void ExportTest::badTargets() {
     QSKIP("this system has no device without space");
   const QStringList before = QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden);
   for (const char* kind : {"--svg", "--pdf"}) {
-    const Finished finished = runSline({"export", m_sample, kind, target});
+    const QString named = QString(target).replace(".svg", QString(kind).replace("--", "."));
+    const Finished finished = runSline({"export", m_sample, kind, named});
     QCOMPARE(finished.code, 1);
     QVERIFY(finished.err.startsWith("sline: "));
     QCOMPARE(QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden), before);

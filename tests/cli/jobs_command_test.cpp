@@ -118,6 +118,107 @@ class JobsCommandTest : public QObject {
     QVERIFY(contents(m_folder.filePath("out/b.svg")).contains("<svg"));
   }
 
+  void filmsAreTargets() {
+    const QByteArray film = "input,video,film-height,seconds,fps\nsample,";
+    const QString file = list(film + "out/a.gif,36,0.2,10\n");
+    const Finished dry = runSline({"jobs", file, "--dry-run"});
+    QVERIFY2(dry.out.contains("out/a.gif"), dry.out.constData());
+    const Finished finished = runSline({"jobs", file});
+    QVERIFY2(finished.code == 0, finished.err.constData());
+    QVERIFY(contents(m_folder.filePath("out/a.gif")).startsWith("GIF89a"));
+    QVERIFY(runSline({"jobs", file, "--resume"}).err.contains("1 skipped"));
+  }
+
+  void textsAreNoPaths() {
+    const QByteArray words = "Your bladder will be examined.";
+    QTemporaryDir elsewhere;  // the list's folder is not the program's
+    writeFile(m_folder.filePath("leaflet.txt"), "From the leaflet.\n");
+    const QString file = list("input,pdf,sheet,text\nsample,out/a.pdf,patient," + words +
+                              "\nsample,out/b.pdf,patient,leaflet.txt\n");
+    const Finished finished = runSline({"jobs", file});
+    QVERIFY2(finished.code == 0, finished.err.constData());
+    for (const auto& [name, text] :
+         {std::pair<QString, QByteArray>("a", words), {"b", "From the leaflet.\n"}}) {
+      const QString alone = m_folder.filePath("alone.pdf");
+      QCOMPARE(
+          runSline({"export", m_sample, "--pdf", alone, "--sheet", "patient", "--text", text}).code,
+          0);
+      QCOMPARE(contents(m_folder.filePath("out/" + name + ".pdf")), contents(alone));
+      QVERIFY(QFile::remove(alone));
+    }
+  }
+
+  void valuesAreNoFlags_data() {
+    QTest::addColumn<QByteArray>("job");  // JSON; OUT is a file elsewhere
+    QTest::newRow("several values")
+        << QByteArray(R"("input": "sample", "svg": "out/a.svg", "only": "kidney; --png=OUT")");
+    QTest::newRow("a list") << QByteArray(
+        R"("input": "sample", "svg": "out/a.svg", "only": ["kidney", "--png=OUT"])");
+    QTest::newRow("one value") << QByteArray(
+        R"("input": "sample", "svg": "out/a.svg", "view": ["left", "--png=OUT"])");
+    QTest::newRow("an input") << QByteArray(
+        R"("input": ["sample", "--png=OUT"], "svg": "out/a.svg")");
+    QTest::newRow("nothing before it")
+        << QByteArray(R"("input": "sample", "svg": "out/a.svg", "title": "", "only": "--png=OUT")");
+  }
+  void valuesAreNoFlags() {
+    QFETCH(QByteArray, job);
+    QTemporaryDir elsewhere;
+    // Where the list lies in the folder that is worked in, its inputs are not made longer.
+    const QString there = QDir::currentPath();
+    QVERIFY(QDir::setCurrent(m_folder.path()));
+    job.replace("OUT", elsewhere.filePath("a.png").toUtf8());
+    list("[{" + job + "}]", "list.json");
+    const Finished finished = runSline({"jobs", "list.json"});
+    QVERIFY(QDir::setCurrent(there));
+    // A job that fails, or an input that is not there.
+    QVERIFY2(finished.code != 0 || finished.err.contains("--png="), finished.err.constData());
+    QVERIFY(QDir(elsewhere.path()).isEmpty());
+  }
+
+  void linksLeadNowhereElse() {
+    QTemporaryDir elsewhere;
+    QDir(m_folder.path()).mkdir("out");
+    QVERIFY(QFile::link(elsewhere.path(), m_folder.filePath("out/deep")));
+    QVERIFY(QFile::link(elsewhere.filePath("new.svg"), m_folder.filePath("out/new.svg")));
+    for (const QByteArray target : {"out/deep/a.svg", "out/new.svg"}) {
+      const Finished finished = runSline({"jobs", list("input,svg\nsample," + target + "\n")});
+      QCOMPARE(finished.code, 2);
+      QVERIFY2(finished.err.contains("lies outside"), finished.err.constData());
+    }
+    QVERIFY(QDir(elsewhere.path()).isEmpty());
+    // A link above the folder, or to a place in it, is nobody's fault.
+    QTemporaryDir another;
+    QVERIFY(QFile::link(another.path(), m_folder.filePath("out/top")));
+    QVERIFY(QDir(another.path()).mkdir("deep"));
+    QVERIFY(QFile::link(another.filePath("deep"), another.filePath("same")));
+    QCOMPARE(runSline({"jobs", list("input,svg\nsample,same/a.svg\n"), "--to",
+                       m_folder.filePath("out/top")})
+                 .code,
+             0);
+    QVERIFY(QFile::exists(another.filePath("deep/a.svg")));
+  }
+
+  /// Help and code know the same flags whose values are files.
+  void filesAreKnown() {
+    QStringList flags;
+    for (const QByteArray& line : runSline({"export", "--help"}).out.split('\n'))
+      if (line.startsWith("  --") && (line.contains(" FILE") || line.contains(" FOLDER")))
+        flags << QString::fromUtf8(line).trimmed().section(' ', 0, 0);
+    const QStringList targets{"--png", "--tiff", "--jpeg", "--exr",  "--svg",    "--pdf",  "--glb",
+                              "--mp4", "--webp", "--gif",  "--anki", "--frames", "--video"};
+    QStringList known = targets + QStringList{"--camera", "--text"};
+    flags.sort();
+    known.sort();
+    QCOMPARE(flags, known);
+    for (const QString& target : targets) {
+      const QByteArray flag = target.mid(2).toUtf8();
+      const Finished finished = runSline({"jobs", list("input," + flag + "\nsample,../x\n")});
+      QVERIFY2(finished.err.contains("column " + flag + ": \"../x\" lies outside"),
+               finished.err.constData());
+    }
+  }
+
   void otherFolder() {
     QTemporaryDir elsewhere;
     const QString file = list("input,svg,size-mm\nsample,deep/er/a.svg,24x18\n");
@@ -138,6 +239,12 @@ class JobsCommandTest : public QObject {
                               << QByteArray("line 2, column svg");
     QTest::newRow("target twice") << QByteArray("input,svg\nsample,out/a.svg\nsample,out/./a.svg\n")
                                   << QByteArray("is written by line 2, column svg, too");
+    QTest::newRow("film climbs out") << QByteArray("input,png,video\nsample,out/a.png,../a.gif\n")
+                                     << QByteArray("line 2, column video");
+    QTest::newRow("film twice") << QByteArray("input,gif,video\nsample,out/a.gif,out/b.gif\n")
+                                << QByteArray("--video and --gif");
+    QTest::newRow("another kind's ending") << QByteArray("input,mp4\nsample,out/a.gif\n")
+                                           << QByteArray("out/a.gif: .gif is the ending");
     QTest::newRow("neither yes nor no") << QByteArray("input,svg,bw\nsample,out/a.svg,perhaps\n")
                                         << QByteArray("line 2, column bw");
     QTest::newRow("help is no flag") << QByteArray("input,svg,help\nsample,out/a.svg,yes\n")

@@ -27,6 +27,9 @@ class SheetTest : public QObject {
   void legendListsWhatIsVisible();
   void longLegends();
   void patientSheet();
+  void textsAndFiles_data();
+  void textsAndFiles();
+  void picturesBesideASheet();
   void namesAreText();
   void languages();
   void saysNothingElse();
@@ -223,6 +226,49 @@ void SheetTest::patientSheet() {
   const QRegularExpressionMatch found = word.match(run("pdftotext", {"-bbox", file, "-"}));
   QVERIFY(found.hasMatch());
   QVERIFY2(found.captured(1).toDouble() > 0.88 * 842.0, qPrintable(found.captured(1)));
+}
+
+void SheetTest::textsAndFiles_data() {
+  QTest::addColumn<QString>("text");
+  QTest::addColumn<bool>("fine");
+  QTest::newRow("a text") << "Take 1/2 tablet, see page 3.b below" << true;
+  QTest::newRow("a word") << "Fasting" << true;
+  QTest::newRow("a sentence of one word") << "Fasting." << true;
+  QTest::newRow("a page's address") << "https://example.org/kidney.html" << true;
+  QTest::newRow("lines") << "leaflet.txt\nis attached" << true;
+  QTest::newRow("a file that is not there") << "leaflets/nothere.txt" << false;
+  QTest::newRow("without a folder") << "nothere.txt" << false;
+  QTest::newRow("without an ending") << "leaflets/nothere" << false;
+  QTest::newRow("a folder") << m_sample << false;
+}
+
+void SheetTest::textsAndFiles() {
+  QFETCH(QString, text);
+  QFETCH(bool, fine);
+  const QString file = m_folder.filePath("texts.pdf");
+  QFile::remove(file);
+  const Finished finished =
+      runSline({"export", m_sample, "--pdf", file, "--sheet", "patient", "--text", text});
+  QCOMPARE(finished.code, fine ? 0 : 2);
+  QCOMPARE(QFile::exists(file), fine);
+  if (!fine)
+    QVERIFY2(finished.err.contains(text.toUtf8()), finished.err.constData());
+}
+
+void SheetTest::picturesBesideASheet() {
+  const QString png = m_folder.filePath("beside.png");
+  const QStringList flags{"export",  m_sample, "--pdf", m_folder.filePath("beside.pdf"),
+                          "--sheet", "figure", "--png", png};
+  const Finished sized = runSline(flags + QStringList{"--size-px", "100x100"});
+  QCOMPARE(sized.code, 2);
+  QVERIFY2(sized.err.contains("--size-px"), sized.err.constData());
+  QVERIFY(!QFile::exists(png));
+  const Finished both = runSline(flags + QStringList{"--dpi", "25.4"});
+  QCOMPARE(both.code, 0);
+  const Pixels picture = readPicture(png);
+  const QByteArray size =
+      QByteArray::number(picture.width) + " by " + QByteArray::number(picture.height) + " mm";
+  QVERIFY2(both.err.contains("beside.png is of the sheet's figure: " + size), both.err.constData());
 }
 
 /// Markup, quotes and brackets of PDF are letters like others; where no font has a letter nothing

@@ -12,9 +12,11 @@
 
 namespace sline::test {
 
-Finished runSline(const QStringList& arguments) {
+namespace {
+
+Finished finished(const QString& program, const QStringList& arguments) {
   QProcess process;
-  process.start(QStringLiteral(SLINE_PROGRAM), arguments);
+  process.start(program, arguments);
   if (!process.waitForFinished(120000)) {
     process.kill();
     process.waitForFinished();
@@ -23,6 +25,18 @@ Finished runSline(const QStringList& arguments) {
   const bool crashed = process.exitStatus() != QProcess::NormalExit;
   return {crashed ? -1 : process.exitCode(), process.readAllStandardOutput(),
           process.readAllStandardError()};
+}
+
+}  // namespace
+
+Finished runSline(const QStringList& arguments) {
+  return finished(QStringLiteral(SLINE_PROGRAM), arguments);
+}
+
+Finished runSlineLed(const QString& streams, const QStringList& arguments) {
+  return finished(QStringLiteral("/bin/sh"), QStringList{"-c", "exec \"$0\" \"$@\" " + streams,
+                                                         QStringLiteral(SLINE_PROGRAM)} +
+                                                 arguments);
 }
 
 void writeFile(const QString& file, const QByteArray& text) {

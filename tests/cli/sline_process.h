@@ -17,6 +17,8 @@ struct Finished {
   QByteArray err;
 };
 Finished runSline(const QStringList& arguments);
+/// With its streams led elsewhere by a shell, as in ">/dev/full 2>&1" or ">&-".
+Finished runSlineLed(const QString& streams, const QStringList& arguments);
 
 /// Writes the mesh as OBJ, by default without a group's name in it.
 void writeObj(const QString& file, const model::Mesh& mesh, const QString& group = {});

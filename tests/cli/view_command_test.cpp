@@ -9,6 +9,7 @@
 #include "model/edit/views.h"
 #include "model/files/scene_file.h"
 #include "tests/cli/sline_process.h"
+#include "tests/model/files/sample_scene.h"
 
 namespace sline::test {
 namespace {
@@ -37,6 +38,7 @@ class ViewCommandTest : public QObject {
   void wrongUse_data();
   void wrongUse();
   void absentOnesAreTold();
+  void newerFilesAreTold();
   void picturesOfViews();
 
  private:
@@ -238,6 +240,29 @@ void ViewCommandTest::absentOnesAreTold() {
   QCOMPARE(view({"--list"}).out,
            QByteArray("1  V  (2 of what it shows are no longer in the scene)\n"));
   QCOMPARE(listed().at(0).toObject()["absent"].toInt(), 2);
+  const QStringList drawn{"render", m_scene, "-o", at("x.png"), "--size", "64x64", "--view", "V"};
+  QVERIFY(runSline(drawn).err.contains("shows, 2 structures or groups are no longer"));
+  views.front().looks->pop_back();
+  with.setViews(views);
+  write(with);
+  QVERIFY(runSline(drawn).err.contains("shows, 1 structure or group is no longer"));
+}
+
+void ViewCommandTest::newerFilesAreTold() {
+  QFile file(m_scene);
+  QVERIFY(file.open(QIODevice::ReadOnly));
+  const std::string bytes = file.readAll().toStdString();
+  QJsonObject root =
+      QJsonDocument::fromJson(QByteArray::fromStdString(memberOf(bytes, "scene.json"))).object();
+  QVERIFY(root["schema"].toInt() > 0);
+  root["schema"] = 1000;
+  writeFile(m_scene, QByteArray::fromStdString(withMember(
+                         bytes, "scene.json", QJsonDocument(root).toJson().toStdString())));
+  for (const char* command : {"view", "annotate"}) {
+    const Finished told = runSline({command, m_scene, "--list"});
+    QCOMPARE(told.code, 0);
+    QVERIFY2(told.err.contains("newer version"), told.err.constData());
+  }
 }
 
 void ViewCommandTest::picturesOfViews() {

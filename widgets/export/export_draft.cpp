@@ -20,12 +20,11 @@ struct KindTraits {
   bool oneView = true;
   PageUse page = PageUse::pixels;
   bool names = false;
-  const char* otherEnding = "";  ///< that a person may type
 };
 constexpr std::array traits{
     KindTraits{.kind = "png"},
-    KindTraits{.kind = "tiff", .otherEnding = ".tif"},
-    KindTraits{.kind = "jpeg", .otherEnding = ".jpeg"},
+    KindTraits{.kind = "tiff"},
+    KindTraits{.kind = "jpeg"},
     KindTraits{.kind = "exr"},
     KindTraits{.kind = "svg", .page = PageUse::drawing, .names = true},
     KindTraits{.kind = "pdf", .page = PageUse::drawing, .names = true},
@@ -34,7 +33,7 @@ constexpr std::array traits{
     KindTraits{.kind = "webp", .oneView = false, .page = PageUse::shape},
     KindTraits{.kind = "gif", .oneView = false, .page = PageUse::shape},
     KindTraits{.kind = "frames", .oneView = false, .page = PageUse::shape},
-    KindTraits{.kind = "anki", .oneView = false, .names = true, .otherEnding = ".zip"},
+    KindTraits{.kind = "anki", .oneView = false, .names = true},
 };
 
 const KindTraits& traitsOf(const QString& kind) {
@@ -131,9 +130,9 @@ QString withEndingOf(const QString& target, const QString& kind) {
     return target;
   // A folder has none.
   const QString ending = QLatin1Char('.') + QLatin1String(format->extension);
-  const QString alternative = QLatin1String(traitsOf(kind).otherEnding);
+  const QString alternative = QLatin1Char('.') + QLatin1String(format->otherExtension);
   if (target.endsWith(ending, Qt::CaseInsensitive) ||
-      (!alternative.isEmpty() && target.endsWith(alternative, Qt::CaseInsensitive)))
+      (alternative.size() > 1 && target.endsWith(alternative, Qt::CaseInsensitive)))
     return target;
   for (const render::ExportFormat& other : render::exportFormats()) {
     const QString old = QLatin1Char('.') + QLatin1String(other.extension);

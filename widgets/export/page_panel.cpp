@@ -15,10 +15,6 @@
 
 namespace sline::widgets {
 
-namespace {
-constexpr float millimetresPerInch = 25.4f;
-}
-
 PagePanel::PagePanel(ExportDraft& draft, QWidget* parent)
     : QWidget(parent),
       m_draft(draft),
@@ -126,7 +122,7 @@ void PagePanel::connectControls() {
 
 float PagePanel::millimetresPerUnit() const {
   return m_draft.unit == PageUnit::pixels && pageUseOf(m_draft.kind) == PageUse::pixels
-             ? millimetresPerInch / m_draft.order.page.dpi
+             ? render::millimetresPerInch / m_draft.order.page.dpi
              : 1.0f;
 }
 
@@ -146,7 +142,7 @@ void PagePanel::refresh() {
   const float unit = millimetresPerUnit();
   const bool inPixels = unit != 1.0f;
   const float most =
-      pixels ? std::min(pageLimitsMm.y, float(mostPixels) / page.dpi * millimetresPerInch)
+      pixels ? std::min(pageLimitsMm.y, float(mostPixels) / page.dpi * render::millimetresPerInch)
              : pageLimitsMm.y;
   const std::pair<QDoubleSpinBox*, float> sides[] = {{m_width, page.sizeMm.x},
                                                      {m_height, page.sizeMm.y}};

@@ -20,13 +20,12 @@ PictureCopier::PictureCopier(Viewport& viewport, QObject* parent)
 }
 
 void PictureCopier::copy(const ExportSource& source, const render::ExportOrder& look) {
-  constexpr float millimetresPerInch = 25.4f;
   ExportDraft draft;
   draft.order = look;
   draft.order.look.background = m_viewport.background();
-  draft.order.page = {
-      millimetresPerInch / dpi * glm::vec2(float(m_viewport.width()), float(m_viewport.height())),
-      dpi};
+  draft.order.page = {render::millimetresPerInch / dpi *
+                          glm::vec2(float(m_viewport.width()), float(m_viewport.height())),
+                      dpi};
   m_order = exportFiles(draft, source).front().order;
   const QSize size = finer * m_viewport.size();
   PreviewRequest request{.previews = {}, .asker = PreviewsOf::exported};

@@ -7,6 +7,7 @@
 
 #include "model/edit/annotations.h"
 #include "render/export/column_widths.h"
+#include "render/export/order/label_style.h"
 #include "widgets/annotations/annotation_texts.h"
 #include "widgets/viewport/navigation.h"
 
@@ -73,11 +74,10 @@ void PictureLabels::setDark(bool dark) {
 }
 
 LabelWish PictureLabels::wish(bool moving) const {
-  constexpr float millimetresPerInch = 25.4f;
   const QWidget& picture = m_place.picture;
   LabelWish wish{.style = m_style,
                  .size = {float(picture.width()), float(picture.height())},
-                 .pixelsPerMm = float(picture.logicalDpiY()) / millimetresPerInch,
+                 .pixelsPerMm = float(picture.logicalDpiY()) / render::millimetresPerInch,
                  .ratio = picture.devicePixelRatioF(),
                  .document = m_place.session.document().opening,
                  .moving = moving};

@@ -29,8 +29,7 @@ Result<Image> groundOf(const ExportOrder& order) {
   glm::ivec2 size = pixelsOf(order.page);
   if (size.x > widestCard)
     size = glm::max(size * widestCard / size.x, glm::ivec2(1));
-  constexpr std::int64_t fine = 8'000'000;
-  const int samples = std::int64_t(size.x) * size.y > fine ? 1 : 2;
+  const int samples = samplesAtOnce(size);
   Result<Image> drawn = (*picture)->render(order.scene, order.camera,
                                            {.width = samples * size.x,
                                             .height = samples * size.y,

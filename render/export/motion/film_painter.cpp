@@ -152,8 +152,7 @@ void FilmPainter::settle(const Film& film) {
 
 Result<Image> FilmPainter::Data::drawn(const FilmFrame& frame, const glm::ivec2& size) {
   // As pictures are drawn: averaged where pixels are not fine enough by themselves.
-  constexpr std::int64_t fine = 8'000'000;
-  const int samples = std::int64_t(size.x) * size.y > fine ? 1 : 2;
+  const int samples = samplesAtOnce(size);
   Result<Image> image = picture->render(frame.scene, frame.camera,
                                         {.width = samples * size.x,
                                          .height = samples * size.y,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace sline::render {
 
@@ -15,11 +16,15 @@ std::string ExportCredit::line() const {
 }
 
 glm::ivec2 pixelsOf(const ExportPage& page) {
-  constexpr float millimetresPerInch = 25.4f;
   const auto side = [&page](float millimetres) {
     return std::max(int(std::lround(millimetres / millimetresPerInch * page.dpi)), 1);
   };
   return {side(page.sizeMm.x), side(page.sizeMm.y)};
+}
+
+int samplesAtOnce(const glm::ivec2& size) {
+  constexpr std::int64_t fine = 8'000'000;
+  return std::int64_t(size.x) * size.y > fine ? 1 : 2;
 }
 
 }  // namespace sline::render

@@ -160,4 +160,8 @@ Error givenUp(const std::filesystem::path& target);
 /// Width and height of the page in pixels, each at least 1.
 glm::ivec2 pixelsOf(const ExportPage& page);
 
+/// Across a pixel of a picture that is drawn at once, where nobody says: two, but one where it is
+/// so large that its pixels are fine enough.
+int samplesAtOnce(const glm::ivec2& size);
+
 }  // namespace sline::render

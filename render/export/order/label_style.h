@@ -13,7 +13,8 @@ namespace sline::render {
 /// `numbers`: numbered badges, for a key beside the picture; `blank`: lines to write on.
 enum class LabelMode { off, on, numbers, blank };
 
-inline constexpr float millimetresPerPoint = 25.4f / 72.0f;
+inline constexpr float millimetresPerInch = 25.4f;
+inline constexpr float millimetresPerPoint = millimetresPerInch / 72.0f;
 /// How high a picture is taken to be where nobody says: its 720 output units (METHOD §4) are then
 /// 1/96 inch each.
 inline constexpr float usualHeightMm = 190.5f;
