@@ -83,7 +83,7 @@ class Layouter {
   /// Makes room for the widest in each column. While layouts follow each other columns only grow,
   /// and at once so far that they need not again.
   void widen();
-  /// Heights of a column where something stands that does not give way.
+  /// Heights of a column where something stands that does not give way, or its labels' dots are.
   std::vector<Span> blockedIn(LabelPost post) const;
   bool fit(LabelPost post) const { return fitIn(column(post), inColumn(post)); }
   /// How many degrees the camera has turned since the label last jumped.
@@ -100,7 +100,7 @@ class Layouter {
   float wantedHeight(std::size_t i) const;
   void place();
   void placeByHand(std::size_t i);
-  /// Part of it is outside the frame or where something is reserved.
+  /// Part of it is outside the frame or where something is reserved, or it covers what it is about.
   bool misplaced(std::size_t i) const;
   void placeColumn(LabelPost post);
   /// Those that were there before stay, but for those that must move; false where that fails.
@@ -184,6 +184,11 @@ std::vector<Span> Layouter::blockedIn(LabelPost post) const {
   };
   for (const LabelBox& box : m_request.space.reserved)
     block(box.grown(clearance));
+  for (std::size_t i = 0; i < m_fates.size(); ++i)
+    if (!m_fates[i].out && m_fates[i].post == post)
+      for (const glm::vec2& place : item(i).places)
+        if (place.x + dotRoom > across.low && place.x - dotRoom < across.high)
+          blocked.push_back({place.y - dotRoom, place.y + dotRoom});
   for (const std::optional<PlacedLabel>& placed : m_placed)
     if (placed && placed->post == LabelPost::byHand) {
       block(placed->box.grown(clearance));
@@ -308,7 +313,11 @@ void Layouter::placeByHand(std::size_t i) {
 bool Layouter::misplaced(std::size_t i) const {
   const PlacedLabel& label = *m_placed[i];
   const std::vector<LabelBox>& reserved = m_request.space.reserved;
-  return !within(label.box, m_frame) ||
+  constexpr float rounding = 1e-3f;
+  const bool own =
+      label.post != LabelPost::byHand &&
+      (coversOwn(item(i), label.box) || runsThrough(label.leader, label.box.grown(-rounding)));
+  return own || !within(label.box, m_frame) ||
          std::any_of(reserved.begin(), reserved.end(), [&](const LabelBox& one) {
            return overlap(label.box, one) ||
                   (label.post != LabelPost::byHand && runsThrough(label.leader, one));
@@ -361,7 +370,7 @@ bool Layouter::placeSteadily(LabelPost post, const std::vector<ColumnItem>& item
 }
 
 bool Layouter::fits(std::size_t i, const LabelBox& box) const {
-  if (!within(box, m_frame) || overlapAny(box, m_request.space.reserved))
+  if (!within(box, m_frame) || overlapAny(box, m_request.space.reserved) || coversOwn(item(i), box))
     return false;
   for (std::size_t k = 0; k < m_placed.size(); ++k) {
     if (k == i)
