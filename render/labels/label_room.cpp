@@ -41,6 +41,10 @@ LabelBox frameOf(const LabelSpace& space) {
            space.size.y - room(space.edges.bottom)}};
 }
 
+bool fitsColumn(const glm::vec2& box, const LabelBox& frame) {
+  return box.x <= 0.5f * frame.size().x && box.y <= frame.size().y;
+}
+
 bool within(const LabelBox& box, const LabelBox& frame) {
   constexpr float rounding = 1e-3f;
   const LabelBox room = frame.grown(rounding);

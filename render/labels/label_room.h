@@ -22,6 +22,8 @@ glm::vec2 placeOf(const LabelItem& item);
 float middleBetweenColumns(const std::vector<LabelItem>& items, float anatomyMiddle);
 /// Where boxes may stand.
 LabelBox frameOf(const LabelSpace& space);
+/// A column has room for such a box: at most half of the frame is for either.
+bool fitsColumn(const glm::vec2& box, const LabelBox& frame);
 /// No more than rounding lies outside.
 bool within(const LabelBox& box, const LabelBox& frame);
 bool overlapAny(const LabelBox& box, const std::vector<LabelBox>& others);

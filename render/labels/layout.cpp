@@ -151,7 +151,8 @@ void Layouter::widen() {
   float widest = 0.0f;
   std::array<float, 2> widths{};
   for (std::size_t i = 0; i < m_fates.size(); ++i) {
-    widest = std::max(widest, item(i).box.x);
+    if (fitsColumn(item(i).box, m_frame))
+      widest = std::max(widest, item(i).box.x);
     if (!m_fates[i].out && isColumn(m_fates[i].post)) {
       float& width = widths[m_fates[i].post == LabelPost::left ? 0 : 1];
       width = std::max(width, item(i).box.x);
@@ -229,8 +230,10 @@ LabelPost Layouter::sideOf(std::size_t i) const {
 void Layouter::choosePosts() {
   for (std::size_t i = 0; i < m_fates.size(); ++i) {
     const LabelItem& one = item(i);
-    m_fates[i].out = one.places.empty() || one.box.x > m_frame.size().x ||
-                     one.box.y > m_frame.size().y || !(one.box.x > 0.0f) || !(one.box.y > 0.0f) ||
+    // Half a frame is for each column; what stands anywhere may be as wide as the whole.
+    const float share = one.offset || standsBeside(one) ? 0.5f : 1.0f;
+    m_fates[i].out = one.places.empty() || !(one.box.x > 0.0f) || !(one.box.y > 0.0f) ||
+                     !fitsColumn({share * one.box.x, one.box.y}, m_frame) ||
                      (rests(i) && !before(i));
     m_fates[i].post = one.offset          ? LabelPost::byHand
                       : standsBeside(one) ? LabelPost::beside
@@ -455,6 +458,7 @@ void Layouter::giveWay(std::size_t i) {
     fate.tried = true;
   } else {
     fate.post = sideOf(i);
+    fate.out = !fitsColumn(item(i).box, m_frame);
   }
 }
 

@@ -343,6 +343,23 @@ class LabelLayoutTest : public QObject {
       QVERIFY2(!overlap(label.box, *request.obstacles.extent), "a label covers the anatomy");
   }
 
+  /// What a column has no room for widens none, and the labels beside it stay where they were.
+  void tooWideForColumnsIsLeftOut() {
+    const LabelRequest request = roomy();
+    const LabelLayout first = layOutLabels(request);
+    for (const glm::vec2 box : {glm::vec2(200.0f, 4.5f), glm::vec2(30.0f, 400.0f)})
+      for (const LabelLayout* before : {static_cast<const LabelLayout*>(nullptr), &first}) {
+        LabelRequest with = request;
+        with.items.insert(with.items.begin() + 3,
+                          {.id = {9}, .places = {{180.0f, 100.0f}}, .box = box});
+        const LabelLayout layout = layOutLabels(with, before);
+        QCOMPARE(layout.leftOut, std::vector{model::AnnotationId{9}});
+        QCOMPARE(layout.edges, first.edges);
+        for (const PlacedLabel& label : layout.labels)
+          QCOMPARE(label.post, first.find(label.id)->post);
+      }
+  }
+
   /// Put into a column: those there make room in their column, and nobody is lost.
   void othersGiveWayToTheHand() {
     const LabelRequest before = roomy();
