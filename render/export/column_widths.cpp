@@ -22,7 +22,7 @@ struct Trial {
   float text = 0.0f;
 };
 
-/// All labels measured once, so that many widths can be tried.
+/// All labels that a column has room for, measured once so that many widths can be tried.
 class Trials {
  public:
   explicit Trials(const LabelTexts& texts) : m_texts(texts) {
@@ -30,10 +30,16 @@ class Trials {
     for (const ShownLabel& label : texts.labels)
       items.push_back(label.item);
     const float middle = middleBetweenColumns(items, texts.anatomy.middle().x);
-    for (const ShownLabel& label : texts.labels)
-      if (!label.item.offset && label.item.kind != model::AnnotationKind::pin &&
-          label.item.kind != model::AnnotationKind::distance)
-        m_columns[placeOf(label.item).x < middle ? 0 : 1].emplace_back(label, texts.style);
+    const float widest = widestTextMm(texts.space.size.x, texts.style);
+    const WordRoom words = wordRoom(texts.space.size.x, texts.style);
+    for (const ShownLabel& label : texts.labels) {
+      if (label.item.offset || label.item.kind == model::AnnotationKind::pin ||
+          label.item.kind == model::AnnotationKind::distance)
+        continue;
+      MeasuredText text(label, texts.style, words);
+      if (fitsColumn(text.boxAt(widest), frameOf(texts.space)))
+        m_columns[placeOf(label.item).x < middle ? 0 : 1].push_back(std::move(text));
+    }
   }
 
   /// From narrow to wide.

@@ -146,10 +146,11 @@ float textWidthFor(const LabelPlate& plate, const LabelRequest& request, const L
 
 /// Sets the texts in lines of the request's width and lays them out.
 void setPlate(LabelPlate& plate, LabelRequest& request, const LabelTurn& turn) {
+  const WordRoom words = wordRoom(request.space.size.x, plate.style);
   plate.texts.clear();
   request.items.clear();
   for (ShownLabel& label : plate.labels) {
-    plate.texts.push_back(textOf(label, plate.style, request.textWidth));
+    plate.texts.push_back(textOf(label, plate.style, request.textWidth, words));
     label.item.box = plate.texts.back().box;
     request.items.push_back(label.item);
   }

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "render/export/words.h"
+
 // Resources of a static library must be asked for, outside of any namespace.
 static void useLabelFont() {
   Q_INIT_RESOURCE(label_font);
@@ -47,89 +49,27 @@ QString fullText(const ShownLabel& label, const LabelStyle& style) {
   return text.isEmpty() ? length : text + QLatin1Char(' ') + length;
 }
 
-/// Advances in the font's pixels.
-class Ruler {
- public:
-  qreal width(const TextRun& run) const {
-    return m_metrics[std::size_t(run.style.bold) + 2 * std::size_t(run.style.italic)]
-        .horizontalAdvance(run.text);
-  }
-  qreal width(const TextLine& line) const {
-    qreal width = 0.0;
-    for (const TextRun& run : line.runs)
-      width += this->width(run);
-    return width;
-  }
-
- private:
-  std::array<QFontMetricsF, 4> m_metrics{QFontMetricsF(labelFont()),
-                                         QFontMetricsF(labelFont({.bold = true})),
-                                         QFontMetricsF(labelFont({.italic = true})),
-                                         QFontMetricsF(labelFont({.bold = true, .italic = true}))};
-};
-
 /// Two digits: badges are all of one width.
 float badgeMm(const Ruler& ruler, const LabelStyle& style) {
   return float(ruler.width(TextLine(QStringLiteral("00")))) * pixelsToMm(style);
 }
 
-/// A word, or a part of one: joined to what stands before it.
-struct Word {
-  TextLine text;
-  bool joined = false;
-  qreal width = 0.0;
-};
+WordLimits limitsOf(float widestMm, const WordRoom& words, float scale) {
+  return {.line = qreal(widestMm / scale),
+          .whole = qreal(std::max(widestMm, words.whole) / scale),
+          .part = qreal(std::max(widestMm, words.part) / scale)};
+}
+
+/// Two columns never meet, however large letters are.
+float mostOfColumn(float pictureWidthMm, float em) {
+  return std::max(2.0f * em, 0.42f * pictureWidthMm);
+}
 
 /// What a writer began on a line of its own.
 struct Paragraph {
   std::vector<Word> words;
   bool bullet = false;
 };
-
-bool parts(QChar c) {
-  constexpr QChar unbroken(0x00a0);
-  constexpr QChar narrowUnbroken(0x202f);
-  return c.isSpace() && c != unbroken && c != narrowUnbroken;
-}
-
-/// Divided as programs join words: "L4-L3-Disc", "left_kidney", "CystWall".
-std::vector<Word> divided(const Word& word) {
-  std::vector<Word> pieces(1);
-  QChar before;
-  for (const TextRun& run : word.text.runs)
-    for (const QChar c : run.text) {
-      const bool after = QStringLiteral("-_/").contains(before);
-      if (!before.isNull() && (after || (c.isUpper() && before.isLower())))
-        pieces.push_back({.text = {}, .joined = true});
-      append(pieces.back().text, QStringView(&c, 1), run.style);
-      before = c;
-    }
-  return pieces;
-}
-
-/// Those that are wider than `widest` are divided.
-std::vector<Word> wordsOf(const TextLine& line, const Ruler& ruler, qreal widest) {
-  std::vector<Word> whole;
-  bool within = false;
-  for (const TextRun& run : line.runs)
-    for (const QChar c : run.text) {
-      if (!parts(c) && !std::exchange(within, true))
-        whole.emplace_back();
-      within = !parts(c);
-      if (within)
-        append(whole.back().text, QStringView(&c, 1), run.style);
-    }
-  std::vector<Word> words;
-  for (const Word& word : whole)
-    if (ruler.width(word.text) <= widest)
-      words.push_back(word);
-    else
-      for (Word& piece : divided(word))
-        words.push_back(std::move(piece));
-  for (Word& word : words)
-    word.width = ruler.width(word.text);
-  return words;
-}
 
 /// Breaks the paragraphs of one text into lines.
 class LineBreaker {
@@ -167,13 +107,18 @@ class LineBreaker {
     lines.push_back(paragraph.bullet ? bullet() : TextLine());
     qreal used = 0.0;
     bool first = true;
+    const Word* before = nullptr;
     for (const Word& word : paragraph.words) {
       const model::LetterStyle style =
           first ? model::LetterStyle() : spaceStyle(lines.back(), word);
       const TextRun space{.text = QStringLiteral(" "), .style = style};
       const qreal gap = first || word.joined ? 0.0 : m_ruler.width(space);
-      if (!first && indent + used + gap + word.width > width) {
+      const qreal hyphen = word.hyphen ? m_ruler.hyphen() : 0.0;
+      if (!first && indent + used + gap + word.width + hyphen > width) {
+        if (before && before->hyphen)
+          hyphenate(lines.back());
         lines.emplace_back().indent = float(indent / labelFontPixels);
+        lines.back().joined = word.joined;
         used = 0.0;
       } else if (!first) {
         used += gap;
@@ -184,7 +129,13 @@ class LineBreaker {
         append(lines.back(), run.text, run.style);
       used += word.width;
       first = false;
+      before = &word;
     }
+  }
+
+  static void hyphenate(TextLine& line) {
+    append(line, QStringLiteral("-"), {});
+    line.hyphenated = true;
   }
 
   static model::LetterStyle spaceStyle(const TextLine& before, const Word& word) {
@@ -196,31 +147,34 @@ class LineBreaker {
   const Ruler& m_ruler;
 };
 
-std::vector<TextLine> broken(const QString& text, const Ruler& ruler, qreal widest) {
-  std::vector<Word> words = wordsOf(TextLine(text), ruler, widest);
+std::vector<TextLine> broken(const QString& text, const Ruler& ruler, const WordLimits& limits) {
+  std::vector<Word> words = wordsOf(TextLine(text), ruler, limits);
   if (words.empty())
     return {};
-  return LineBreaker({{.words = std::move(words)}}, ruler).lines(widest);
+  return LineBreaker({{.words = std::move(words)}}, ruler).lines(limits.line);
 }
 
-std::vector<Paragraph> paragraphsOf(const std::string& text, const Ruler& ruler, qreal widest) {
+std::vector<Paragraph> paragraphsOf(const std::string& text, const Ruler& ruler,
+                                    const WordLimits& limits) {
   const qreal indent = ruler.width(LineBreaker::bullet());
   std::vector<Paragraph> paragraphs;
   for (const model::MarkedLine& line : model::markedLines(bounded(text))) {
     TextLine marked;
     for (const model::MarkedRun& run : line.runs)
       append(marked, QString::fromStdString(run.text), run.style);
-    paragraphs.push_back({.words = wordsOf(marked, ruler, widest - (line.bullet ? indent : 0.0)),
-                          .bullet = line.bullet});
+    const qreal less = line.bullet ? indent : 0.0;
+    paragraphs.push_back(
+        {.words = wordsOf(marked, ruler, limits.less(less)), .bullet = line.bullet});
   }
   return paragraphs;
 }
 
-void setCallout(LabelText& text, const std::string& words, const Ruler& ruler, qreal widest) {
-  std::vector<Paragraph> paragraphs = paragraphsOf(words, ruler, widest);
+void setCallout(LabelText& text, const std::string& words, const Ruler& ruler,
+                const WordLimits& limits) {
+  std::vector<Paragraph> paragraphs = paragraphsOf(words, ruler, limits);
   text.list = std::any_of(paragraphs.begin(), paragraphs.end(),
                           [](const Paragraph& paragraph) { return paragraph.bullet; });
-  text.lines = LineBreaker(std::move(paragraphs), ruler).lines(widest);
+  text.lines = LineBreaker(std::move(paragraphs), ruler).lines(limits.line);
 }
 
 /// The family of all four fonts.
@@ -288,10 +242,16 @@ glm::vec2 paddingOf(model::AnnotationKind kind, const LabelStyle& style) {
 
 float widestTextMm(float pictureWidthMm, const LabelStyle& style) {
   const float em = style.points * millimetresPerPoint;
-  return std::max(6.0f * em, std::min(14.0f * em, 0.22f * pictureWidthMm));
+  return std::min(mostOfColumn(pictureWidthMm, em),
+                  std::max(6.0f * em, std::min(14.0f * em, 0.22f * pictureWidthMm)));
 }
 
-MeasuredText::MeasuredText(const ShownLabel& label, const LabelStyle& style)
+WordRoom wordRoom(float pictureWidthMm, const LabelStyle& style) {
+  const float part = widestTextMm(pictureWidthMm, style);
+  return {.whole = std::max(part, 0.35f * pictureWidthMm), .part = part};
+}
+
+MeasuredText::MeasuredText(const ShownLabel& label, const LabelStyle& style, const WordRoom& words)
     : m_padding(paddingOf(label.item.kind, style)),
       m_scale(pixelsToMm(style)),
       m_lineHeight(lineHeightMm(style)) {
@@ -301,13 +261,15 @@ MeasuredText::MeasuredText(const ShownLabel& label, const LabelStyle& style)
   }
   const Ruler ruler;
   m_space = float(ruler.width(TextLine(QStringLiteral(" "))));
-  const auto measured = [&ruler](const Word& word) {
+  const WordLimits limits = limitsOf(0.0f, words, m_scale);
+  const auto measured = [&ruler, &limits](const Word& word, qreal indent) {
     WordWidths widths{.whole = float(word.width), .parts = {}};
-    for (const Word& part : divided(word))
-      widths.parts.push_back(float(ruler.width(part.text)));
+    for (const Word& part : divided(word, ruler, limits.less(indent)))
+      widths.parts.push_back({float(part.width), part.hyphen ? float(ruler.hyphen()) : 0.0f});
     return widths;
   };
-  constexpr qreal undivided = std::numeric_limits<qreal>::infinity();
+  constexpr qreal infinity = std::numeric_limits<qreal>::infinity();
+  constexpr WordLimits undivided{infinity, infinity, infinity};
   std::vector<Paragraph> paragraphs;
   if (label.item.kind == model::AnnotationKind::callout)
     paragraphs = paragraphsOf(label.text, ruler, undivided);
@@ -316,8 +278,8 @@ MeasuredText::MeasuredText(const ShownLabel& label, const LabelStyle& style)
   for (const Paragraph& paragraph : paragraphs) {
     ParagraphWidths& own = m_paragraphs.emplace_back();
     own.indent = paragraph.bullet ? float(ruler.width(LineBreaker::bullet())) : 0.0f;
-    std::transform(paragraph.words.begin(), paragraph.words.end(), std::back_inserter(own.words),
-                   measured);
+    for (const Word& word : paragraph.words)
+      own.words.push_back(measured(word, qreal(own.indent)));
   }
 }
 
@@ -327,8 +289,10 @@ MeasuredText::Filled MeasuredText::fill(float widest, float most) const {
     ++filled.lines;
     float line = paragraph.indent;
     bool begun = false;
-    const auto add = [&](float before, float width) {
-      if (begun && line + before + width > most) {
+    float hyphenBefore = 0.0f;
+    const auto add = [&](float before, float width, float hyphen) {
+      if (begun && line + before + width + hyphen > most) {
+        filled.width = std::max(filled.width, line + hyphenBefore);
         ++filled.lines;
         line = paragraph.indent + width;
       } else {
@@ -336,13 +300,14 @@ MeasuredText::Filled MeasuredText::fill(float widest, float most) const {
       }
       filled.width = std::max(filled.width, line);
       begun = true;
+      hyphenBefore = hyphen;
     };
     for (const WordWidths& word : paragraph.words)
       if (word.whole <= widest - paragraph.indent)
-        add(m_space, word.whole);
+        add(m_space, word.whole, 0.0f);
       else
         for (std::size_t i = 0; i < word.parts.size(); ++i)
-          add(i == 0 ? m_space : 0.0f, word.parts[i]);
+          add(i == 0 ? m_space : 0.0f, word.parts[i].width, word.parts[i].hyphen);
     filled.width = std::max(filled.width, line);
   }
   return filled;
@@ -363,10 +328,12 @@ glm::vec2 MeasuredText::boxAt(float widestMm) const {
   return glm::vec2(fill(widest, high).width * m_scale, height) + 2.0f * m_padding;
 }
 
-LabelText textOf(const ShownLabel& label, const LabelStyle& style, float widestMm) {
+LabelText textOf(const ShownLabel& label, const LabelStyle& style, float widestMm,
+                 const WordRoom& words) {
   const Ruler ruler;
   const float scale = pixelsToMm(style);
   const glm::vec2 padding = paddingOf(label.item.kind, style);
+  const WordLimits limits = limitsOf(widestMm, words, scale);
   LabelText text;
   if (style.mode == LabelMode::blank) {
     text.lines = {QString()};
@@ -376,9 +343,9 @@ LabelText textOf(const ShownLabel& label, const LabelStyle& style, float widestM
   if (style.mode == LabelMode::numbers)
     text.lines = {QString::number(label.number)};
   else if (label.item.kind == model::AnnotationKind::callout)
-    setCallout(text, label.text, ruler, qreal(widestMm / scale));
+    setCallout(text, label.text, ruler, limits);
   else
-    text.lines = broken(fullText(label, style), ruler, qreal(widestMm / scale));
+    text.lines = broken(fullText(label, style), ruler, limits);
   float width = 0.0f;
   for (const TextLine& line : text.lines)
     width = std::max(width, textWidthMm(line, style.points));

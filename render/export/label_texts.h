@@ -4,6 +4,7 @@
 
 #include <QFont>
 #include <glm/vec2.hpp>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -16,6 +17,13 @@ namespace sline::render {
 /// The font of labels, `labelFontPixels` high: the same on every machine. Needs a QGuiApplication.
 inline constexpr int labelFontPixels = 100;
 QFont labelFont(const model::LetterStyle& style = {});
+
+/// How wide a word may be that has no place to be divided, and its parts where it is wider, each
+/// with a hyphen where its script has them. Millimetres.
+struct WordRoom {
+  float whole = std::numeric_limits<float>::infinity();
+  float part = std::numeric_limits<float>::infinity();
+};
 
 struct LabelText {
   std::vector<TextLine> lines;
@@ -40,24 +48,32 @@ float lineHeightMm(const LabelStyle& style);
 float blankWidthMm(const LabelStyle& style);
 /// A distance has its length, in the language's digits, behind its text. A callout's text is marked
 /// up (model/scene/markup.h), and its lines begin where its writer began them, too. Lines are
-/// broken between words so that none is wider than `widestMm`, unless a word is. A text that no
-/// page has room for is cut short.
-LabelText textOf(const ShownLabel& label, const LabelStyle& style, float widestMm);
-/// No lines of labels are wider, unless a word is.
+/// broken between words so that none is wider than `widestMm`, and within words that are wider,
+/// where their script or names that programs join allow it; elsewhere only where they are wider
+/// than there is room for words. A text that no page has room for is cut short.
+LabelText textOf(const ShownLabel& label, const LabelStyle& style, float widestMm,
+                 const WordRoom& words = {});
+/// No lines of labels are wider in a picture of that width, unless a word is.
 float widestTextMm(float pictureWidthMm, const LabelStyle& style);
+/// Of words in such a picture.
+WordRoom wordRoom(float pictureWidthMm, const LabelStyle& style);
 
 /// A label's words, measured once so that many widths can be tried.
 class MeasuredText {
  public:
-  MeasuredText(const ShownLabel& label, const LabelStyle& style);
-  /// `textOf(…).box`, but for what kerning makes of spaces.
+  MeasuredText(const ShownLabel& label, const LabelStyle& style, const WordRoom& words = {});
+  /// `textOf(…).box`, but for what kerning makes of spaces; of widths up to `WordRoom::part`.
   glm::vec2 boxAt(float widestMm) const;
 
  private:
   /// A word's parts, as `textOf` divides it where the whole is too wide. Pixels of the font.
+  struct PartWidths {
+    float width = 0.0f;
+    float hyphen = 0.0f;  ///< that it has besides at a line's end
+  };
   struct WordWidths {
     float whole = 0.0f;
-    std::vector<float> parts;
+    std::vector<PartWidths> parts;
   };
   struct ParagraphWidths {
     std::vector<WordWidths> words;

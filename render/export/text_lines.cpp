@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/text_lines.h"
 
-#include <QStringList>
-
 namespace sline::render {
 
 void append(TextLine& line, QStringView text, const model::LetterStyle& style) {
@@ -19,10 +17,15 @@ QString plainText(const TextLine& line) {
 }
 
 QString plainText(const std::vector<TextLine>& lines, QChar between) {
-  QStringList texts;
-  for (const TextLine& line : lines)
-    texts << plainText(line);
-  return texts.join(between);
+  QString text;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (i > 0 && lines[i - 1].hyphenated && lines[i].joined)
+      text.chop(1);
+    else if (i > 0 && !lines[i].joined)
+      text += between;
+    text += plainText(lines[i]);
+  }
+  return text;
 }
 
 }  // namespace sline::render

@@ -17,7 +17,9 @@ struct TextRun {
 
 struct TextLine {
   std::vector<TextRun> runs;
-  float indent = 0.0f;  ///< of all of it, ems
+  float indent = 0.0f;      ///< of all of it, ems
+  bool joined = false;      ///< goes on with a word of the line before
+  bool hyphenated = false;  ///< ends in a hyphen because the next one does
 
   TextLine() = default;
   /// Of one run, as labels and marks are.
@@ -30,6 +32,7 @@ void append(TextLine& line, QStringView text, const model::LetterStyle& style);
 
 /// Its words without styles.
 QString plainText(const TextLine& line);
+/// Words that lines part are whole.
 QString plainText(const std::vector<TextLine>& lines, QChar between = QLatin1Char(' '));
 
 }  // namespace sline::render

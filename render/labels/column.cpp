@@ -38,10 +38,14 @@ constexpr std::array<Bend, 9> bends{{{Bend::Way::boxLevel, 0.0f},
                                      {Bend::Way::boxLevel, 1.0f},
                                      {Bend::Way::placeLevel, 1.0f}}};
 
-Leader leaderOf(const Column& column, const glm::vec2& place, float height, const Bend& bend = {}) {
+Leader leaderOf(const Column& column, const glm::vec2& place, const LabelBox& box,
+                const Bend& bend = {}) {
+  const float height = box.middle().y;
   const float inwards = column.left ? 1.0f : -1.0f;
   const float knee = column.edge + inwards * levelPiece;
-  // From a place beside the knee or beyond it the way there would turn back at an acute angle.
+  if (inwards * (place.x - column.edge) <= dotRoom)
+    return {place, portOf(box, place)};
+  // From a place beside the knee the way there would turn back at an acute angle.
   if (inwards * (place.x - knee) <= 0.0f)
     return {place, {column.edge, height}};
   if (bend.way == Bend::Way::boxLevel)
@@ -54,9 +58,32 @@ Leader leaderOf(const Column& column, const glm::vec2& place, float height, cons
           {column.edge, height}};
 }
 
+/// They cross, or one runs through the other's box: from a place behind the column.
+bool inTheWay(const ColumnPlace& a, const ColumnPlace& b) {
+  const auto through = [](const ColumnPlace& one, const ColumnPlace& other) {
+    return one.leader.size() == 2 && runsThrough(one.leader, other.box.grown(clearance));
+  };
+  return cross(a.leader, b.leader) || through(a, b) || through(b, a);
+}
+
+bool leadersCross(const ColumnPlace& a, const ColumnPlace& b) {
+  return cross(a.leader, b.leader);
+}
+
+/// The first two that stand so to each other, neighbours first.
+template <typename Stand>
+std::optional<std::pair<std::size_t, std::size_t>> firstPair(const std::vector<ColumnPlace>& places,
+                                                             Stand&& stand) {
+  for (std::size_t apart = 1; apart < places.size(); ++apart)
+    for (std::size_t i = 0; i + apart < places.size(); ++i)
+      if (stand(places[i], places[i + apart]))
+        return std::pair(i, i + apart);
+  return std::nullopt;
+}
+
 /// The leader of that place, bent so.
 Leader bent(const Column& column, const ColumnPlace& place, const Bend& bend) {
-  return leaderOf(column, place.leader.front(), place.leader.back().y, bend);
+  return leaderOf(column, place.leader.front(), place.box, bend);
 }
 
 /// Bends either of two whose leaders cross so that they cross neither each other nor any other.
@@ -68,9 +95,11 @@ bool bendPair(const Column& column, std::vector<ColumnPlace>& places, std::size_
         return false;
     return true;
   };
+  // Straight leaders from behind the column or close before it are never bent.
+  const auto ways = [&](std::size_t k) { return places[k].leader.size() > 2 ? bends.size() : 1; };
   std::optional<std::pair<std::size_t, std::size_t>> best;
-  for (std::size_t one = 0; one < bends.size(); ++one)
-    for (std::size_t two = 0; two < bends.size(); ++two) {
+  for (std::size_t one = 0; one < ways(i); ++one)
+    for (std::size_t two = 0; two < ways(j); ++two) {
       if (best && one + two >= best->first + best->second)
         break;
       const Leader first = bent(column, places[i], bends[one]);
@@ -132,48 +161,50 @@ std::size_t spanOf(const std::vector<Span>& spans, float middle, float half) {
       spans.begin());
 }
 
-/// Adds their places within the span.
-void settle(const Column& column, const Span& span, std::span<const ColumnItem> items,
-            std::vector<ColumnPlace>& places) {
-  // With what stands above taken off, wanted heights must only not decrease.
-  std::vector<double> above;
-  std::vector<Pool> pools;
-  double height = 0.0;
-  for (const ColumnItem& item : items) {
-    above.push_back(height);
-    pools.push_back({item.wanted - 0.5 * item.box.y - height, 1});
-    height += item.box.y + column.gap;
-    while (pools.size() > 1 && pools[pools.size() - 2].mean() > pools.back().mean()) {
-      const Pool last = pools.back();
-      pools.pop_back();
-      pools.back().sum += last.sum;
-      pools.back().count += last.count;
+/// Where items stand within a span; keeps its memory, as many ways to share spans are tried.
+class Settler {
+ public:
+  /// The upper sides of their boxes.
+  const std::vector<double>& tops(const Column& column, const Span& span,
+                                  std::span<const ColumnItem> items) {
+    m_tops.clear();
+    m_pools.clear();
+    // With what stands above taken off, wanted heights must only not decrease.
+    double height = 0.0;
+    for (const ColumnItem& item : items) {
+      m_tops.push_back(height);
+      m_pools.push_back({item.wanted - 0.5 * item.box.y - height, 1});
+      height += item.box.y + column.gap;
+      while (m_pools.size() > 1 && m_pools[m_pools.size() - 2].mean() > m_pools.back().mean()) {
+        const Pool last = m_pools.back();
+        m_pools.pop_back();
+        m_pools.back().sum += last.sum;
+        m_pools.back().count += last.count;
+      }
     }
+    const double lowest = std::max(double(span.low), span.high - (height - column.gap));
+    std::size_t k = 0;
+    for (const Pool& pool : m_pools)
+      for (std::size_t i = 0; i < pool.count; ++i, ++k)
+        m_tops[k] += std::clamp(pool.mean(), double(span.low), lowest);
+    return m_tops;
   }
-  const double lowest = std::max(double(span.low), span.high - (height - column.gap));
-  std::size_t k = 0;
-  for (const Pool& pool : pools)
-    for (std::size_t i = 0; i < pool.count; ++i, ++k) {
-      const ColumnItem& item = items[k];
-      const double top = std::clamp(pool.mean(), double(span.low), lowest) + above[k];
-      const float left = column.left ? column.edge - item.box.x : column.edge;
-      const glm::vec2 corner(left, float(top));
-      places.push_back({{corner, corner + item.box},
-                        leaderOf(column, item.place, corner.y + 0.5f * item.box.y)});
-    }
-}
 
-/// The sum of squares of what the items stand away from where they want to, in that span.
-float strainIn(const Column& column, const Span& span, std::span<const ColumnItem> items) {
-  std::vector<ColumnPlace> places;
-  settle(column, span, items, places);
-  float strain = 0.0f;
-  for (std::size_t k = 0; k < items.size(); ++k) {
-    const float away = places[k].box.middle().y - items[k].wanted;
-    strain += away * away;
+  /// The sum of squares of what they stand away from where they want to.
+  float strain(const Column& column, const Span& span, std::span<const ColumnItem> items) {
+    const std::vector<double>& tops = this->tops(column, span, items);
+    double strain = 0.0;
+    for (std::size_t k = 0; k < items.size(); ++k) {
+      const double away = tops[k] + 0.5 * items[k].box.y - items[k].wanted;
+      strain += away * away;
+    }
+    return float(strain);
   }
-  return strain;
-}
+
+ private:
+  std::vector<double> m_tops;
+  std::vector<Pool> m_pools;
+};
 
 /// Which of the items, in their order, stand in which span.
 class Sharing {
@@ -208,8 +239,9 @@ class Sharing {
   bool over(std::size_t s) const {
     return m_ends[s] > begin(s) && heightWith(in(s), m_column.gap) > m_spans[s].length() + rounding;
   }
-  float strain(std::size_t s) const {
-    return strainIn(m_column, m_spans[s], in(s)) + strainIn(m_column, m_spans[s + 1], in(s + 1));
+  float strain(std::size_t s) {
+    return m_settler.strain(m_column, m_spans[s], in(s)) +
+           m_settler.strain(m_column, m_spans[s + 1], in(s + 1));
   }
   /// Those next to what parts two spans go to the other while all stand nearer to where they want.
   void relax(std::size_t s) {
@@ -228,6 +260,7 @@ class Sharing {
   std::vector<Span> m_spans;
   const std::vector<ColumnItem>& m_items;
   std::vector<std::size_t> m_ends;  ///< of each span, the first of the items behind it
+  Settler m_settler;
 };
 
 }  // namespace
@@ -264,11 +297,7 @@ bool fitIn(const Column& column, const std::vector<ColumnItem>& items) {
 
 std::optional<std::pair<std::size_t, std::size_t>> firstCrossing(
     const std::vector<ColumnPlace>& places) {
-  for (std::size_t apart = 1; apart < places.size(); ++apart)
-    for (std::size_t i = 0; i + apart < places.size(); ++i)
-      if (cross(places[i].leader, places[i + apart].leader))
-        return std::pair(i, i + apart);
-  return std::nullopt;
+  return firstPair(places, inTheWay);
 }
 
 bool bendApart(const Column& column, std::vector<ColumnPlace>& places) {
@@ -291,22 +320,30 @@ float heightOf(const std::vector<ColumnItem>& items, float gap) {
 
 std::vector<ColumnPlace> placesIn(const Column& column, const std::vector<ColumnItem>& items) {
   const Sharing sharing(column, items);
+  Settler settler;
   std::vector<ColumnPlace> places;
   places.reserve(items.size());
-  for (std::size_t s = 0; s < sharing.spans(); ++s)
-    settle(column, sharing.span(s), sharing.in(s), places);
+  for (std::size_t s = 0; s < sharing.spans(); ++s) {
+    const std::span<const ColumnItem> in = sharing.in(s);
+    const std::vector<double>& tops = settler.tops(column, sharing.span(s), in);
+    for (std::size_t k = 0; k < in.size(); ++k) {
+      const glm::vec2 corner(column.left ? column.edge - in[k].box.x : column.edge, float(tops[k]));
+      const LabelBox box{corner, corner + in[k].box};
+      places.push_back({box, leaderOf(column, in[k].place, box)});
+    }
+  }
   return places;
 }
 
 void uncross(const Column& column, std::vector<ColumnItem>& items) {
   const std::size_t most = 40 + 10 * items.size();
   for (std::size_t tries = 0; tries < most; ++tries) {
-    const auto crossing = firstCrossing(placesIn(column, items));
+    const auto crossing = firstPair(placesIn(column, items), leadersCross);
     if (!crossing)
       return;
     std::swap(items[crossing->first], items[crossing->second]);
   }
-  for (int tries = 0; tries < 4 && firstCrossing(placesIn(column, items)); ++tries)
+  for (int tries = 0; tries < 4 && firstPair(placesIn(column, items), leadersCross); ++tries)
     items = byTangents(column, items);
 }
 
@@ -342,9 +379,9 @@ std::optional<ColumnPlace> placeAmong(const Column& column, const ColumnItem& it
         }))
       continue;
     for (const Bend& bend : bends) {
-      place.leader = leaderOf(column, item.place, height, bend);
+      place.leader = leaderOf(column, item.place, place.box, bend);
       if (std::none_of(others.begin(), others.end(),
-                       [&](const ColumnPlace& other) { return cross(place.leader, other.leader); }))
+                       [&](const ColumnPlace& other) { return inTheWay(place, other); }))
         return place;
     }
   }

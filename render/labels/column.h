@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // One column of boxes beside the picture's anatomy, each joined to its place by a straight leader
-// that ends in a short level piece – or a leader bent so that its box can stay where it is:
-// one-sided boundary labelling with type-s leaders (Bekos, Kaufmann, Symvonis and Wolff: Boundary
-// labeling: models and efficient algorithms for rectangular maps. Computational Geometry 36, 2007).
+// that ends in a short level piece – or a leader bent so that its box can stay where it is, or,
+// from a place behind the column, one that ends at the nearest side of its box: one-sided boundary
+// labelling with type-s leaders (Bekos, Kaufmann, Symvonis and Wolff: Boundary labeling: models and
+// efficient algorithms for rectangular maps. Computational Geometry 36, 2007).
 #pragma once
 
 #include <optional>
@@ -16,6 +17,10 @@ namespace sline::render {
 /// Millimetres between boxes, and of a leader's level piece.
 inline constexpr float columnGap = 0.8f;
 inline constexpr float levelPiece = 2.0f;
+/// Between a leader and another's box.
+inline constexpr float clearance = 0.4f;
+/// Between the middle of a dot and a box.
+inline constexpr float dotRoom = 1.2f;
 
 /// A box that has jumped stays where it is for so long, where others can give way.
 inline constexpr float restDegrees = 20.0f;
@@ -66,7 +71,8 @@ float heightOf(const std::vector<ColumnItem>& items, float gap = columnGap);
 /// must fit.
 std::vector<ColumnPlace> placesIn(const Column& column, const std::vector<ColumnItem>& items);
 
-/// Two whose leaders cross, neighbours first: their exchange moves least.
+/// Two whose leaders cross, or of which one's leader runs through the other's box, neighbours
+/// first: their exchange moves least.
 std::optional<std::pair<std::size_t, std::size_t>> firstCrossing(
     const std::vector<ColumnPlace>& places);
 

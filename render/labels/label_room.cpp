@@ -8,6 +8,14 @@
 
 namespace sline::render {
 
+bool coversOwn(const LabelItem& item, const LabelBox& box) {
+  constexpr float rounding = 1e-2f;
+  const LabelBox room = box.grown(dotRoom - rounding);
+  return runsThrough(item.places, box.grown(clearance)) ||
+         std::any_of(item.places.begin(), item.places.end(),
+                     [&](const glm::vec2& place) { return room.contains(place); });
+}
+
 glm::vec2 placeOf(const LabelItem& item) {
   glm::vec2 sum(0.0f);
   for (const glm::vec2& place : item.places)
@@ -31,6 +39,10 @@ LabelBox frameOf(const LabelSpace& space) {
   return {{room(space.edges.left) - space.sideMargin, room(space.edges.top)},
           {space.size.x - room(space.edges.right) + space.sideMargin,
            space.size.y - room(space.edges.bottom)}};
+}
+
+bool fitsColumn(const glm::vec2& box, const LabelBox& frame) {
+  return box.x <= 0.5f * frame.size().x && box.y <= frame.size().y;
 }
 
 bool within(const LabelBox& box, const LabelBox& frame) {
@@ -93,16 +105,7 @@ std::optional<Span> heightsWithin(const Leader& leader, float low, float high) {
 Leader leaderTo(const LabelBox& box, const glm::vec2& place) {
   if (box.grown(clearance).contains(place))
     return {};
-  const glm::vec2 middle = box.middle();
-  const std::array<glm::vec2, 4> ends{{{box.low.x, middle.y},
-                                       {box.high.x, middle.y},
-                                       {middle.x, box.low.y},
-                                       {middle.x, box.high.y}}};
-  const auto nearest =
-      std::min_element(ends.begin(), ends.end(), [&](const auto& a, const auto& b) {
-        return glm::length(a - place) < glm::length(b - place);
-      });
-  return {place, *nearest};
+  return {place, portOf(box, place)};
 }
 
 }  // namespace sline::render

@@ -13,9 +13,8 @@ namespace sline::render {
 inline constexpr float edgePadding = 2.0f;
 /// Between a column and the anatomy.
 inline constexpr float anatomyGap = 5.0f;
-/// Between a leader and another's box.
-inline constexpr float clearance = 0.4f;
-
+/// The box covers the item's own dot, or the line that it measures.
+bool coversOwn(const LabelItem& item, const LabelBox& box);
 /// What the item points at; of a distance the middle.
 glm::vec2 placeOf(const LabelItem& item);
 /// Whose place lies to the left of that x has its label in the left column: between the middle of
@@ -23,6 +22,8 @@ glm::vec2 placeOf(const LabelItem& item);
 float middleBetweenColumns(const std::vector<LabelItem>& items, float anatomyMiddle);
 /// Where boxes may stand.
 LabelBox frameOf(const LabelSpace& space);
+/// A column has room for such a box: at most half of the frame is for either.
+bool fitsColumn(const glm::vec2& box, const LabelBox& frame);
 /// No more than rounding lies outside.
 bool within(const LabelBox& box, const LabelBox& frame);
 bool overlapAny(const LabelBox& box, const std::vector<LabelBox>& others);
@@ -32,7 +33,7 @@ LabelBox besideReserved(const LabelBox& box, const LabelBox& frame,
                         const std::vector<LabelBox>& reserved);
 /// The heights at which the leader is between those two x.
 std::optional<Span> heightsWithin(const Leader& leader, float low, float high);
-/// From the place to the middle of the side of the box that is nearest.
+/// From the place to the box's side, where `portOf` says; empty where the box covers the place.
 Leader leaderTo(const LabelBox& box, const glm::vec2& place);
 
 }  // namespace sline::render

@@ -83,7 +83,7 @@ class Layouter {
   /// Makes room for the widest in each column. While layouts follow each other columns only grow,
   /// and at once so far that they need not again.
   void widen();
-  /// Heights of a column where something stands that does not give way.
+  /// Heights of a column where something stands that does not give way, or its labels' dots are.
   std::vector<Span> blockedIn(LabelPost post) const;
   bool fit(LabelPost post) const { return fitIn(column(post), inColumn(post)); }
   /// How many degrees the camera has turned since the label last jumped.
@@ -100,7 +100,7 @@ class Layouter {
   float wantedHeight(std::size_t i) const;
   void place();
   void placeByHand(std::size_t i);
-  /// Part of it is outside the frame or where something is reserved.
+  /// Part of it is outside the frame or where something is reserved, or it covers what it is about.
   bool misplaced(std::size_t i) const;
   void placeColumn(LabelPost post);
   /// Those that were there before stay, but for those that must move; false where that fails.
@@ -151,7 +151,8 @@ void Layouter::widen() {
   float widest = 0.0f;
   std::array<float, 2> widths{};
   for (std::size_t i = 0; i < m_fates.size(); ++i) {
-    widest = std::max(widest, item(i).box.x);
+    if (fitsColumn(item(i).box, m_frame))
+      widest = std::max(widest, item(i).box.x);
     if (!m_fates[i].out && isColumn(m_fates[i].post)) {
       float& width = widths[m_fates[i].post == LabelPost::left ? 0 : 1];
       width = std::max(width, item(i).box.x);
@@ -184,6 +185,11 @@ std::vector<Span> Layouter::blockedIn(LabelPost post) const {
   };
   for (const LabelBox& box : m_request.space.reserved)
     block(box.grown(clearance));
+  for (std::size_t i = 0; i < m_fates.size(); ++i)
+    if (!m_fates[i].out && m_fates[i].post == post)
+      for (const glm::vec2& place : item(i).places)
+        if (place.x + dotRoom > across.low && place.x - dotRoom < across.high)
+          blocked.push_back({place.y - dotRoom, place.y + dotRoom});
   for (const std::optional<PlacedLabel>& placed : m_placed)
     if (placed && placed->post == LabelPost::byHand) {
       block(placed->box.grown(clearance));
@@ -224,8 +230,10 @@ LabelPost Layouter::sideOf(std::size_t i) const {
 void Layouter::choosePosts() {
   for (std::size_t i = 0; i < m_fates.size(); ++i) {
     const LabelItem& one = item(i);
-    m_fates[i].out = one.places.empty() || one.box.x > m_frame.size().x ||
-                     one.box.y > m_frame.size().y || !(one.box.x > 0.0f) || !(one.box.y > 0.0f) ||
+    // Half a frame is for each column; what stands anywhere may be as wide as the whole.
+    const float share = one.offset || standsBeside(one) ? 0.5f : 1.0f;
+    m_fates[i].out = one.places.empty() || !(one.box.x > 0.0f) || !(one.box.y > 0.0f) ||
+                     !fitsColumn({share * one.box.x, one.box.y}, m_frame) ||
                      (rests(i) && !before(i));
     m_fates[i].post = one.offset          ? LabelPost::byHand
                       : standsBeside(one) ? LabelPost::beside
@@ -308,7 +316,11 @@ void Layouter::placeByHand(std::size_t i) {
 bool Layouter::misplaced(std::size_t i) const {
   const PlacedLabel& label = *m_placed[i];
   const std::vector<LabelBox>& reserved = m_request.space.reserved;
-  return !within(label.box, m_frame) ||
+  constexpr float rounding = 1e-3f;
+  const bool own =
+      label.post != LabelPost::byHand &&
+      (coversOwn(item(i), label.box) || runsThrough(label.leader, label.box.grown(-rounding)));
+  return own || !within(label.box, m_frame) ||
          std::any_of(reserved.begin(), reserved.end(), [&](const LabelBox& one) {
            return overlap(label.box, one) ||
                   (label.post != LabelPost::byHand && runsThrough(label.leader, one));
@@ -361,7 +373,7 @@ bool Layouter::placeSteadily(LabelPost post, const std::vector<ColumnItem>& item
 }
 
 bool Layouter::fits(std::size_t i, const LabelBox& box) const {
-  if (!within(box, m_frame) || overlapAny(box, m_request.space.reserved))
+  if (!within(box, m_frame) || overlapAny(box, m_request.space.reserved) || coversOwn(item(i), box))
     return false;
   for (std::size_t k = 0; k < m_placed.size(); ++k) {
     if (k == i)
@@ -446,6 +458,7 @@ void Layouter::giveWay(std::size_t i) {
     fate.tried = true;
   } else {
     fate.post = sideOf(i);
+    fate.out = !fitsColumn(item(i).box, m_frame);
   }
 }
 

@@ -81,8 +81,9 @@ struct LabelLayout {
   const PlacedLabel* find(model::AnnotationId id) const;
 };
 
-/// Holds for every answer: no two boxes overlap, no two leaders cross, no leader runs through a box
-/// of another or turns by more than a right angle, all boxes lie within the space, and nothing of
+/// Holds for every answer: no two boxes overlap, no two leaders cross, no leader runs through a
+/// box, its own or another's, or turns by more than a right angle, no box but one moved by hand
+/// covers its own dot or the line that it measures, all boxes lie within the space, and nothing of
 /// them lies where it is reserved, but for leaders to what was moved by hand. What was moved by
 /// hand stays where it was put and the others give way: in their column, to the other side, or they
 /// are left out. What finds no place is left out: what is hidden before what is seen, later items

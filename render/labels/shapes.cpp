@@ -2,6 +2,7 @@
 #include "render/labels/shapes.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -40,7 +41,22 @@ Leader shortened(Leader leader) {
   return leader;
 }
 
+/// Around all of it.
+LabelBox extentOf(const Leader& leader) {
+  LabelBox box{leader.front(), leader.front()};
+  for (const glm::vec2& p : leader) {
+    box.low = glm::min(box.low, p);
+    box.high = glm::max(box.high, p);
+  }
+  return box;
+}
+
 bool crossAnywhere(const Leader& a, const Leader& b) {
+  const LabelBox one = extentOf(a);
+  const LabelBox two = extentOf(b);
+  if (one.high.x < two.low.x || two.high.x < one.low.x || one.high.y < two.low.y ||
+      two.high.y < one.low.y)
+    return false;
   for (std::size_t i = 1; i < a.size(); ++i)
     for (std::size_t j = 1; j < b.size(); ++j)
       if (meet(a[i - 1], a[i], b[j - 1], b[j]))
@@ -85,6 +101,19 @@ bool cross(const Leader& a, const Leader& b) {
     return false;
   return glm::length(a[0] - b[0]) < same ? crossAnywhere(shortened(a), shortened(b))
                                          : crossAnywhere(a, b);
+}
+
+glm::vec2 portOf(const LabelBox& box, const glm::vec2& place) {
+  const glm::vec2 middle = box.middle();
+  const glm::vec2 beyond = glm::max(box.low - place, place - box.high);
+  const glm::vec2 aside(place.x < middle.x ? box.low.x : box.high.x, middle.y);
+  const float side = place.y < middle.y ? box.low.y : box.high.y;
+  const float far = std::max(beyond.y, 0.0f);
+  const glm::vec2 across(
+      std::clamp(std::clamp(middle.x, place.x - far, place.x + far), box.low.x, box.high.x), side);
+  if (beyond.x > 0.0f && beyond.y > 0.0f)
+    return glm::length(aside - place) < glm::length(across - place) ? aside : across;
+  return beyond.x > beyond.y ? aside : across;
 }
 
 bool runsThrough(const Leader& leader, const LabelBox& box) {

@@ -38,5 +38,9 @@ bool overlap(const LabelBox& a, const LabelBox& b);
 bool cross(const Leader& a, const Leader& b);
 /// The leader has a point within the box.
 bool runsThrough(const Leader& leader, const LabelBox& box);
+/// Where a straight leader from a place outside the box ends without running through it: in the
+/// middle of the nearest of the sides that face the place, or so far from it that the leader is not
+/// too flat above or below the text.
+glm::vec2 portOf(const LabelBox& box, const glm::vec2& place);
 
 }  // namespace sline::render

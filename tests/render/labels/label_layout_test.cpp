@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a layout promises, on random labels: judged by mathematics of the test's own.
 #include <QtTest>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <random>
 
 #include "render/labels/layout.h"
@@ -112,10 +114,33 @@ double sharpestTurn(const Leader& leader) {
   return sharpest;
 }
 
+/// What is wrong between a label and its own place: its leader runs through its text, or the text
+/// covers the dot or the measured line.
+QString broken(const LabelItem& item, const PlacedLabel& label) {
+  constexpr float rounding = 0.01f;  // leaders end at the box's side
+  for (const Line& line : linesOf(label.leader))
+    if (meets(line, label.box.grown(-rounding)))
+      return QString("%1 runs through itself").arg(label.id.value);
+  if (label.post == LabelPost::byHand)
+    return {};
+  constexpr float dot = 0.8f;  // a pin's, the largest
+  for (const glm::vec2& place : item.places)
+    if (glm::length(place - glm::clamp(place, label.box.low, label.box.high)) < dot)
+      return QString("%1 covers its dot").arg(label.id.value);
+  for (const Line& line : linesOf(item.places))
+    if (meets(line, label.box))
+      return QString("%1 covers what it measures").arg(label.id.value);
+  return {};
+}
+
 /// What of the promises does not hold; empty where all do.
 QString broken(const LabelRequest& request, const LabelLayout& layout) {
   if (layout.labels.size() + layout.leftOut.size() != request.items.size())
     return "labels are lost";
+  for (const LabelItem& item : request.items)
+    if (const PlacedLabel* label = layout.find(item.id))
+      if (const QString fault = broken(item, *label); !fault.isEmpty())
+        return fault;
   const LabelSpace& space = request.space;
   for (const PlacedLabel& one : layout.labels) {
     if (one.box.low.x < -space.sideMargin || one.box.low.y < 0.0f ||
@@ -318,6 +343,23 @@ class LabelLayoutTest : public QObject {
       QVERIFY2(!overlap(label.box, *request.obstacles.extent), "a label covers the anatomy");
   }
 
+  /// What a column has no room for widens none, and the labels beside it stay where they were.
+  void tooWideForColumnsIsLeftOut() {
+    const LabelRequest request = roomy();
+    const LabelLayout first = layOutLabels(request);
+    for (const glm::vec2 box : {glm::vec2(200.0f, 4.5f), glm::vec2(30.0f, 400.0f)})
+      for (const LabelLayout* before : {static_cast<const LabelLayout*>(nullptr), &first}) {
+        LabelRequest with = request;
+        with.items.insert(with.items.begin() + 3,
+                          {.id = {9}, .places = {{180.0f, 100.0f}}, .box = box});
+        const LabelLayout layout = layOutLabels(with, before);
+        QCOMPARE(layout.leftOut, std::vector{model::AnnotationId{9}});
+        QCOMPARE(layout.edges, first.edges);
+        for (const PlacedLabel& label : layout.labels)
+          QCOMPARE(label.post, first.find(label.id)->post);
+      }
+  }
+
   /// Put into a column: those there make room in their column, and nobody is lost.
   void othersGiveWayToTheHand() {
     const LabelRequest before = roomy();
@@ -341,6 +383,59 @@ class LabelLayoutTest : public QObject {
     // Of 392: those whose leaders would cross that of the one that was moved. It was 120 where they
     // did not make room in their column.
     QVERIFY2(changedSides < 95, qPrintable(QString("%1 change sides").arg(changedSides)));
+  }
+
+  /// A camera so near that there is anatomy behind the columns: who points there stands above or
+  /// below its place, not on it.
+  void placesBehindColumns() {
+    LabelRequest request = roomy();
+    request.space.size = {180.0f, 160.0f};
+    request.obstacles.size = request.space.size;
+    request.obstacles.extent = LabelBox{{3.0f, 3.0f}, {177.0f, 157.0f}};
+    for (std::size_t i = 0; i < request.items.size(); ++i)
+      request.items[i].places.front() = {i % 2 == 0 ? 10.0f : 168.0f, 25.0f + 14.0f * float(i)};
+    const LabelLayout layout = layOutLabels(request);
+    QCOMPARE(layout.leftOut.size(), std::size_t(0));
+    QCOMPARE(broken(request, layout), QString());
+    for (std::size_t i = 0; i < request.items.size(); ++i) {
+      const PlacedLabel label = *layout.find(request.items[i].id);
+      const glm::vec2 place = request.items[i].places.front();
+      QCOMPARE(label.post, i % 2 == 0 ? LabelPost::left : LabelPost::right);
+      QVERIFY(std::abs(label.box.middle().y - place.y) < 8.0f);
+      QCOMPARE(label.leader.front(), place);
+      QVERIFY2(!label.box.grown(0.01f).contains(place) &&
+                   label.box.grown(0.01f).contains(label.leader.back()),
+               "a leader does not end at its text");
+    }
+  }
+
+  /// Text stands beside the line that it measures, whichever way that goes.
+  void measuresAreNotCovered() {
+    for (int turn = 0; turn < 12; ++turn) {
+      LabelRequest request = roomy();
+      request.items.resize(1);
+      const float angle = float(turn) * 0.2618f;
+      const glm::vec2 way = 40.0f * glm::vec2(std::cos(angle), std::sin(angle));
+      const glm::vec2 middle(170.0f, 95.0f);
+      request.items[0].kind = model::AnnotationKind::distance;
+      request.items[0].places = {middle - way, middle + way};
+      const LabelLayout layout = layOutLabels(request);
+      QCOMPARE(layout.labels.size(), std::size_t(1));
+      QCOMPARE(layout.labels[0].post, LabelPost::beside);
+      QCOMPARE(broken(request, layout), QString());
+    }
+  }
+
+  /// Dragged around its place, a text is never crossed out by its own leader.
+  void leadersToTheHandEndOutside() {
+    for (float x = -40.0f; x <= 40.0f; x += 0.7f)
+      for (float y = -20.0f; y <= 20.0f; y += 0.7f) {
+        LabelRequest request = roomy();
+        request.items.resize(1);
+        request.items[0].offset = glm::vec2(x, y);
+        const LabelLayout layout = layOutLabels(request);
+        QVERIFY2(broken(request, layout).isEmpty(), qPrintable(QString("%1, %2").arg(x).arg(y)));
+      }
   }
 
   void pinsStandBeside() {

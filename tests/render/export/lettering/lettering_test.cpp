@@ -35,6 +35,11 @@ LabelText callout(const QString& text, float widestMm = 60.0f) {
   return textOf(shown(model::AnnotationKind::callout, text), {.mode = LabelMode::on}, widestMm);
 }
 
+LabelText label(const QString& text, float widestMm, const WordRoom& words = {}) {
+  return textOf(shown(model::AnnotationKind::label, text), {.mode = LabelMode::on}, widestMm,
+                words);
+}
+
 TextLine lineOf(const std::vector<TextRun>& runs) {
   TextLine line;
   line.runs = runs;
@@ -171,8 +176,8 @@ class LetteringTest : public QObject {
     QCOMPARE(plainText(text.lines), QStringLiteral("Ren dexter  • a b • c"));
     for (const model::AnnotationKind kind :
          {model::AnnotationKind::label, model::AnnotationKind::pin}) {
-      const LabelText label = textOf(shown(kind, "**a**"), {.mode = LabelMode::on}, 60.0f);
-      QVERIFY(label.lines == std::vector{TextLine(QStringLiteral("**a**"))});
+      const LabelText set = textOf(shown(kind, "**a**"), {.mode = LabelMode::on}, 60.0f);
+      QVERIFY(set.lines == std::vector{TextLine(QStringLiteral("**a**"))});
     }
   }
 
@@ -244,6 +249,83 @@ class LetteringTest : public QObject {
     // Not within a character.
     const LabelText umlauts = callout(QStringLiteral("xÄ").repeated(20'000));
     QVERIFY(!plainText(umlauts.lines).contains(QChar::ReplacementCharacter));
+  }
+
+  /// A text without spaces goes on where its script lets lines end.
+  void scriptsTellWhereLinesEnd() {
+    const QString text = QString::fromUtf8(
+        "骶骨是由五块融合的椎骨组成的三角形骨骼，与两侧髋骨相关节（位于脊柱下端）");
+    const LabelText set = label(text, 30.0f);
+    QVERIFY(set.lines.size() > 2);
+    for (const TextLine& line : set.lines) {
+      QVERIFY(textWidthMm(line, 10.0f) <= 30.0f);
+      // Neither begins with what belongs to the sign before it, nor ends with what opens.
+      const QString words = plainText(line);
+      QVERIFY2(!QString::fromUtf8("，）").contains(words.front()) &&
+                   !QString::fromUtf8("（").contains(words.back()),
+               qPrintable(words));
+      QVERIFY(!line.hyphenated);
+    }
+    QCOMPARE(plainText(set.lines), text);
+    QCOMPARE(label(QString::fromUtf8("骶骨"), 30.0f).lines.size(), std::size_t(1));
+  }
+
+  void widestWordsAreParted_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<bool>("hyphens");
+    QTest::addColumn<int>("lines");
+    QTest::newRow("Latin") << "Hypogastricoretroperitoneoprostaticovesicalfascia" << true << 3;
+    QTest::newRow("Greek") << QString::fromUtf8("στερνοκλειδομαστοειδήςμυςτουτραχήλου") << true
+                           << 3;
+    QTest::newRow("endless") << QString(300, 'x') << true << 0;
+    QTest::newRow("number") << QString(60, '7') << false << 0;
+    QTest::newRow("marks") << QString::fromUtf8("e\u0301").repeated(60) << false << 0;
+    QTest::newRow("two words") << "of Zwischenwirbelscheibenvorfaelle" << true << 3;
+    QTest::newRow("program") << "left_Zwischenwirbelscheibenvorfaelle" << true << 3;
+  }
+  void widestWordsAreParted() {
+    QFETCH(QString, text);
+    QFETCH(bool, hyphens);
+    QFETCH(int, lines);
+    constexpr float most = 34.0f;
+    for (const float widest : {20.0f, most}) {
+      const LabelText set = label(text, widest, {.whole = most, .part = most});
+      QVERIFY(lines == 0 || int(set.lines.size()) == lines);
+      QVERIFY(set.lines.size() > 1);
+      float narrowest = most;
+      for (std::size_t i = 0; i < set.lines.size(); ++i) {
+        const QString words = plainText(set.lines[i]);
+        QVERIFY2(textWidthMm(set.lines[i], 10.0f) <= most, qPrintable(words));
+        QVERIFY(!words.front().isMark());
+        QCOMPARE(set.lines[i].hyphenated, words.endsWith('-'));
+        if (set.lines[i].hyphenated)
+          QVERIFY(hyphens && i + 1 < set.lines.size() && set.lines[i + 1].joined);
+        if (hyphens && i > 0 && set.lines[i].joined && i + 1 == set.lines.size())
+          narrowest = textWidthMm(set.lines[i], 10.0f);
+      }
+      QVERIFY2(narrowest > 8.0f, "a word's last letters stand alone");
+      QCOMPARE(plainText(set.lines), text);
+    }
+    // Where nothing is said of words they are whole.
+    if (hyphens)
+      for (const TextLine& line : label(text, 34.0f).lines)
+        QVERIFY(!line.hyphenated);
+  }
+
+  /// Words that are narrower than a column may be are never parted, however short lines are.
+  void usualWordsAreWhole() {
+    const LabelText set = label(QStringLiteral("intervertebral sternocleidomastoid"), 12.0f,
+                                {.whole = 49.0f, .part = 20.0f});
+    QVERIFY(set.lines == (std::vector<TextLine>{QStringLiteral("intervertebral"),
+                                                QStringLiteral("sternocleidomastoid")}));
+  }
+
+  void softHyphensPartWords() {
+    const QString text = QStringLiteral("Zwischenwirbel\u00adscheiben\u00advorfall");
+    const LabelText set = label(text, 30.0f);
+    QCOMPARE(set.lines.size(), std::size_t(2));
+    QVERIFY(plainText(set.lines[0]).endsWith('-') && set.lines[0].hyphenated);
+    QCOMPARE(plainText(set.lines), text);
   }
 
   void nothingIsNothing() {

@@ -19,6 +19,10 @@ const char* const longText =
     "Musculus iliacus sinister cum fascia iliaca et nervo femorali, qui inter iliacum et psoam "
     "descendit";
 
+const char* const longWord = "Hypogastricoretroperitoneoprostaticovesicalfascia";
+const char* const chineseText =
+    "骶骨是由五块融合的椎骨组成的三角形骨骼与两侧髋骨相关节位于脊柱下端骨盆后壁的正中部位";
+
 /// A ball as wide as high with labels all around its front.
 model::Scene labelled(const std::vector<std::string>& texts) {
   model::Scene scene;
@@ -99,6 +103,9 @@ class LabelPlateTest : public QObject {
            "Trigone-of-Lieutaud\n- \nand **more words that are bold** than fit"
         << 1;
     QTest::newRow("none") << "" << 2;
+    QTest::newRow("Chinese") << QString::fromUtf8(chineseText) << 0;
+    QTest::newRow("parted") << QString("of ") + longWord << 0;
+    QTest::newRow("parted list") << QString("- ") + longWord + "\n- left_" + longWord << 1;
   }
   void measuredAsSet() {
     QFETCH(QString, text);
@@ -108,9 +115,10 @@ class LabelPlateTest : public QObject {
     label.item.kind = model::AnnotationKind(kind);
     for (const LabelMode mode : {LabelMode::on, LabelMode::numbers, LabelMode::blank}) {
       const LabelStyle style{.mode = mode, .language = {}};
-      const MeasuredText measured(label, style);
+      constexpr WordRoom words{.whole = 70.0f, .part = 60.0f};
+      const MeasuredText measured(label, style, words);
       for (float width = 12.0f; width < 60.0f; width += 1.7f) {
-        const glm::vec2 set = textOf(label, style, width).box;
+        const glm::vec2 set = textOf(label, style, width, words).box;
         const glm::vec2 box = measured.boxAt(width);
         QVERIFY2(std::abs(box.x - set.x) < 0.4f && std::abs(box.y - set.y) < 1e-3f,
                  qPrintable(QString("at %1: %2 × %3, set %4 × %5")
@@ -134,6 +142,52 @@ class LabelPlateTest : public QObject {
       fit(with, *m_typesetting);
       const float share = anatomyOf(with).size().x / anatomyOf(plain).size().x;
       QVERIFY2(share > 0.9f, qPrintable(QString::number(double(share))));
+    }
+  }
+
+  /// Texts without spaces are broken likewise, and what no page has room for takes none.
+  void unbrokenTextsDoNotMakeTheAnatomySmall_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<int>("leftOut");
+    QTest::newRow("Chinese") << QString::fromUtf8(chineseText) << 0;
+    QTest::newRow("word") << longWord << 0;
+    QTest::newRow("both") << QString::fromUtf8(chineseText) + ' ' + longWord << 0;
+    QTest::newRow("150 letters") << QString(150, 'x') << 0;
+    QTest::newRow("5000 letters") << QString(5000, 'x') << 1;
+  }
+  void unbrokenTextsDoNotMakeTheAnatomySmall() {
+    QFETCH(QString, text);
+    QFETCH(int, leftOut);
+    for (const glm::vec2 page : {glm::vec2(210, 297), glm::vec2(160, 120)}) {
+      std::vector<std::string> texts = shortTexts(10);
+      texts[4] = longText;
+      ExportOrder plain = orderOf(labelled(texts), page);
+      fit(plain, *m_typesetting);
+      texts[4] = text.toStdString();
+      ExportOrder with = orderOf(labelled(texts), page);
+      fit(with, *m_typesetting);
+      const LabelBox anatomy = anatomyOf(with);
+      const float share = anatomy.size().x / anatomyOf(plain).size().x;
+      QVERIFY2(share > 0.85f, qPrintable(QString::number(double(share))));
+      const LabelPlate plate = *figurePlate(with).labels;
+      QCOMPARE(int(plate.layout.leftOut.size()), leftOut);
+      QVERIFY(plate.layout.edges[0] < anatomy.low.x && plate.layout.edges[1] > anatomy.high.x);
+      for (const PlacedLabel& label : plate.layout.labels)
+        QVERIFY2(!overlap(label.box, anatomy), "a label covers the anatomy");
+    }
+  }
+
+  /// However large the letters: half of the page is for each column.
+  void columnsNeverMeet() {
+    std::vector<std::string> texts = shortTexts(6);
+    texts[1] = texts[2] = longWord;
+    texts[3] = chineseText;
+    ExportOrder order = orderOf(labelled(texts), {80, 60});
+    for (const float points : {4.0f, 10.0f, 24.0f, 48.0f}) {
+      order.labels.points = points;
+      const LabelPlate plate = *figurePlate(order).labels;
+      QVERIFY2(plate.layout.edges[0] <= plate.layout.edges[1],
+               qPrintable(QString::number(double(points))));
     }
   }
 
