@@ -221,10 +221,13 @@ Result<model::Scene> annotated(const model::Scene& scene, const AnnotateFlags& f
     const Result<Annotation> made = annotationFor(flags, where, on);
     if (!made.ok())
       return made.error();
+    if (!flags.onlyInView) {
+      after = model::withAnnotationMade(after, *made, view).scene;
+      continue;
+    }
     after = model::withAnnotation(after, *made).scene;
     const model::AnnotationId id = after.annotations().back().id;
-    if (view)
-      after = model::withAnnotationInView(after, id, *view, flags.onlyInView).scene;
+    after = model::withAnnotationOnlyInView(after, id, *view).scene;
   }
   return after;
 }

@@ -143,17 +143,30 @@ bool PictureLabels::click(const QPointF& at) {
     return false;
   Picker::Question question = m_place.question(at);
   question.anchored = true;
+void PictureLabels::setCurrentView(std::function<std::optional<std::size_t>()> current) {
+  m_currentView = std::move(current);
+}
+
+std::optional<std::size_t> PictureLabels::currentView() const {
+  const std::optional<std::size_t> view = m_currentView ? m_currentView() : std::nullopt;
+  return view && *view < m_place.session.scene().views().size() ? view : std::nullopt;
+}
+
   m_place.picker.ask(std::move(question), [this, at](const Picks& picks) { clicked(picks, at); });
   return true;
 }
 
 void PictureLabels::clicked(const Picks& picks, const QPointF& at) {
-  if (!m_making || !picks.anchor)
+  if (!m_making)
+    return;
+  if (!picks.anchor) {
+    emit missed();
     return;
   if (*m_making != model::AnnotationKind::distance) {
     const QString name = offeredText(m_place.session, picks.seen->id, m_style.language);
     begin({.kind = *m_making, .anchors = {*picks.anchor}}, name, at);
     return;
+  }
   }
   m_begun.push_back(*picks.anchor);
   if (m_begun.size() == model::anchorCount(model::AnnotationKind::distance))
@@ -205,8 +218,12 @@ void PictureLabels::accept(const QString& text) {
 
 void PictureLabels::add(const model::Annotation& annotation) {
   Session& session = m_place.session;
-  if (session.apply(stepOf(annotation.kind), model::withAnnotation(session.scene(), annotation)))
-    session.activateAnnotation(session.scene().annotations().back().id);
+  if (!session.apply(stepOf(annotation.kind),
+                     model::withAnnotationMade(session.scene(), annotation, currentView())))
+    return;
+  const model::AnnotationId id = session.scene().annotations().back().id;
+  session.activateAnnotation(id);
+  emit made(id);
 }
 
 void PictureLabels::remove(model::AnnotationId id) {

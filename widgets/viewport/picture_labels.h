@@ -54,6 +54,10 @@ class PictureLabels : public QObject {
   void make(std::optional<model::AnnotationKind> kind);
   /// Words for it are typed where it stands.
   void edit(model::AnnotationId id);
+  /// Asked for the saved view that one is in, which labels made now belong to: its place among the
+  /// scene's, where there is one.
+  void setCurrentView(std::function<std::optional<std::size_t>()> current);
+  std::optional<std::size_t> currentView() const;
   void remove(model::AnnotationId id);
 
   /// True where that is for labels.
@@ -72,6 +76,10 @@ class PictureLabels : public QObject {
   void makingChanged();
 
  private:
+  /// A click found nothing that a label could be on.
+  void missed();
+  /// It is in the scene.
+  void made(sline::model::AnnotationId id);
   void clicked(const Picks& picks, const QPointF& at);
   void begin(model::Annotation annotation, const QString& offered, const QPointF& at);
   void accept(const QString& text);
@@ -87,6 +95,7 @@ class PictureLabels : public QObject {
   LabelEditor* m_editor;
   bool m_shut = false;
   bool m_ready = true;
+  std::function<std::optional<std::size_t>()> m_currentView;
   model::Camera m_camera;  ///< of the picture that is shown
   std::optional<QPointF> m_mouse;
   std::optional<model::AnnotationKind> m_making;
