@@ -14,6 +14,9 @@ namespace sline::widgets {
 
 namespace {
 
+/// Letters of 10 pt are a fortieth of its height.
+constexpr float presentedPageMm = 40.0f * 10.0f * 25.4f / 72.0f;
+
 glm::vec2 vec(const QPointF& p) {
   return {float(p.x()), float(p.y())};
 }
@@ -81,6 +84,8 @@ LabelWish PictureLabels::wish(bool moving) const {
                  .ratio = picture.devicePixelRatioF(),
                  .document = m_place.session.document().opening,
                  .moving = moving};
+  if (m_presented)
+    wish.pixelsPerMm = std::max(wish.pixelsPerMm, wish.size.y / presentedPageMm);
   for (const QRectF& mark : m_place.marks())
     wish.style.reserved.push_back(
         {vec(mark.topLeft()) / wish.pixelsPerMm, vec(mark.bottomRight()) / wish.pixelsPerMm});
@@ -138,11 +143,6 @@ void PictureLabels::make(std::optional<model::AnnotationKind> kind) {
   emit makingChanged();
 }
 
-bool PictureLabels::click(const QPointF& at) {
-  if (!m_making || m_shut)
-    return false;
-  Picker::Question question = m_place.question(at);
-  question.anchored = true;
 void PictureLabels::setCurrentView(std::function<std::optional<std::size_t>()> current) {
   m_currentView = std::move(current);
 }
@@ -152,6 +152,11 @@ std::optional<std::size_t> PictureLabels::currentView() const {
   return view && *view < m_place.session.scene().views().size() ? view : std::nullopt;
 }
 
+bool PictureLabels::click(const QPointF& at) {
+  if (!m_making || m_shut)
+    return false;
+  Picker::Question question = m_place.question(at);
+  question.anchored = true;
   m_place.picker.ask(std::move(question), [this, at](const Picks& picks) { clicked(picks, at); });
   return true;
 }
@@ -162,11 +167,11 @@ void PictureLabels::clicked(const Picks& picks, const QPointF& at) {
   if (!picks.anchor) {
     emit missed();
     return;
+  }
   if (*m_making != model::AnnotationKind::distance) {
     const QString name = offeredText(m_place.session, picks.seen->id, m_style.language);
     begin({.kind = *m_making, .anchors = {*picks.anchor}}, name, at);
     return;
-  }
   }
   m_begun.push_back(*picks.anchor);
   if (m_begun.size() == model::anchorCount(model::AnnotationKind::distance))

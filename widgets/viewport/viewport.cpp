@@ -404,6 +404,13 @@ void Viewport::chooseMarks(const MarkChoice& choice) {
 void Viewport::labelsGiveWay() {
   if (!shownScene().annotations().empty())
     refresh();
+void Viewport::setPresented(bool presented, const QRect& covered) {
+  m_labels->setPresented(presented);
+  m_marks->setPresented(presented, covered);
+  placeMarks();
+  labelsGiveWay();
+}
+
 }
 
 void Viewport::documentChange(const Document& before, const Document& now) {

@@ -68,6 +68,9 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   void setMousePreset(MousePreset preset) { m_cameraTool.setPreset(preset); }
   const MarkChoice& marks() const { return m_marks->choice(); }
   void chooseMarks(const MarkChoice& choice);
+  /// To be read from afar: labels and letters grow with the picture's height. `covered`: pixels
+  /// that something else takes; labels keep clear of them.
+  void setPresented(bool presented, const QRect& covered = {});
   /// So many pixels at the upper edge are covered; marks keep clear of them.
   void setHeadroom(int pixels);
   void setNamesWanted(bool wanted);
