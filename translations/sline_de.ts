@@ -19,56 +19,24 @@
 <context>
     <name>sline::render::ExportFormat</name>
     <message>
-        <source>Scalable Vector Graphics</source>
-        <translation>Vektorgrafik (SVG)</translation>
-    </message>
-    <message>
         <source>Vectors for Inkscape, Illustrator and print: lines and hatching as smooth paths, hidden ones removed, a named group for each structure</source>
         <translation>Vektoren für Inkscape, Illustrator und Druck: Linien und Schraffur als glatte Pfade, Verdecktes entfernt, eine benannte Gruppe je Struktur</translation>
-    </message>
-    <message>
-        <source>Portable Network Graphics</source>
-        <translation>PNG-Bild</translation>
     </message>
     <message>
         <source>A picture made of pixels for screens, documents and print: sRGB, grey or pure ink, 8 or 16 bits, transparent where asked for</source>
         <translation>Ein Bild aus Pixeln für Bildschirm, Dokumente und Druck: sRGB, grau oder reine Tinte, 8 oder 16 Bit, auf Wunsch durchsichtig</translation>
     </message>
     <message>
-        <source>Tagged Image File Format</source>
-        <translation>TIFF-Bild</translation>
-    </message>
-    <message>
         <source>The same for printers and journals, with its colour profile</source>
         <translation>Dasselbe für Druckereien und Zeitschriften, mit Farbprofil</translation>
-    </message>
-    <message>
-        <source>JPEG</source>
-        <translation>JPEG-Bild</translation>
     </message>
     <message>
         <source>A picture made of pixels where files must be small; on white</source>
         <translation>Ein Bild aus Pixeln, wo Dateien klein sein müssen; auf Weiß</translation>
     </message>
     <message>
-        <source>OpenEXR</source>
-        <translation>OpenEXR-Bild</translation>
-    </message>
-    <message>
         <source>A picture in linear light, as halves with alpha multiplied in, for compositing</source>
         <translation>Ein Bild in linearem Licht, halbe Genauigkeit, mit eingerechnetem Alpha, zum Zusammensetzen</translation>
-    </message>
-    <message>
-        <source>Portable Document Format</source>
-        <translation>PDF</translation>
-    </message>
-    <message>
-        <source>The same vectors on a page of their own, or a sheet with title, legend and numbered labels, a page to test oneself and its key (--sheet)</source>
-        <translation>Dieselben Vektoren auf einer Seite für sich, oder ein Blatt mit Titel, Legende und nummerierter Beschriftung, einer Seite zum Abfragen und deren Lösung</translation>
-    </message>
-    <message>
-        <source>glTF (GLB)</source>
-        <translation>glTF-Modell (GLB)</translation>
     </message>
     <message>
         <source>Surfaces for Blender, PowerPoint, web pages and headsets: groups, names and colours, annotations, cameras of the saved views</source>
@@ -113,6 +81,38 @@
     <message>
         <source>Cards that ask for the labels of the picture: a package for Anki (.apkg), or text and pictures in a ZIP (.zip) or a new folder</source>
         <translation>Karten, die nach der Beschriftung des Bildes fragen: ein Paket für Anki (.apkg) oder Text und Bilder in einem ZIP (.zip) oder neuen Ordner</translation>
+    </message>
+    <message>
+        <source>PNG picture</source>
+        <translation>PNG-Bild</translation>
+    </message>
+    <message>
+        <source>TIFF picture</source>
+        <translation>TIFF-Bild</translation>
+    </message>
+    <message>
+        <source>JPEG picture</source>
+        <translation>JPEG-Bild</translation>
+    </message>
+    <message>
+        <source>EXR picture</source>
+        <translation>EXR-Bild</translation>
+    </message>
+    <message>
+        <source>SVG drawing</source>
+        <translation>SVG-Zeichnung</translation>
+    </message>
+    <message>
+        <source>PDF document</source>
+        <translation>PDF-Dokument</translation>
+    </message>
+    <message>
+        <source>The same vectors on a page of their own, or a sheet with title, legend and numbered labels, a page to test oneself and its key</source>
+        <translation>Dieselben Vektoren auf einer Seite für sich, oder ein Blatt mit Titel, Legende und nummerierter Beschriftung, einer Seite zum Abfragen und deren Lösung</translation>
+    </message>
+    <message>
+        <source>GLB surfaces (glTF)</source>
+        <translation>GLB-Flächen (glTF)</translation>
     </message>
 </context>
 <context>
@@ -2159,10 +2159,6 @@
         <translation>Eines Blatts für Patienten; jede Zeile ist ein Absatz</translation>
     </message>
     <message>
-        <source>Sheet l&amp;ies</source>
-        <translation>Blatt im &amp;Querformat</translation>
-    </message>
-    <message>
         <source>Wider than high</source>
         <translation>Breiter als hoch</translation>
     </message>
@@ -2398,6 +2394,10 @@
         <source>Find neighbours that a press without colours or some eyes cannot tell apart, and what would help</source>
         <translation>Findet Nachbarn, die ein Druck ohne Farben oder manche Augen nicht unterscheiden, und was helfen würde</translation>
     </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Querformat</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -2510,14 +2510,6 @@ OpenGL: %3</translation>
         <translation>&amp;Farbe …</translation>
     </message>
     <message>
-        <source>Views that show it</source>
-        <translation>Ansichten, die sie zeigen</translation>
-    </message>
-    <message>
-        <source>Which of the saved views show it</source>
-        <translation>Welche der gespeicherten Ansichten sie zeigen</translation>
-    </message>
-    <message>
         <source>Locked</source>
         <translation>Gesperrt</translation>
     </message>
@@ -2558,31 +2550,12 @@ OpenGL: %3</translation>
         <translation>Art der Beschriftung</translation>
     </message>
     <message>
-        <source>Views of a Label</source>
-        <translation>Ansichten einer Beschriftung</translation>
-    </message>
-    <message>
-        <source>In all views</source>
-        <translation>In allen Ansichten</translation>
-    </message>
-    <message>
-        <source>Only in %1</source>
-        <translation>Nur in %1</translation>
-    </message>
-    <message>
-        <source>In no view</source>
-        <translation>In keiner Ansicht</translation>
-    </message>
-    <message numerus="yes">
-        <source>In %n views</source>
-        <translation>
-            <numerusform>In %n Ansicht</numerusform>
-            <numerusform>In %n Ansichten</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Choose a label</source>
         <translation>Wähle eine Beschriftung</translation>
+    </message>
+    <message>
+        <source>Delete Labels</source>
+        <translation>Beschriftungen löschen</translation>
     </message>
 </context>
 <context>
@@ -3419,6 +3392,18 @@ OpenGL: %3</translation>
         <source>What is selected has labels already, or is not in the picture</source>
         <translation>Das Ausgewählte ist schon beschriftet oder nicht im Bild</translation>
     </message>
+    <message>
+        <source>Nothing is there: click on a structure</source>
+        <translation>Dort ist nichts: auf eine Struktur klicken</translation>
+    </message>
+    <message>
+        <source>Label added; %1</source>
+        <translation>Beschriftung hinzugefügt; %1</translation>
+    </message>
+    <message>
+        <source>shown in %1 of %2 saved views: the panel Labels says in which</source>
+        <translation>gezeigt in %1 von %2 gespeicherten Ansichten: Das Feld „Beschriftungen“ sagt, in welchen</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::LabelEditor</name>
@@ -3451,6 +3436,65 @@ OpenGL: %3</translation>
     <message>
         <source>Move What a Label Points At</source>
         <translation>Verschieben, worauf eine Beschriftung zeigt</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::LabelViews</name>
+    <message>
+        <source>Views that show it</source>
+        <translation>Ansichten, die sie zeigen</translation>
+    </message>
+    <message>
+        <source>Which of the saved views show it</source>
+        <translation>Welche der gespeicherten Ansichten sie zeigen</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Ansichten</translation>
+    </message>
+    <message>
+        <source>A tick for each saved view that shows what is chosen in the list</source>
+        <translation>Ein Haken für jede gespeicherte Ansicht, die zeigt, was in der Liste ausgewählt ist</translation>
+    </message>
+    <message>
+        <source>In all views</source>
+        <translation>In allen Ansichten</translation>
+    </message>
+    <message>
+        <source>Only in %1</source>
+        <translation>Nur in %1</translation>
+    </message>
+    <message>
+        <source>In different views</source>
+        <translation>In verschiedenen Ansichten</translation>
+    </message>
+    <message>
+        <source>In no view</source>
+        <translation>In keiner Ansicht</translation>
+    </message>
+    <message numerus="yes">
+        <source>In %n views</source>
+        <translation>
+            <numerusform>In %n Ansicht</numerusform>
+            <numerusform>In %n Ansichten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Views of a Label</source>
+        <translation>Ansichten einer Beschriftung</translation>
+    </message>
+    <message>
+        <source>%1 (some of them)</source>
+        <comment>a saved view that shows some of the labels</comment>
+        <translation>%1 (einige davon)</translation>
+    </message>
+    <message>
+        <source>In All Views</source>
+        <translation>In allen Ansichten</translation>
+    </message>
+    <message>
+        <source>In No View</source>
+        <translation>In keiner Ansicht</translation>
     </message>
 </context>
 <context>
@@ -3506,6 +3550,10 @@ OpenGL: %3</translation>
     <message>
         <source>Sections</source>
         <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>Structures: %1   Triangles: %2 (refined)</source>
+        <translation>Strukturen: %1   Dreiecke: %2 (verfeinert)</translation>
     </message>
 </context>
 <context>

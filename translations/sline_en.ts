@@ -110,16 +110,6 @@
     </message>
 </context>
 <context>
-    <name>sline::widgets::AnnotationsPanel</name>
-    <message numerus="yes">
-        <source>In %n views</source>
-        <translation>
-            <numerusform>In %n view</numerusform>
-            <numerusform>In %n views</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>sline::widgets::ExportActions</name>
     <message numerus="yes">
         <source>Exporting %n files</source>
@@ -253,6 +243,16 @@
         <translation>
             <numerusform>%n label added</numerusform>
             <numerusform>%n labels added</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::LabelViews</name>
+    <message numerus="yes">
+        <source>In %n views</source>
+        <translation>
+            <numerusform>In %n view</numerusform>
+            <numerusform>In %n views</numerusform>
         </translation>
     </message>
 </context>

@@ -19,56 +19,24 @@
 <context>
     <name>sline::render::ExportFormat</name>
     <message>
-        <source>Scalable Vector Graphics</source>
-        <translation>Vektorgrafikk (SVG)</translation>
-    </message>
-    <message>
         <source>Vectors for Inkscape, Illustrator and print: lines and hatching as smooth paths, hidden ones removed, a named group for each structure</source>
         <translation>Vektorer for Inkscape, Illustrator og trykk: linjer og skravur som glatte baner, skjulte fjernet, en navngitt gruppe for hver struktur</translation>
-    </message>
-    <message>
-        <source>Portable Network Graphics</source>
-        <translation>PNG-bilde</translation>
     </message>
     <message>
         <source>A picture made of pixels for screens, documents and print: sRGB, grey or pure ink, 8 or 16 bits, transparent where asked for</source>
         <translation>Et bilde av piksler for skjerm, dokumenter og trykk: sRGB, grått eller rent blekk, 8 eller 16 biter, gjennomsiktig om ønsket</translation>
     </message>
     <message>
-        <source>Tagged Image File Format</source>
-        <translation>TIFF-bilde</translation>
-    </message>
-    <message>
         <source>The same for printers and journals, with its colour profile</source>
         <translation>Det samme for trykkerier og tidsskrifter, med fargeprofil</translation>
-    </message>
-    <message>
-        <source>JPEG</source>
-        <translation>JPEG-bilde</translation>
     </message>
     <message>
         <source>A picture made of pixels where files must be small; on white</source>
         <translation>Et bilde av piksler der filer må være små; på hvitt</translation>
     </message>
     <message>
-        <source>OpenEXR</source>
-        <translation>OpenEXR-bilde</translation>
-    </message>
-    <message>
         <source>A picture in linear light, as halves with alpha multiplied in, for compositing</source>
         <translation>Et bilde i lineært lys, halv presisjon, med alfa ganget inn, til sammensetting</translation>
-    </message>
-    <message>
-        <source>Portable Document Format</source>
-        <translation>PDF</translation>
-    </message>
-    <message>
-        <source>The same vectors on a page of their own, or a sheet with title, legend and numbered labels, a page to test oneself and its key (--sheet)</source>
-        <translation>De samme vektorene på en egen side, eller et ark med tittel, tegnforklaring og nummererte etiketter, en side til egentest og fasiten</translation>
-    </message>
-    <message>
-        <source>glTF (GLB)</source>
-        <translation>glTF-modell (GLB)</translation>
     </message>
     <message>
         <source>Surfaces for Blender, PowerPoint, web pages and headsets: groups, names and colours, annotations, cameras of the saved views</source>
@@ -113,6 +81,38 @@
     <message>
         <source>Cards that ask for the labels of the picture: a package for Anki (.apkg), or text and pictures in a ZIP (.zip) or a new folder</source>
         <translation>Kort som spør etter bildets etiketter: en pakke for Anki (.apkg), eller tekst og bilder i en ZIP (.zip) eller ny mappe</translation>
+    </message>
+    <message>
+        <source>PNG picture</source>
+        <translation>PNG-bilde</translation>
+    </message>
+    <message>
+        <source>TIFF picture</source>
+        <translation>TIFF-bilde</translation>
+    </message>
+    <message>
+        <source>JPEG picture</source>
+        <translation>JPEG-bilde</translation>
+    </message>
+    <message>
+        <source>EXR picture</source>
+        <translation>EXR-bilde</translation>
+    </message>
+    <message>
+        <source>SVG drawing</source>
+        <translation>SVG-tegning</translation>
+    </message>
+    <message>
+        <source>PDF document</source>
+        <translation>PDF-dokument</translation>
+    </message>
+    <message>
+        <source>The same vectors on a page of their own, or a sheet with title, legend and numbered labels, a page to test oneself and its key</source>
+        <translation>De samme vektorene på en egen side, eller et ark med tittel, tegnforklaring og nummererte etiketter, en side til egentest og fasiten</translation>
+    </message>
+    <message>
+        <source>GLB surfaces (glTF)</source>
+        <translation>GLB-overflater (glTF)</translation>
     </message>
 </context>
 <context>
@@ -2159,10 +2159,6 @@
         <translation>På et ark for en pasient; hver linje er et avsnitt</translation>
     </message>
     <message>
-        <source>Sheet l&amp;ies</source>
-        <translation>Ark på &amp;tvers</translation>
-    </message>
-    <message>
         <source>Wider than high</source>
         <translation>Bredere enn høyt</translation>
     </message>
@@ -2398,6 +2394,10 @@
         <source>Find neighbours that a press without colours or some eyes cannot tell apart, and what would help</source>
         <translation>Finner naboer som et trykk uten farger eller noen øyne ikke kan skille, og hva som ville hjelpe</translation>
     </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Liggende</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -2510,14 +2510,6 @@ OpenGL: %3</translation>
         <translation>&amp;Farge …</translation>
     </message>
     <message>
-        <source>Views that show it</source>
-        <translation>Visninger som viser den</translation>
-    </message>
-    <message>
-        <source>Which of the saved views show it</source>
-        <translation>Hvilke av de lagrede visningene som viser den</translation>
-    </message>
-    <message>
         <source>Locked</source>
         <translation>Låst</translation>
     </message>
@@ -2558,31 +2550,12 @@ OpenGL: %3</translation>
         <translation>Slags etikett</translation>
     </message>
     <message>
-        <source>Views of a Label</source>
-        <translation>Etikettens visninger</translation>
-    </message>
-    <message>
-        <source>In all views</source>
-        <translation>I alle visninger</translation>
-    </message>
-    <message>
-        <source>Only in %1</source>
-        <translation>Bare i %1</translation>
-    </message>
-    <message>
-        <source>In no view</source>
-        <translation>Ikke i noen visning</translation>
-    </message>
-    <message numerus="yes">
-        <source>In %n views</source>
-        <translation>
-            <numerusform>I %n visning</numerusform>
-            <numerusform>I %n visninger</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Choose a label</source>
         <translation>Velg en etikett</translation>
+    </message>
+    <message>
+        <source>Delete Labels</source>
+        <translation>Slett etikettene</translation>
     </message>
 </context>
 <context>
@@ -3419,6 +3392,18 @@ OpenGL: %3</translation>
         <source>What is selected has labels already, or is not in the picture</source>
         <translation>Det valgte har etiketter allerede, eller er ikke i bildet</translation>
     </message>
+    <message>
+        <source>Nothing is there: click on a structure</source>
+        <translation>Der er det ingenting: klikk på en struktur</translation>
+    </message>
+    <message>
+        <source>Label added; %1</source>
+        <translation>Etikett lagt til; %1</translation>
+    </message>
+    <message>
+        <source>shown in %1 of %2 saved views: the panel Labels says in which</source>
+        <translation>vises i %1 av %2 lagrede visninger: panelet «Etiketter» sier i hvilke</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::LabelEditor</name>
@@ -3451,6 +3436,65 @@ OpenGL: %3</translation>
     <message>
         <source>Move What a Label Points At</source>
         <translation>Flytt det etiketten peker på</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::LabelViews</name>
+    <message>
+        <source>Views that show it</source>
+        <translation>Visninger som viser den</translation>
+    </message>
+    <message>
+        <source>Which of the saved views show it</source>
+        <translation>Hvilke av de lagrede visningene som viser den</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Visninger</translation>
+    </message>
+    <message>
+        <source>A tick for each saved view that shows what is chosen in the list</source>
+        <translation>En hake for hver lagret visning som viser det som er valgt i listen</translation>
+    </message>
+    <message>
+        <source>In all views</source>
+        <translation>I alle visninger</translation>
+    </message>
+    <message>
+        <source>Only in %1</source>
+        <translation>Bare i %1</translation>
+    </message>
+    <message>
+        <source>In different views</source>
+        <translation>I forskjellige visninger</translation>
+    </message>
+    <message>
+        <source>In no view</source>
+        <translation>Ikke i noen visning</translation>
+    </message>
+    <message numerus="yes">
+        <source>In %n views</source>
+        <translation>
+            <numerusform>I %n visning</numerusform>
+            <numerusform>I %n visninger</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Views of a Label</source>
+        <translation>Etikettens visninger</translation>
+    </message>
+    <message>
+        <source>%1 (some of them)</source>
+        <comment>a saved view that shows some of the labels</comment>
+        <translation>%1 (noen av dem)</translation>
+    </message>
+    <message>
+        <source>In All Views</source>
+        <translation>I alle visninger</translation>
+    </message>
+    <message>
+        <source>In No View</source>
+        <translation>Ikke i noen visning</translation>
     </message>
 </context>
 <context>
@@ -3506,6 +3550,10 @@ OpenGL: %3</translation>
     <message>
         <source>Sections</source>
         <translation>Snitt</translation>
+    </message>
+    <message>
+        <source>Structures: %1   Triangles: %2 (refined)</source>
+        <translation>Strukturer: %1   Trekanter: %2 (forfinet)</translation>
     </message>
 </context>
 <context>

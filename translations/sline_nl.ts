@@ -19,56 +19,24 @@
 <context>
     <name>sline::render::ExportFormat</name>
     <message>
-        <source>Scalable Vector Graphics</source>
-        <translation>Vectortekening (SVG)</translation>
-    </message>
-    <message>
         <source>Vectors for Inkscape, Illustrator and print: lines and hatching as smooth paths, hidden ones removed, a named group for each structure</source>
         <translation>Vectoren voor Inkscape, Illustrator en druk: lijnen en arcering als vloeiende paden, zonder verborgen lijnen, een benoemde groep per structuur</translation>
-    </message>
-    <message>
-        <source>Portable Network Graphics</source>
-        <translation>PNG-afbeelding</translation>
     </message>
     <message>
         <source>A picture made of pixels for screens, documents and print: sRGB, grey or pure ink, 8 or 16 bits, transparent where asked for</source>
         <translation>Een afbeelding van pixels voor scherm, documenten en druk: sRGB, grijs of zuivere inkt, 8 of 16 bits, desgewenst doorzichtig</translation>
     </message>
     <message>
-        <source>Tagged Image File Format</source>
-        <translation>TIFF-afbeelding</translation>
-    </message>
-    <message>
         <source>The same for printers and journals, with its colour profile</source>
         <translation>Hetzelfde voor drukkers en tijdschriften, met kleurprofiel</translation>
-    </message>
-    <message>
-        <source>JPEG</source>
-        <translation>JPEG-afbeelding</translation>
     </message>
     <message>
         <source>A picture made of pixels where files must be small; on white</source>
         <translation>Een afbeelding van pixels waar bestanden klein moeten zijn; op wit</translation>
     </message>
     <message>
-        <source>OpenEXR</source>
-        <translation>OpenEXR-afbeelding</translation>
-    </message>
-    <message>
         <source>A picture in linear light, as halves with alpha multiplied in, for compositing</source>
         <translation>Een afbeelding in lineair licht, halve precisie, met alfa ingerekend, voor compositie</translation>
-    </message>
-    <message>
-        <source>Portable Document Format</source>
-        <translation>PDF</translation>
-    </message>
-    <message>
-        <source>The same vectors on a page of their own, or a sheet with title, legend and numbered labels, a page to test oneself and its key (--sheet)</source>
-        <translation>Dezelfde vectoren op een eigen pagina, of een blad met titel, legenda en genummerde labels, een pagina om zichzelf te toetsen en de sleutel</translation>
-    </message>
-    <message>
-        <source>glTF (GLB)</source>
-        <translation>glTF-model (GLB)</translation>
     </message>
     <message>
         <source>Surfaces for Blender, PowerPoint, web pages and headsets: groups, names and colours, annotations, cameras of the saved views</source>
@@ -113,6 +81,38 @@
     <message>
         <source>Cards that ask for the labels of the picture: a package for Anki (.apkg), or text and pictures in a ZIP (.zip) or a new folder</source>
         <translation>Kaarten die naar de labels van de afbeelding vragen: een pakket voor Anki (.apkg), of tekst en afbeeldingen in een ZIP (.zip) of nieuwe map</translation>
+    </message>
+    <message>
+        <source>PNG picture</source>
+        <translation>PNG-afbeelding</translation>
+    </message>
+    <message>
+        <source>TIFF picture</source>
+        <translation>TIFF-afbeelding</translation>
+    </message>
+    <message>
+        <source>JPEG picture</source>
+        <translation>JPEG-afbeelding</translation>
+    </message>
+    <message>
+        <source>EXR picture</source>
+        <translation>EXR-afbeelding</translation>
+    </message>
+    <message>
+        <source>SVG drawing</source>
+        <translation>SVG-tekening</translation>
+    </message>
+    <message>
+        <source>PDF document</source>
+        <translation>PDF-document</translation>
+    </message>
+    <message>
+        <source>The same vectors on a page of their own, or a sheet with title, legend and numbered labels, a page to test oneself and its key</source>
+        <translation>Dezelfde vectoren op een eigen pagina, of een blad met titel, legenda en genummerde labels, een pagina om zichzelf te toetsen en de sleutel</translation>
+    </message>
+    <message>
+        <source>GLB surfaces (glTF)</source>
+        <translation>GLB-oppervlakken (glTF)</translation>
     </message>
 </context>
 <context>
@@ -2159,10 +2159,6 @@
         <translation>Van een blad voor een patiënt; elke regel is een alinea</translation>
     </message>
     <message>
-        <source>Sheet l&amp;ies</source>
-        <translation>Blad &amp;liggend</translation>
-    </message>
-    <message>
         <source>Wider than high</source>
         <translation>Breder dan hoog</translation>
     </message>
@@ -2398,6 +2394,10 @@
         <source>Find neighbours that a press without colours or some eyes cannot tell apart, and what would help</source>
         <translation>Vindt buren die een druk zonder kleuren of sommige ogen niet onderscheiden, en wat zou helpen</translation>
     </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Liggend</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::AboutDialog</name>
@@ -2510,14 +2510,6 @@ OpenGL: %3</translation>
         <translation>&amp;Kleur…</translation>
     </message>
     <message>
-        <source>Views that show it</source>
-        <translation>Aanzichten die het tonen</translation>
-    </message>
-    <message>
-        <source>Which of the saved views show it</source>
-        <translation>Welke van de opgeslagen aanzichten het tonen</translation>
-    </message>
-    <message>
         <source>Locked</source>
         <translation>Vergrendeld</translation>
     </message>
@@ -2558,31 +2550,12 @@ OpenGL: %3</translation>
         <translation>Soort label</translation>
     </message>
     <message>
-        <source>Views of a Label</source>
-        <translation>Aanzichten van een label</translation>
-    </message>
-    <message>
-        <source>In all views</source>
-        <translation>In alle aanzichten</translation>
-    </message>
-    <message>
-        <source>Only in %1</source>
-        <translation>Alleen in %1</translation>
-    </message>
-    <message>
-        <source>In no view</source>
-        <translation>In geen aanzicht</translation>
-    </message>
-    <message numerus="yes">
-        <source>In %n views</source>
-        <translation>
-            <numerusform>In %n aanzicht</numerusform>
-            <numerusform>In %n aanzichten</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>Choose a label</source>
         <translation>Kies een label</translation>
+    </message>
+    <message>
+        <source>Delete Labels</source>
+        <translation>Labels verwijderen</translation>
     </message>
 </context>
 <context>
@@ -3419,6 +3392,18 @@ OpenGL: %3</translation>
         <source>What is selected has labels already, or is not in the picture</source>
         <translation>Het geselecteerde heeft al labels, of is niet in beeld</translation>
     </message>
+    <message>
+        <source>Nothing is there: click on a structure</source>
+        <translation>Daar is niets: klik op een structuur</translation>
+    </message>
+    <message>
+        <source>Label added; %1</source>
+        <translation>Label toegevoegd; %1</translation>
+    </message>
+    <message>
+        <source>shown in %1 of %2 saved views: the panel Labels says in which</source>
+        <translation>getoond in %1 van %2 opgeslagen aanzichten: het paneel ‘Labels’ zegt in welke</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::LabelEditor</name>
@@ -3451,6 +3436,65 @@ OpenGL: %3</translation>
     <message>
         <source>Move What a Label Points At</source>
         <translation>Verplaatsen waar een label naar wijst</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::LabelViews</name>
+    <message>
+        <source>Views that show it</source>
+        <translation>Aanzichten die het tonen</translation>
+    </message>
+    <message>
+        <source>Which of the saved views show it</source>
+        <translation>Welke van de opgeslagen aanzichten het tonen</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Aanzichten</translation>
+    </message>
+    <message>
+        <source>A tick for each saved view that shows what is chosen in the list</source>
+        <translation>Een vinkje voor elk opgeslagen aanzicht dat toont wat in de lijst is gekozen</translation>
+    </message>
+    <message>
+        <source>In all views</source>
+        <translation>In alle aanzichten</translation>
+    </message>
+    <message>
+        <source>Only in %1</source>
+        <translation>Alleen in %1</translation>
+    </message>
+    <message>
+        <source>In different views</source>
+        <translation>In verschillende aanzichten</translation>
+    </message>
+    <message>
+        <source>In no view</source>
+        <translation>In geen aanzicht</translation>
+    </message>
+    <message numerus="yes">
+        <source>In %n views</source>
+        <translation>
+            <numerusform>In %n aanzicht</numerusform>
+            <numerusform>In %n aanzichten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Views of a Label</source>
+        <translation>Aanzichten van een label</translation>
+    </message>
+    <message>
+        <source>%1 (some of them)</source>
+        <comment>a saved view that shows some of the labels</comment>
+        <translation>%1 (sommige ervan)</translation>
+    </message>
+    <message>
+        <source>In All Views</source>
+        <translation>In alle aanzichten</translation>
+    </message>
+    <message>
+        <source>In No View</source>
+        <translation>In geen aanzicht</translation>
     </message>
 </context>
 <context>
@@ -3506,6 +3550,10 @@ OpenGL: %3</translation>
     <message>
         <source>Sections</source>
         <translation>Doorsneden</translation>
+    </message>
+    <message>
+        <source>Structures: %1   Triangles: %2 (refined)</source>
+        <translation>Structuren: %1   Driehoeken: %2 (verfijnd)</translation>
     </message>
 </context>
 <context>

@@ -230,10 +230,10 @@ Result<model::Scene> annotated(const model::Scene& scene, const AnnotateFlags& f
   const Result<model::Camera> camera = cameraFor(shown, order);
   if (!camera.ok())
     return camera.error();
-  const model::View* view = savedView(scene, flags.view);
+  const model::View* saved = savedView(scene, flags.view);
+  const auto view = saved ? std::optional(std::size_t(saved - scene.views().data())) : std::nullopt;
   if (flags.onlyInView && !view)
     return wrong("\"" + flags.view + "\" is no saved view", "Name one with --view");
-  const auto place = view ? std::size_t(view - scene.views().data()) : 0;
   render::SightTrees trees;
   const float height = render::usualHeightMm;
   const Where where{shown, render::Screen(*camera, {order.size.aspect() * height, height}), trees};
@@ -245,10 +245,13 @@ Result<model::Scene> annotated(const model::Scene& scene, const AnnotateFlags& f
     const Result<Annotation> made = annotationFor(flags, where, on);
     if (!made.ok())
       return made.error();
+    if (!flags.onlyInView) {
+      after = model::withAnnotationMade(after, *made, view).scene;
+      continue;
+    }
     after = model::withAnnotation(after, *made).scene;
     const model::AnnotationId id = after.annotations().back().id;
-    if (view)
-      after = model::withAnnotationInView(after, id, place, flags.onlyInView).scene;
+    after = model::withAnnotationOnlyInView(after, id, *view).scene;
   }
   return after;
 }

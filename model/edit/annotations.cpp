@@ -19,6 +19,35 @@ std::vector<AnnotationId> visibleOnes(const Scene& scene) {
       ids.push_back(annotation.id);
   return ids;
 }
+
+bool contains(const std::vector<AnnotationId>& ids, AnnotationId id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
+bool leftOutNone(const Scene& scene, const std::vector<AnnotationId>& listed) {
+  return std::all_of(
+      scene.annotations().begin(), scene.annotations().end(),
+      [&listed](const Annotation& annotation) { return contains(listed, annotation.id); });
+}
+
+/// The view shows the annotation, or does not.
+void tick(const Scene& scene, View& view, AnnotationId id, bool shown) {
+  std::vector<AnnotationId> now = view.annotations ? *view.annotations : visibleOnes(scene);
+  if (shown == contains(now, id))
+    return;
+  if (shown)
+    now.push_back(id);
+  else
+    std::erase(now, id);
+  view.annotations = std::move(now);
+}
+
+Edited withViews(const Scene& scene, std::vector<View> views) {
+  const bool changed = views != scene.views();
+  Scene after = scene;
+  after.setViews(std::move(views));
+  return {std::move(after), changed};
+}
 }  // namespace
 
 const Annotation* findAnnotation(const Scene& scene, AnnotationId id) {
@@ -33,6 +62,20 @@ Edited withAnnotation(const Scene& scene, const Annotation& annotation) {
     return {scene, false};
   Scene after = scene;
   after.appendAnnotation(annotation);
+  return {std::move(after), true};
+}
+
+Edited withAnnotationMade(const Scene& scene, const Annotation& annotation,
+                          std::optional<std::size_t> view) {
+  if (!sound(scene, annotation))
+    return {scene, false};
+  std::vector<View> views = scene.views();
+  Scene after = scene;
+  const AnnotationId made = after.appendAnnotation(annotation);
+  for (std::size_t i = 0; i < views.size(); ++i)
+    if (auto& listed = views[i].annotations; listed && (i == view || leftOutNone(scene, *listed)))
+      listed->push_back(made);
+  after.setViews(std::move(views));
   return {std::move(after), true};
 }
 
@@ -69,16 +112,16 @@ Edited withoutAnnotations(const Scene& scene, std::span<const AnnotationId> ids)
   return {std::move(after), true};
 }
 
-Edited withAnnotationInView(const Scene& scene, AnnotationId id, std::size_t view, bool alone) {
+Edited withAnnotationOnlyInView(const Scene& scene, AnnotationId id, std::size_t view) {
   std::vector<View> views = scene.views();
   std::vector<Annotation> annotations = scene.annotations();
   std::optional<std::vector<AnnotationId>>& shown = views.at(view).annotations;
-  if (alone && !shown)
+  if (!shown)
     shown = visibleOnes(scene);
-  if (shown && std::find(shown->begin(), shown->end(), id) == shown->end())
+  if (!contains(*shown, id))
     shown->push_back(id);
   for (Annotation& annotation : annotations)
-    if (annotation.id == id && alone)
+    if (annotation.id == id)
       annotation.visible = false;
   Scene after = scene;
   after.setViews(std::move(views));
@@ -89,23 +132,18 @@ Edited withAnnotationInView(const Scene& scene, AnnotationId id, std::size_t vie
 
 Edited withAnnotationShownIn(const Scene& scene, AnnotationId id, std::optional<std::size_t> view) {
   std::vector<View> views = scene.views();
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    std::optional<std::vector<AnnotationId>>& listed = views[i].annotations;
-    std::vector<AnnotationId> now = listed ? *listed : visibleOnes(scene);
-    const auto at = std::find(now.begin(), now.end(), id);
-    const bool wanted = !view || *view == i;
-    if (wanted == (at != now.end()))
-      continue;
-    if (wanted)
-      now.push_back(id);
-    else
-      now.erase(at);
-    listed = std::move(now);
-  }
-  const bool changed = views != scene.views();
-  Scene after = scene;
-  after.setViews(std::move(views));
-  return {std::move(after), changed};
+  for (std::size_t i = 0; i < views.size(); ++i)
+    tick(scene, views[i], id, !view || *view == i);
+  return withViews(scene, std::move(views));
+}
+
+Edited withAnnotationsTicked(const Scene& scene, std::span<const AnnotationId> ids,
+                             std::span<const std::size_t> views, bool shown) {
+  std::vector<View> all = scene.views();
+  for (const std::size_t place : views)
+    for (const AnnotationId id : ids)
+      tick(scene, all.at(place), id, shown);
+  return withViews(scene, std::move(all));
 }
 
 std::vector<std::size_t> viewsShowing(const Scene& scene, AnnotationId id) {
@@ -114,7 +152,7 @@ std::vector<std::size_t> viewsShowing(const Scene& scene, AnnotationId id) {
   for (std::size_t i = 0; i < scene.views().size(); ++i) {
     const std::optional<std::vector<AnnotationId>>& listed = scene.views()[i].annotations;
     const std::vector<AnnotationId>& shown = listed ? *listed : visible;
-    if (std::find(shown.begin(), shown.end(), id) != shown.end())
+    if (contains(shown, id))
       showing.push_back(i);
   }
   return showing;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QDir>
 #include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -17,6 +20,7 @@ class AnnotateTest : public QObject {
   void listsWhatItMade();
   void namesInOtherLanguages();
   void namesThatAreTheSame();
+  void savedViewsGetThem();
   void removes();
   void refusals_data();
   void refusals();
@@ -92,6 +96,25 @@ void AnnotateTest::namesThatAreTheSame() {
   const QByteArray listed = list();
   QVERIFY2(listed.contains("\tureter\tureter\tde=Harnleiter\tla=ureter\t"), listed);
   QVERIFY2(listed.contains("\tblob\tblob\n"), listed);
+}
+
+// A saved view that left out none shows what is made later, another one where it is named.
+void AnnotateTest::savedViewsGetThem() {
+  QCOMPARE(annotate({"--on", "kidney"}).code, 0);
+  const auto view = [this](const QStringList& flags) {
+    return runSline(QStringList{"view", scene()} + flags).code;
+  };
+  QCOMPARE(view({"--add", "All", "--from", "anterior", "--labels", "all"}), 0);
+  QCOMPARE(view({"--add", "None", "--from", "anterior", "--labels", "none"}), 0);
+  QCOMPARE(annotate({"--on", "renal artery"}).code, 0);
+  QCOMPARE(annotate({"--on", "renal vein", "--view", "None"}).code, 0);
+  QCOMPARE(
+      annotate({"--label", "alone", "--on", "renal vein", "--view", "None", "--only-in-view"}).code,
+      0);
+  const QByteArray listed = runSline({"view", scene(), "--list", "--json"}).out;
+  const QJsonArray views = QJsonDocument::fromJson(listed).object()["views"].toArray();
+  QCOMPARE(views.at(0)["labels"].toArray(), QJsonArray({1, 2, 3}));
+  QCOMPARE(views.at(1)["labels"].toArray(), QJsonArray({3, 4}));
 }
 
 void AnnotateTest::removes() {

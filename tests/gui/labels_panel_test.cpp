@@ -44,6 +44,18 @@ struct Panel : Labels {
     while (there.currentIndex() < row)
       QTest::keyClick(&there, Qt::Key_Down);
   }
+  /// Where no label is in the way of the click.
+  void makeBeside(model::NodeId on, const QString& text) {
+    key(Qt::Key_T);
+    click(middleOf(on) + QPoint(0, areaOf(on).height() / 4));
+    if (!typing())
+      qFatal("no words can be typed");
+    QTest::keyClicks(&editor(), text);
+    QTest::keyClick(&editor(), Qt::Key_Return);
+    key(Qt::Key_Escape);
+    if (!settled())
+      qFatal("no picture with the label");
+  }
   QStringList rowsOf(const char* name) {
     QStringList all;
     for (int i = 0; i < box(name).count(); ++i)
@@ -260,6 +272,109 @@ class LabelsPanelTest : public QObject {
     f.session.undo();
     f.session.undo();
     QCOMPARE(model::viewsShowing(f.session.scene(), id), std::vector<std::size_t>{1});
+  }
+
+  /// Whatever is made after views were saved: the one that is chosen shows it, and so do those that
+  /// show all there is.
+  void labelsMadeLaterAreInTheViews() {
+    Panel f;
+    f.make(f.bladder, {});
+    for (const Qt::Key side : {Qt::Key_A, Qt::Key_P}) {
+      f.key(side);
+      f.key(Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
+    }
+    QVERIFY(f.settled());
+    const auto goTo = [&f](int view) {
+      f.control<QMenu>("savedViews").actions().at(view)->trigger();
+      return f.settled();
+    };
+    QVERIFY(goTo(0));
+    const auto last = [&] {
+      return model::viewsShowing(f.session.scene(), f.annotations().back().id);
+    };
+    const std::vector<std::size_t> both{0, 1};
+    const int before = f.steps();
+    f.make(f.liver, {});
+    QCOMPARE(f.steps(), before + 1);
+    QCOMPARE(last(), both);
+    QVERIFY(f.window.statusBar()->currentMessage().isEmpty());
+    f.open();
+    QCOMPARE(f.box("annotationViews").currentText(), QStringLiteral("In all views"));
+    QVERIFY(goTo(1));
+    QCOMPARE(f.shownLines().size(), qsizetype(2));
+    QVERIFY(goTo(0));
+    // A view that leaves out a label gets no others, but where it is the one that is chosen.
+    f.choose(0);
+    f.pick("annotationViews", 1);
+    f.makeBeside(f.liver, QStringLiteral("second"));
+    QCOMPARE(last(), std::vector<std::size_t>{0});
+    QVERIFY2(f.window.statusBar()->currentMessage().contains("1 of 2"),
+             qPrintable(f.window.statusBar()->currentMessage()));
+    f.session.apply(
+        "delete", model::withoutAnnotations(
+                      f.session.scene(), std::array{f.annotations()[1].id, f.annotations()[2].id}));
+    QVERIFY(goTo(1));
+    f.session.select({f.liver});
+    f.key(Qt::Key_T, Qt::ControlModifier);
+    QTRY_COMPARE(f.annotations().size(), std::size_t(2));
+    QCOMPARE(last(), both);
+    f.session.undo();
+    QCOMPARE(f.session.scene().views()[1].annotations->size(), std::size_t(0));
+  }
+
+  void severalAreTickedAtOnce() {
+    Panel f;
+    f.make(f.liver, {});
+    f.make(f.bladder, {});
+    f.makeBeside(f.liver, QStringLiteral("third"));
+    for (const Qt::Key side : {Qt::Key_A, Qt::Key_P}) {
+      f.key(side);
+      f.key(Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
+    }
+    QVERIFY(f.settled());
+    f.open();
+    f.choose(0);
+    QTest::mouseClick(f.list().viewport(), Qt::LeftButton, Qt::ControlModifier,
+                      f.list().visualRect(f.cell(2, 1)).center());
+    QCOMPARE(f.list().selectionModel()->selectedRows().size(), qsizetype(2));
+    const auto ticks = [&] {
+      QMenu& menu = f.control<QMenu>("annotationViewMenu");
+      emit menu.aboutToShow();
+      return menu.actions();
+    };
+    const auto showing = [&](std::size_t row) {
+      return model::viewsShowing(f.session.scene(), f.annotations()[row].id);
+    };
+    using Places = std::vector<std::size_t>;
+    QCOMPARE(ticks().at(0)->text(), QStringLiteral("View 1"));
+    QVERIFY(ticks().at(0)->isCheckable() && ticks().at(0)->isChecked());
+    const int before = f.steps();
+    ticks().at(0)->trigger();
+    QCOMPARE(f.steps(), before + 1);
+    QCOMPARE(showing(0), Places{1});
+    QCOMPARE(showing(1), (Places{0, 1}));
+    QCOMPARE(showing(2), Places{1});
+    QVERIFY(!ticks().at(0)->isChecked());
+    QCOMPARE(f.list().selectionModel()->selectedRows().size(), qsizetype(2));
+    QCOMPARE(f.box("annotationViews").currentText(), QStringLiteral("Only in View 2"));
+    // Both by the list, too.
+    f.pick("annotationViews", 1);
+    QCOMPARE(showing(0), Places{0});
+    QCOMPARE(showing(2), Places{0});
+    QTest::mouseClick(f.list().viewport(), Qt::LeftButton, Qt::ShiftModifier,
+                      f.list().visualRect(f.cell(0, 1)).center());
+    QCOMPARE(f.list().selectionModel()->selectedRows().size(), qsizetype(3));
+    QCOMPARE(f.box("annotationViews").currentText(), QStringLiteral("In different views"));
+    QVERIFY(!ticks().at(1)->isChecked());
+    QVERIFY(ticks().at(1)->text().contains("some"));
+    ticks().at(4)->trigger();  // behind a line
+    QVERIFY(showing(0).empty() && showing(1).empty() && showing(2).empty());
+    ticks().at(3)->trigger();
+    QCOMPARE(showing(1), (Places{0, 1}));
+    f.list().setFocus();
+    QTest::keyClick(&f.list(), Qt::Key_Delete);
+    QVERIFY(f.annotations().empty());
+    QCOMPARE(f.step(), QStringLiteral("Delete Labels"));
   }
 
   void howTheyAreShown() {

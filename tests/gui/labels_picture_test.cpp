@@ -230,6 +230,41 @@ class LabelsPictureTest : public QObject {
     }
   }
 
+  /// From the last row of a hall: a fortieth of the picture's height, and nothing lies over what
+  /// says which side is below.
+  void presentedLabelsAreLarge() {
+    Labels f;
+    f.make(f.liver, {});
+    f.key(Qt::Key_V, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(f.settled());
+    const auto letters = [&f] {
+      const widgets::LabelWish& wish = f.sheet().wish;
+      return double(wish.style.points * wish.pixelsPerMm) * 25.4 / 72.0 /
+             double(f.viewport().height());
+    };
+    const double before = letters() * double(f.viewport().height());
+    const int letterBefore = f.control<QWidget>("letterBottom").height();
+    f.control<QAction>("present").trigger();
+    QVERIFY(f.settled());
+    QVERIFY2(letters() > 0.0245 && letters() < 0.026, qPrintable(QString::number(letters())));
+    const double pixels = letters() * double(f.viewport().height());
+    QVERIFY2(pixels > before + 5.0, qPrintable(QString::number(pixels)));
+    const auto& below = f.control<QWidget>("letterBottom");
+    QVERIFY(below.isVisible() && below.height() >= f.viewport().height() / 40);
+    const auto& name = f.control<QWidget>("presentedView");
+    QVERIFY(name.isVisible() && !name.geometry().intersects(below.geometry()));
+    QVERIFY(f.viewport().rect().contains(name.geometry()));
+    QVERIFY(name.height() < f.viewport().height() / 16);  // one line
+    const QRectF text = widgets::boxOf(f.sheet(), f.only().id);
+    QVERIFY(!text.isEmpty() && !text.intersects(QRectF(name.geometry())));
+    if (const QString folder = qEnvironmentVariable("SLINE_SCREENSHOTS"); !folder.isEmpty())
+      QVERIFY(f.window.grab().save(folder + "/presented.png"));
+    f.key(Qt::Key_Escape);
+    QVERIFY(f.settled());
+    QTRY_COMPARE(letters() * double(f.viewport().height()), before);
+    QCOMPARE(f.control<QWidget>("letterBottom").height(), letterBefore);
+  }
+
   /// Sorting the meshes is no reason to wait for a picture, nor is a new document's.
   void anotherDocumentHasItsOwn() {
     Labels f;

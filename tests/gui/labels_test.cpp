@@ -4,6 +4,8 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QMimeData>
+#include <QStatusBar>
+#include <QStatusTipEvent>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -101,6 +103,56 @@ class LabelsTest : public QObject {
     QVERIFY(!f.editor().isOpen());
   }
 
+  /// A key takes the tool up, whatever was in hand; Esc puts it away, and so does the menu.
+  void keysTakeToolsUp() {
+    Labels f;
+    f.session.select({f.liver});
+    for (int i = 0; i < 3; ++i) {
+      f.key(Qt::Key_T);
+      QVERIFY(f.labels().making() == AnnotationKind::label);
+      QVERIFY(f.control<QAction>("annotateLabel").isChecked());
+    }
+    f.key(Qt::Key_M);
+    QVERIFY(f.labels().making() == AnnotationKind::distance);
+    f.key(Qt::Key_M);
+    QVERIFY(f.labels().making() == AnnotationKind::distance);
+    f.key(Qt::Key_T);
+    QVERIFY(f.labels().making() == AnnotationKind::label);
+    f.key(Qt::Key_Escape);
+    QVERIFY(!f.labels().making());
+    f.key(Qt::Key_T);
+    f.control<QAction>("annotateLabel").trigger();
+    QVERIFY(!f.labels().making());
+  }
+
+  /// How to go on is said as long as the tool is in hand, whatever else is said meanwhile.
+  void hintsStay() {
+    Labels f;
+    QStatusBar& bar = *f.window.statusBar();
+    f.key(Qt::Key_M);
+    const QString hint = bar.currentMessage();
+    QVERIFY2(hint.contains("two places"), qPrintable(hint));
+    QStatusTipEvent passed{QString()};
+    QApplication::sendEvent(&f.window, &passed);
+    QCOMPARE(bar.currentMessage(), hint);
+    f.click(f.middleOf(f.liver));
+    QTRY_VERIFY(f.labels().layer().marks().begun);
+    f.click({8, 300});
+    QTRY_VERIFY2(bar.currentMessage().contains("Nothing is there"),
+                 qPrintable(bar.currentMessage()));
+    QVERIFY(f.labels().layer().marks().begun);
+    bar.clearMessage();
+    QCOMPARE(bar.currentMessage(), hint);
+    f.key(Qt::Key_Escape);
+    f.key(Qt::Key_Escape);
+    QCOMPARE(bar.currentMessage(), QString());
+    // It takes nothing with it that somebody else says.
+    f.key(Qt::Key_M);
+    bar.showMessage(QStringLiteral("something else"));
+    f.key(Qt::Key_Escape);
+    QCOMPARE(bar.currentMessage(), QStringLiteral("something else"));
+  }
+
   void clickElsewhereTakesWordsOver() {
     Labels f;
     f.key(Qt::Key_T);
@@ -140,6 +192,7 @@ class LabelsTest : public QObject {
     const float length = glm::length(place(1) - place(0));
     QVERIFY(length > 50.0f && length < 60.0f);
     QCOMPARE(f.shownLines(), QStringList{QStringLiteral("%1\u00a0mm").arg(std::lround(length))});
+    QCOMPARE(list.model()->index(0, 1).data().toString(), f.shownLines().front().simplified());
     f.undo();
     QVERIFY(f.annotations().empty());
   }

@@ -3,6 +3,7 @@
 // person has made of the window stays.
 #include <QAction>
 #include <QComboBox>
+#include <QDialog>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -147,6 +148,25 @@ class LanguageTest : public QObject {
     f.control<QAction>("isolate").trigger();
     QCOMPARE(model::shownOf(f.session.scene(), f.session.scene().find(id)->parent),
              model::Shown::some);
+  }
+
+  /// The dialog in which the language is chosen follows, also the second time it is opened.
+  void preferencesFollow() {
+    Spoken f;
+    for (const char* language : {"de", "en"}) {
+      f.control<QAction>("preferences").trigger();
+      QVERIFY(f.speak(QLatin1String(language)));
+      QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+      QList<QDialog*> shown;
+      for (QDialog* dialog : f.window.findChildren<QDialog*>("preferencesDialog"))
+        if (dialog->isVisible())
+          shown << dialog;
+      QCOMPARE(shown.size(), qsizetype(1));
+      QCOMPARE(shown.front()->windowTitle(), language == QLatin1String("de")
+                                                 ? QStringLiteral("Einstellungen")
+                                                 : QStringLiteral("Preferences"));
+      shown.front()->close();
+    }
   }
 
   void filterKnowsAllNames_data() {

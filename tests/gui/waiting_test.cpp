@@ -2,6 +2,7 @@
 // The window never waits for a picture, and shows the newest there is.
 #include <QDirIterator>
 #include <QElapsedTimer>
+#include <QLabel>
 #include <QtTest>
 
 #include "model/edit/emphasis.h"
@@ -139,6 +140,48 @@ class WaitingTest : public QObject {
     gate->pass.release();
     QCOMPARE(released, wanted);
     QVERIFY(f.settled());
+  }
+
+  /// Letters at the edges are those of the picture on screen until the next document's is there.
+  void marksBelongToTheirPicture() {
+    const auto gate = std::make_shared<Gate>();
+    WindowFixture f(gated(gate));
+    const auto letters = [&f] {
+      QStringList all;
+      for (const char* name : {"letterLeft", "letterRight", "letterTop", "letterBottom"})
+        if (f.control<QLabel>(name).isVisible())
+          all << f.control<QLabel>(name).text();
+      return all;
+    };
+    gate->open = false;
+    QVERIFY(f.drop(m_body.path()));
+    QTRY_VERIFY(f.session.document().opening != 0);
+    QCOMPARE(letters(), QStringList());
+    gate->open = true;
+    gate->pass.release(2);
+    QVERIFY(f.settled());
+    QCOMPARE(letters().size(), qsizetype(4));
+    QTest::keyClick(&f.viewport(), Qt::Key_S);
+    QVERIFY(f.settled());
+    // Another one is seen from the front, and so is the first when it comes back.
+    for (const bool back : {false, true}) {
+      const QStringList before = letters();
+      gate->pass.tryAcquire(gate->pass.available());
+      gate->open = false;
+      if (back)
+        f.session.undo();
+      else
+        QVERIFY(f.drop(m_body.path() + QStringLiteral("/Vessels")));
+      QTRY_VERIFY(!f.session.busy());
+      QCoreApplication::processEvents();
+      QCOMPARE(letters(), before);
+      gate->open = true;
+      gate->pass.release(4);
+      QVERIFY(f.settled());
+      QVERIFY(letters() != before);
+      QTest::keyClick(&f.viewport(), Qt::Key_S);
+      QVERIFY(f.settled());
+    }
   }
 
   /// A window that closes while the renderer is at work comes down in order.

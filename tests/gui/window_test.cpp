@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // The main job by hand: a folder is dropped, one slider moved, the scene turned, steps undone.
 #include <QAccessible>
+#include <QDialog>
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QTabBar>
 #include <QtTest>
 
 #include "model/edit/visibility.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/model/import/written_meshes.h"
+#include "tests/support/shapes.h"
 #include "widgets/gamma/gamma_slider.h"
 #include "widgets/structure_tree/structure_tree_model.h"
 #include "widgets/window/message_bar.h"
@@ -209,6 +213,81 @@ class WindowTest : public QObject {
     QTest::keyClick(&f.control<QLineEdit>("structureFilter"), Qt::Key_Escape);
     QCOMPARE(f.session.selection(), selected);
     QCOMPARE(f.tree().selectionModel()->selectedRows().size(), 1);
+  }
+
+  /// What was looked for in one scene hides nothing of the next.
+  void filterGoesWithItsDocument() {
+    WindowFixture f;
+    QVERIFY(openBody(f));
+    auto& filter = f.control<QLineEdit>("structureFilter");
+    QTest::keyClicks(&filter, QStringLiteral("kid"));
+    QVERIFY(f.drop(m_body.path() + QStringLiteral("/Vessels")));
+    QVERIFY(f.settled());
+    QCOMPARE(filter.text(), QString());
+    QTest::keyClicks(&filter, QStringLiteral("aor"));
+    f.session.select({structure(f, QStringLiteral("aorta"))});
+    QTest::keyClick(&f.viewport(), Qt::Key_H);
+    QCOMPARE(filter.text(), QStringLiteral("aor"));
+    f.session.undo();
+    f.session.undo();
+    QCOMPARE(filter.text(), QString());
+  }
+
+  /// The first time, behind the start page, panels have the widths they are made for, and names
+  /// their room.
+  void panelsHaveRoom() {
+    WindowFixture f;
+    f.window.resize(1600, 1000);
+    QVERIFY(f.control<QWidget>("startPage").isVisible());
+    QVERIFY(openBody(f));
+    QVERIFY(std::abs(f.control<QWidget>("structuresPanel").width() - 366) <= 4);
+    QVERIFY(std::abs(f.control<QWidget>("gammaPanel").width() - 304) <= 4);
+    const auto nameWidth = [&f] { return f.tree().columnWidth(widgets::StructureTreeModel::name); };
+    QVERIFY2(nameWidth() > 120, qPrintable(QString::number(nameWidth())));
+    // Nor are names cut to nothing by hand.
+    f.window.resizeDocks({&f.control<QDockWidget>("structuresPanel")}, {60}, Qt::Horizontal);
+    QCoreApplication::processEvents();
+    QVERIFY2(nameWidth() > 80, qPrintable(QString::number(nameWidth())));
+    // What somebody has made of it is kept.
+    f.window.resizeDocks({&f.control<QDockWidget>("structuresPanel")}, {440}, Qt::Horizontal);
+    QCoreApplication::processEvents();
+    f.window.close();
+    widgets::Session session;
+    widgets::MainWindow again(session, f.settings);
+    again.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&again));
+    QCoreApplication::processEvents();
+    QVERIFY(std::abs(again.findChild<QDockWidget*>("structuresPanel")->width() - 440) <= 4);
+  }
+
+  void summarySaysWhatIsRefined() {
+    WindowFixture f;
+    const auto& summary = f.control<QLabel>("summary");
+    for (const int steps : {0, 1}) {
+      f.session.openMade(QStringLiteral("Ball"), [steps](const auto&, const auto&) {
+        model::Scene scene;
+        scene.append(
+            {.name = "ball", .mesh = sphere(20, 2), .provenance = {.refinementSteps = steps}});
+        return Result<widgets::Loaded>(
+            widgets::Loaded{.scene = std::move(scene), .title = QStringLiteral("Ball")});
+      });
+      QVERIFY(f.settled());
+      QVERIFY2(summary.text().endsWith("(refined)") == (steps > 0), qPrintable(summary.text()));
+    }
+  }
+
+  /// Enter in the preferences leaves them as they are.
+  void enterKeepsPreferences() {
+    WindowFixture f;
+    f.window.preferences().set("labels/points", 17);
+    f.window.findChild<QAction*>(QStringLiteral("preferences"))->trigger();
+    auto* dialog = f.window.findChild<QDialog*>(QStringLiteral("preferencesDialog"));
+    QVERIFY(dialog && QTest::qWaitForWindowExposed(dialog));
+    for (const QPushButton* button : dialog->findChildren<QPushButton*>())
+      QCOMPARE(button->isDefault(), button->objectName() != QStringLiteral("restoreStandards"));
+    QTest::keyClick(dialog, Qt::Key_Return);
+    QTRY_VERIFY(!f.window.findChild<QDialog*>(QStringLiteral("preferencesDialog")));
+    QCOMPARE(f.window.preferences().number("labels/points"), 17);
   }
 
   void focusIsOneStep() {

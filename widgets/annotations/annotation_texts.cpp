@@ -2,10 +2,10 @@
 #include "widgets/annotations/annotation_texts.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <glm/geometric.hpp>
 
 #include "model/scene/markup.h"
+#include "render/export/label_texts.h"
 #include "widgets/annotations/label_look.h"
 
 namespace sline::widgets {
@@ -27,6 +27,16 @@ QString anchorText(Session& session, const model::Anchor& anchor) {
     return tr("a place");
   const model::Node* node = session.scene().find(*id);
   return node ? session.names().shown(node->name) : tr("nothing that is there");
+}
+
+/// As the picture says it.
+QString lengthText(float millimetres, const std::string& language) {
+  constexpr float unbroken = 1e4f;  // millimetres
+  render::ShownLabel label;
+  label.item.kind = model::AnnotationKind::distance;
+  label.lengthMm = millimetres;
+  const render::LabelStyle style{.mode = render::LabelMode::on, .language = language};
+  return render::plainText(render::textOf(label, style, unbroken).lines).simplified();
 }
 
 }  // namespace
@@ -59,7 +69,7 @@ QString shownText(const model::Scene& scene, const model::Annotation& annotation
     const auto from = scene.placeOf(annotation.anchors.front());
     const auto to = scene.placeOf(annotation.anchors.back());
     if (from && to)
-      return tr("%1 mm").arg(QLocale().toString(double(glm::length(*to - *from)), 'f', 1));
+      return lengthText(glm::length(*to - *from), language);
   }
   return text.isEmpty() ? kindText(annotation.kind) : text;
 }

@@ -25,16 +25,13 @@
 #include "widgets/annotations/annotation_texts.h"
 #include "widgets/annotations/label_field.h"
 #include "widgets/annotations/label_look.h"
+#include "widgets/annotations/label_views.h"
 
 namespace sline::widgets {
 
 namespace {
 
 using model::AnnotationKind;
-
-// What a row of the list of views stands for, besides their places.
-constexpr int allViews = -1;
-constexpr int asItIs = -2;
 
 const PreferenceRow& rowOf(const std::vector<PreferenceRow>& rows, const char* id) {
   return *std::find_if(rows.begin(), rows.end(),
@@ -157,6 +154,7 @@ void AnnotationsPanel::makeList() {
   m_list->setRootIsDecorated(false);
   m_list->setAllColumnsShowFocus(true);
   m_list->setUniformRowHeights(true);
+  m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
   // As high as there is room, but asking for none of the other panels'.
   m_list->setMinimumHeight(64);
   m_list->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
@@ -176,6 +174,10 @@ void AnnotationsPanel::makeList() {
   };
   connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this, activate);
   connect(m_list, &QTreeView::clicked, this, activate);
+  connect(m_list->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+    if (!m_following)
+      m_views->setLabels(chosen());
+  });
 }
 
 void AnnotationsPanel::makeText() {
@@ -202,9 +204,7 @@ void AnnotationsPanel::makeChoices() {
                   [this] { setColour(tr("Colour of a Label"), std::nullopt); });
   menu->addAction(tr("&Colour…"), this, &AnnotationsPanel::chooseColour);
   m_colour->setMenu(menu);
-  m_views = narrowBox("annotationViews", tr("Views that show it"));
-  m_views->setToolTip(tr("Which of the saved views show it"));
-  connect(m_views, &QComboBox::activated, this, &AnnotationsPanel::viewChosen);
+  m_views = new LabelViews(m_session);
   m_locked = new QCheckBox(tr("Locked"));
   m_locked->setObjectName(QStringLiteral("annotationLocked"));
   m_locked->setToolTip(tr("The mouse does not move it"));
@@ -260,13 +260,27 @@ void AnnotationsPanel::change(const QString& step, const model::Annotation& anno
                   series);
 }
 
+std::vector<model::AnnotationId> AnnotationsPanel::chosen() const {
+  std::vector<int> rows;
+  for (const QModelIndex& index : m_list->selectionModel()->selectedRows())
+    rows.push_back(index.row());
+  std::sort(rows.begin(), rows.end());
+  std::vector<model::AnnotationId> ids;
+  for (const int row : rows)
+    if (const model::Annotation* annotation = m_annotations->at(row))
+      ids.push_back(annotation->id);
+  if (const model::Annotation* annotation = active(); ids.empty() && annotation)
+    ids.push_back(annotation->id);
+  return ids;
+}
+
 void AnnotationsPanel::remove() {
-  const int row = m_annotations->rowOf(m_session.activeAnnotation());
-  const model::Annotation* annotation = m_annotations->at(row);
-  if (!annotation)
+  const std::vector<model::AnnotationId> ids = chosen();
+  if (ids.empty())
     return;
-  m_session.apply(tr("Delete Label"),
-                  model::withoutAnnotations(m_session.scene(), std::array{annotation->id}));
+  const int row = m_annotations->rowOf(ids.front());
+  m_session.apply(ids.size() == 1 ? tr("Delete Label") : tr("Delete Labels"),
+                  model::withoutAnnotations(m_session.scene(), ids));
   // The one that takes its place, so that a key held down deletes one after the other.
   const model::Annotation* next = m_annotations->at(std::min(row, m_annotations->rowCount() - 1));
   m_session.activateAnnotation(next ? std::optional(next->id) : std::nullopt);
@@ -314,17 +328,6 @@ void AnnotationsPanel::kindChosen(int row) {
   }
 }
 
-void AnnotationsPanel::viewChosen(int row) {
-  const model::Annotation* there = active();
-  const int view = m_views->itemData(row).toInt();
-  if (!there || view == asItIs)
-    return;
-  m_session.apply(tr("Views of a Label"),
-                  model::withAnnotationShownIn(
-                      m_session.scene(), there->id,
-                      view == allViews ? std::nullopt : std::optional(std::size_t(view))));
-}
-
 void AnnotationsPanel::setColour(const QString& step, std::optional<Colour> colour) {
   if (const model::Annotation* there = active()) {
     model::Annotation annotation = *there;
@@ -370,26 +373,6 @@ void AnnotationsPanel::followPreferences() {
   showActive();
 }
 
-void AnnotationsPanel::listViews(const model::Annotation& annotation) {
-  const std::vector<model::View>& views = m_session.scene().views();
-  const std::vector<std::size_t> showing = model::viewsShowing(m_session.scene(), annotation.id);
-  m_views->clear();
-  m_views->addItem(tr("In all views"), allViews);
-  for (std::size_t i = 0; i < views.size(); ++i)
-    m_views->addItem(tr("Only in %1").arg(QString::fromStdString(views[i].name)), int(i));
-  int row = 0;
-  if (showing.size() == 1 && views.size() > 1)
-    row = 1 + int(showing.front());
-  else if (showing.size() != views.size()) {
-    m_views->addItem(
-        showing.empty() ? tr("In no view") : tr("In %n views", nullptr, int(showing.size())),
-        asItIs);
-    row = m_views->count() - 1;
-  }
-  m_views->setCurrentIndex(row);
-  m_views->setEnabled(!views.empty());
-}
-
 void AnnotationsPanel::showChoices(const model::Annotation& annotation) {
   m_kind->clear();
   const bool distance = annotation.kind == AnnotationKind::distance;
@@ -402,7 +385,7 @@ void AnnotationsPanel::showChoices(const model::Annotation& annotation) {
   m_colour->setIcon(swatch(annotation.colour, palette()));
   m_locked->setChecked(annotation.locked);
   m_release->setEnabled(annotation.offset.has_value());
-  listViews(annotation);
+  m_views->setLabels(chosen());
 }
 
 void AnnotationsPanel::showActive() {

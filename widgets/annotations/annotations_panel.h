@@ -18,6 +18,7 @@ namespace sline::widgets {
 
 class AnnotationList;
 class LabelField;
+class LabelViews;
 
 /// All annotations in a list, below it what can be said of the active one, above it how labels are
 /// shown in the window, which is a preference.
@@ -40,17 +41,17 @@ class AnnotationsPanel : public QWidget {
   void makeChoices();
   int heightOf(int lines) const;  ///< of the field for words
   const model::Annotation* active() const;
+  /// The rows that are selected, and the active one where there is none.
+  std::vector<model::AnnotationId> chosen() const;
   void change(const QString& step, const model::Annotation& annotation, const QString& series = {});
   void remove();
   void write();
   void kindChosen(int row);
-  void viewChosen(int row);
   void chooseColour();
   void setColour(const QString& step, std::optional<Colour> colour);
   void followPreferences();
   void showActive();
   void showChoices(const model::Annotation& annotation);
-  void listViews(const model::Annotation& annotation);
 
   Session& m_session;
   Preferences& m_preferences;
@@ -65,7 +66,7 @@ class AnnotationsPanel : public QWidget {
   LabelField* m_text = nullptr;
   QComboBox* m_kind = nullptr;
   QToolButton* m_colour = nullptr;
-  QComboBox* m_views = nullptr;
+  LabelViews* m_views = nullptr;
   QCheckBox* m_locked = nullptr;
   QToolButton* m_release = nullptr;
   bool m_following = false;  ///< the session, not the person

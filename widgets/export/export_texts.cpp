@@ -15,30 +15,30 @@ namespace {
 
 // The renderer's table is English: these are its texts, for translators.
 [[maybe_unused]] constexpr const char* tableTexts[] = {
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "Portable Network Graphics"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "PNG picture"),
     QT_TRANSLATE_NOOP(
         "sline::render::ExportFormat",
         "A picture made of pixels for screens, documents and print: sRGB, grey or pure "
         "ink, 8 or 16 bits, transparent where asked for"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "Tagged Image File Format"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "TIFF picture"),
     QT_TRANSLATE_NOOP("sline::render::ExportFormat",
                       "The same for printers and journals, with its colour profile"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "JPEG"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "JPEG picture"),
     QT_TRANSLATE_NOOP("sline::render::ExportFormat",
                       "A picture made of pixels where files must be small; on white"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "OpenEXR"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "EXR picture"),
     QT_TRANSLATE_NOOP(
         "sline::render::ExportFormat",
         "A picture in linear light, as halves with alpha multiplied in, for compositing"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "Scalable Vector Graphics"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "SVG drawing"),
     QT_TRANSLATE_NOOP("sline::render::ExportFormat",
                       "Vectors for Inkscape, Illustrator and print: lines and hatching as smooth "
                       "paths, hidden ones removed, a named group for each structure"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "Portable Document Format"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "PDF document"),
     QT_TRANSLATE_NOOP("sline::render::ExportFormat",
                       "The same vectors on a page of their own, or a sheet with title, legend and "
-                      "numbered labels, a page to test oneself and its key (--sheet)"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "glTF (GLB)"),
+                      "numbered labels, a page to test oneself and its key"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "GLB surfaces (glTF)"),
     QT_TRANSLATE_NOOP("sline::render::ExportFormat",
                       "Surfaces for Blender, PowerPoint, web pages and headsets: groups, names and "
                       "colours, annotations, cameras of the saved views"),

@@ -92,7 +92,7 @@ std::vector<ExportRow> sheetRows() {
                    RowText{.longest = 4000, .lines = 3}),
               [](auto& o) -> auto& { return o.sheet.text; })),
           bound(
-              row("sheetLandscape", tr("Sheet l&ies"), tr("Wider than high"), pdf),
+              row("sheetLandscape", tr("Landscape"), tr("Wider than high"), pdf),
               [](auto& o) -> auto& { return o.sheet.landscape; })};
 }
 

@@ -17,6 +17,8 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, QWidget* parent)
     : QDialog(parent), m_preferences(preferences) {
   setObjectName(QStringLiteral("preferencesDialog"));
   setWindowTitle(tr("Preferences"));
+  // One that is closed but there would be taken for the one that another language finds open.
+  setAttribute(Qt::WA_DeleteOnClose);
   auto* layout = new QVBoxLayout(this);
   auto* pages = new QTabWidget;
   pages->setObjectName(QStringLiteral("preferencePages"));
@@ -34,11 +36,13 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, QWidget* parent)
     add(row, *form);
   }
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close | QDialogButtonBox::RestoreDefaults);
-  buttons->button(QDialogButtonBox::RestoreDefaults)
-      ->setObjectName(QStringLiteral("restoreStandards"));
+  QPushButton* restore = buttons->button(QDialogButtonBox::RestoreDefaults);
+  restore->setObjectName(QStringLiteral("restoreStandards"));
+  // Enter closes; it must not undo what was chosen.
+  restore->setAutoDefault(false);
+  buttons->button(QDialogButtonBox::Close)->setDefault(true);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
-  connect(buttons->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this,
-          [this] { m_preferences.restoreStandards(); });
+  connect(restore, &QPushButton::clicked, this, [this] { m_preferences.restoreStandards(); });
   layout->addWidget(buttons);
   setMinimumWidth(440);
 }

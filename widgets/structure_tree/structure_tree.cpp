@@ -43,7 +43,13 @@ StructureTree::StructureTree(Session& session, QWidget* parent)
   layout->addWidget(m_view, 1);
   connect(m_filter, &QLineEdit::textChanged, m_view, &StructureTreeView::setFilter);
   connect(m_view, &StructureTreeView::filtered, this, &StructureTree::showCount);
-  connect(&session, &Session::documentChanged, this, &StructureTree::showCount);
+  connect(&session, &Session::documentChanged, this,
+          [this](const Document& before, const Document& now) {
+            // What was looked for in one scene hides the next.
+            if (before.opening != now.opening)
+              m_filter->clear();
+            showCount();
+          });
   connect(m_view, &StructureTreeView::colourWanted, this, &StructureTree::chooseColour);
 }
 

@@ -72,6 +72,10 @@ void StructureTreeView::shapeColumns() {
     columns->resizeSection(column, width);
   }
   columns->setSectionResizeMode(Model::name, QHeaderView::Stretch);
+  // Names that are cut to nothing would be no use.
+  constexpr int letters = 16;
+  setMinimumWidth(columns->length() - columns->sectionSize(Model::name) +
+                  letters * fontMetrics().averageCharWidth() + indentation());
 }
 
 void StructureTreeView::connectModel() {

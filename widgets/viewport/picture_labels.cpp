@@ -15,6 +15,9 @@ namespace sline::widgets {
 
 namespace {
 
+/// Letters of 10 pt are a fortieth of its height.
+constexpr float presentedPageMm = 40.0f * 10.0f * 25.4f / 72.0f;
+
 glm::vec2 vec(const QPointF& p) {
   return {float(p.x()), float(p.y())};
 }
@@ -81,6 +84,8 @@ LabelWish PictureLabels::wish(bool moving) const {
                  .ratio = picture.devicePixelRatioF(),
                  .document = m_place.session.document().opening,
                  .moving = moving};
+  if (m_presented)
+    wish.pixelsPerMm = std::max(wish.pixelsPerMm, wish.size.y / presentedPageMm);
   for (const QRectF& mark : m_place.marks())
     wish.style.reserved.push_back(
         {vec(mark.topLeft()) / wish.pixelsPerMm, vec(mark.bottomRight()) / wish.pixelsPerMm});
@@ -138,6 +143,15 @@ void PictureLabels::make(std::optional<model::AnnotationKind> kind) {
   emit makingChanged();
 }
 
+void PictureLabels::setCurrentView(std::function<std::optional<std::size_t>()> current) {
+  m_currentView = std::move(current);
+}
+
+std::optional<std::size_t> PictureLabels::currentView() const {
+  const std::optional<std::size_t> view = m_currentView ? m_currentView() : std::nullopt;
+  return view && *view < m_place.session.scene().views().size() ? view : std::nullopt;
+}
+
 bool PictureLabels::click(const QPointF& at) {
   if (!m_making || m_shut)
     return false;
@@ -148,8 +162,12 @@ bool PictureLabels::click(const QPointF& at) {
 }
 
 void PictureLabels::clicked(const Picks& picks, const QPointF& at) {
-  if (!m_making || !picks.anchor)
+  if (!m_making)
     return;
+  if (!picks.anchor) {
+    emit missed();
+    return;
+  }
   if (*m_making != model::AnnotationKind::distance) {
     const QString name = offeredText(m_place.session, picks.seen->id, m_style.language);
     begin({.kind = *m_making, .anchors = {*picks.anchor}}, name, at);
@@ -205,8 +223,12 @@ void PictureLabels::accept(const QString& text) {
 
 void PictureLabels::add(const model::Annotation& annotation) {
   Session& session = m_place.session;
-  if (session.apply(stepOf(annotation.kind), model::withAnnotation(session.scene(), annotation)))
-    session.activateAnnotation(session.scene().annotations().back().id);
+  if (!session.apply(stepOf(annotation.kind),
+                     model::withAnnotationMade(session.scene(), annotation, currentView())))
+    return;
+  const model::AnnotationId id = session.scene().annotations().back().id;
+  session.activateAnnotation(id);
+  emit made(id);
 }
 
 void PictureLabels::remove(model::AnnotationId id) {

@@ -36,6 +36,8 @@ class PictureLabels : public QObject {
   const render::LabelStyle& style() const { return m_style; }
   void setStyle(const render::LabelStyle& style);
   void setDark(bool dark);
+  /// As large as on a page of the picture's height, to be read from afar.
+  void setPresented(bool presented) { m_presented = presented; }
   /// For a picture of the widget as it is now; `moving`: its camera is on its way.
   LabelWish wish(bool moving = false) const;
   /// Some are left out until the camera rests.
@@ -52,6 +54,10 @@ class PictureLabels : public QObject {
   /// Each click makes one of that kind, until there is none.
   std::optional<model::AnnotationKind> making() const { return m_making; }
   void make(std::optional<model::AnnotationKind> kind);
+  /// Asked for the saved view that one is in, which labels made now belong to: its place among the
+  /// scene's, where there is one.
+  void setCurrentView(std::function<std::optional<std::size_t>()> current);
+  std::optional<std::size_t> currentView() const;
   /// Words for it are typed where it stands.
   void edit(model::AnnotationId id);
   void remove(model::AnnotationId id);
@@ -70,6 +76,10 @@ class PictureLabels : public QObject {
   /// The picture's labels are to be drawn anew.
   void wishChanged();
   void makingChanged();
+  /// A click found nothing that a label could be on.
+  void missed();
+  /// It is in the scene.
+  void made(sline::model::AnnotationId id);
 
  private:
   void clicked(const Picks& picks, const QPointF& at);
@@ -85,7 +95,9 @@ class PictureLabels : public QObject {
   LabelLayer* m_layer;
   LabelTool* m_tool;
   LabelEditor* m_editor;
+  std::function<std::optional<std::size_t>()> m_currentView;
   bool m_shut = false;
+  bool m_presented = false;
   bool m_ready = true;
   model::Camera m_camera;  ///< of the picture that is shown
   std::optional<QPointF> m_mouse;

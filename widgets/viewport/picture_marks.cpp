@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "render/export/marks/orientation_letters.h"
 
@@ -48,10 +49,22 @@ void PictureMarks::choose(const MarkChoice& choice) {
 }
 
 void PictureMarks::setBackground(render::Background background) {
-  const bool dark = background == render::Background::dark;
+  m_dark = background == render::Background::dark;
+  dress();
+}
+
+void PictureMarks::setPresented(bool presented, const QRect& covered) {
+  m_presented = presented;
+  m_covered = presented ? covered : QRect();
+}
+
+void PictureMarks::dress() {
+  const bool dark = m_dark;
   const QString ink = dark ? QStringLiteral("#a2a2a2") : QStringLiteral("#736e66");
+  const QString size =
+      m_letterPixels > 0 ? QStringLiteral(" font-size: %1px;").arg(m_letterPixels) : QString();
   for (QLabel* letter : m_letters)
-    letter->setStyleSheet(QStringLiteral("color: %1; font-weight: 600;").arg(ink));
+    letter->setStyleSheet(QStringLiteral("color: %1; font-weight: 600;%2").arg(ink, size));
   m_time->setStyleSheet(QStringLiteral("color: %1;").arg(ink));
   m_name->setStyleSheet(dark
                             ? QStringLiteral("color: #141416; background: rgba(236, 236, 236, 235);"
@@ -87,6 +100,8 @@ std::vector<QRectF> PictureMarks::places() const {
   };
   if (m_headroom > 0)
     add({0, 0, m_picture.width(), m_headroom});
+  if (!m_covered.isEmpty())
+    add(m_covered);
   if (m_choice.cube)
     add(cornerBox(m_cube->sizeHint(), Qt::TopRightCorner));
   if (m_choice.scaleBar)
@@ -120,7 +135,11 @@ void PictureMarks::placeAtEdge(QRect& box, std::size_t edge) const {
 }
 
 void PictureMarks::place(const model::Camera& camera, const glm::vec3& pivot, bool scene) {
+  constexpr int linesToAPage = 40;
   m_scene = scene;
+  const int letters = m_presented ? m_picture.height() / linesToAPage : 0;
+  if (std::exchange(m_letterPixels, letters) != letters)
+    dress();
   placeLetters(camera);
   m_cube->setCamera(camera);
   placeCorner(*m_cube, Qt::TopRightCorner);

@@ -39,6 +39,9 @@ class PictureMarks : public QObject {
   void place(const model::Camera& camera, const glm::vec3& pivot, bool scene);
   /// So many pixels at the upper edge are covered by something else.
   void setHeadroom(int pixels) { m_headroom = pixels; }
+  /// Letters grow with the picture's height, and what covers the picture there is no place for
+  /// labels.
+  void setPresented(bool presented, const QRect& covered);
   /// Where marks stand or may stand, whatever they say now, with air around them: pixels.
   std::vector<QRectF> places() const;
   void showTime(double milliseconds, float scale);
@@ -47,6 +50,7 @@ class PictureMarks : public QObject {
   void hideName();
 
  private:
+  void dress();
   void placeLetters(const model::Camera& camera);
   QRect cornerBox(const QSize& size, Qt::Corner corner) const;
   static QString timeText(double milliseconds, float scale);
@@ -58,6 +62,10 @@ class PictureMarks : public QObject {
   MarkChoice m_choice;
   bool m_scene = false;
   int m_headroom = 0;
+  bool m_dark = false;
+  bool m_presented = false;
+  QRect m_covered;
+  int m_letterPixels = 0;  ///< 0: as the window's
   std::array<QLabel*, 4> m_letters{};
   SectionMark* m_section;
   CubeMark* m_cube;

@@ -205,7 +205,10 @@ void Viewport::took(const PictureReport& report) {
   m_marks->showTime(report.milliseconds, report.scale);
   m_drawnCamera = report.camera;
   m_labels->took(report.labels, report.camera);
-  if (report.moving)
+  const bool first = m_marksAwait != 0 && m_took >= m_marksAwait;
+  if (first)
+    m_marksAwait = 0;
+  if (report.moving || first)
     placeMarks();
   else
     showSection();
@@ -401,6 +404,13 @@ void Viewport::chooseMarks(const MarkChoice& choice) {
   labelsGiveWay();
 }
 
+void Viewport::setPresented(bool presented, const QRect& covered) {
+  m_labels->setPresented(presented);
+  m_marks->setPresented(presented, covered);
+  placeMarks();
+  labelsGiveWay();
+}
+
 void Viewport::labelsGiveWay() {
   if (!shownScene().annotations().empty())
     refresh();
@@ -421,6 +431,7 @@ void Viewport::documentChange(const Document& before, const Document& now) {
     m_quality = {};
     pivotToMiddle();
     stopFlight();
+    m_marksAwait = m_asked + 1;
     m_camera = overview(now.scene, aspectBesideLabels(overview(now.scene, aspect())));
   }
   if (!another && m_session.previewing() && before.scene.sections() != now.scene.sections()) {
@@ -437,8 +448,11 @@ void Viewport::documentChange(const Document& before, const Document& now) {
 }
 
 void Viewport::placeMarks() {
-  m_marks->place(m_moving ? m_drawnCamera.value_or(m_camera) : m_camera, m_pivot,
-                 !m_session.scene().nodes().empty());
+  if (m_marksAwait == 0)
+    m_marked = {.camera = m_moving ? m_drawnCamera.value_or(m_camera) : m_camera,
+                .pivot = m_pivot,
+                .scene = !m_session.scene().nodes().empty()};
+  m_marks->place(m_marked.camera, m_marked.pivot, m_marked.scene);
   showSection();
 }
 

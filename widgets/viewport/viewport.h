@@ -68,6 +68,9 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   void setMousePreset(MousePreset preset) { m_cameraTool.setPreset(preset); }
   const MarkChoice& marks() const { return m_marks->choice(); }
   void chooseMarks(const MarkChoice& choice);
+  /// To be read from afar: labels and letters grow with the picture's height. `covered`: pixels
+  /// that something else takes; labels keep clear of them.
+  void setPresented(bool presented, const QRect& covered = {});
   /// So many pixels at the upper edge are covered; marks keep clear of them.
   void setHeadroom(int pixels);
   void setNamesWanted(bool wanted);
@@ -193,6 +196,15 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   std::uint64_t m_shown = 0;  ///< on screen
   double m_lastMilliseconds = 0.0;
   std::optional<model::Camera> m_drawnCamera;  ///< of the newest picture
+  /// What the marks say.
+  struct Marked {
+    model::Camera camera;
+    glm::vec3 pivot{0.0f};
+    bool scene = false;
+  };
+  Marked m_marked;
+  /// Until a picture of that number is there, another document's is on screen, and its marks stay.
+  std::uint64_t m_marksAwait = 1;
   int m_lastLayersDrawn = 0;
 
   Picker m_picker;

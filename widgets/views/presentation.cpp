@@ -52,10 +52,9 @@ Presentation::Presentation(QMainWindow& window, Session& session, Viewport& view
       m_name(new QLabel(&viewport)) {
   m_name->setObjectName(QStringLiteral("presentedView"));
   m_name->setTextFormat(Qt::PlainText);
+  m_name->setWordWrap(true);
+  m_name->setIndent(0);
   m_name->setAttribute(Qt::WA_TransparentForMouseEvents);
-  m_name->setStyleSheet(
-      QStringLiteral("QLabel { color: #f4f4f2; background: rgba(28, 30, 34, 190);"
-                     " border-radius: 6px; padding: 6px 16px; font-size: 16px; }"));
   m_name->hide();
   connect(&session, &Session::documentChanged, this, &Presentation::documentChange);
   window.installEventFilter(this);
@@ -108,6 +107,7 @@ void Presentation::end() {
   const Before before = *m_before;
   m_before.reset();
   m_name->hide();
+  m_viewport.setPresented(false);
   m_viewport.showInstead(std::nullopt);
   m_viewport.setCamera(before.camera);
   m_viewport.setPivot(before.pivot);
@@ -121,29 +121,46 @@ void Presentation::end() {
   m_window.restoreState(before.docks);
   if (before.focus)
     before.focus->setFocus();
-  emit ended();
 }
 
 void Presentation::show(int index) {
   const std::vector<model::View>& views = m_session.scene().views();
   m_at = std::clamp(index, 0, int(views.size()) - 1);
   const model::View& view = views[std::size_t(m_at)];
+  nameView(view);
   const model::Scene before = m_viewport.shownScene();
   model::Scene after = model::shown(m_session.scene(), view).scene;
   m_viewport.travelTo(view.camera, before, after);
   m_viewport.showInstead(std::move(after));
+}
+
+void Presentation::nameView(const model::View& view) {
   m_name->setText(tr("%1 / %2   %3", "number of the view, of so many, its name")
-                      .arg(QLocale().toString(m_at + 1), QLocale().toString(int(views.size())),
+                      .arg(QLocale().toString(m_at + 1),
+                           QLocale().toString(int(m_session.scene().views().size())),
                            shownName(view)));
   placeName();
 }
 
+/// In the corner: in the middle is the letter that says which side is below.
 void Presentation::placeName() {
   constexpr int margin = 24;
-  m_name->adjustSize();
-  const int width = std::min(m_name->width(), m_viewport.width() - 2 * margin);
-  m_name->setGeometry((m_viewport.width() - width) / 2,
-                      m_viewport.height() - m_name->height() - margin, width, m_name->height());
+  constexpr int least = 16;  // pixels
+  constexpr int linesToAPage = 40;
+  constexpr int sides = 16;
+  const int letters = std::max(least, m_viewport.height() / linesToAPage);
+  m_name->setStyleSheet(QStringLiteral("QLabel { color: #f4f4f2; background: rgba(28, 30, 34, 190);"
+                                       " border-radius: 6px; padding: 6px %1px;"
+                                       " font-size: %2px; }")
+                            .arg(sides)
+                            .arg(letters));
+  m_name->ensurePolished();
+  const int room = m_viewport.width() / 2 - 2 * margin - 2 * letters;
+  const int words = m_name->fontMetrics().horizontalAdvance(m_name->text());
+  const int width = std::min(words + 2 * sides + 2, room);
+  const int height = std::min(m_name->heightForWidth(width), m_viewport.height() - 2 * margin);
+  m_name->setGeometry(margin, m_viewport.height() - height - margin, width, height);
+  m_viewport.setPresented(true, m_name->geometry());
   m_name->show();
   m_name->raise();
 }

@@ -30,11 +30,6 @@ class Presentation : public QObject {
   void begin(int index);
   void end();
   bool running() const { return m_before.has_value(); }
-  /// Which view is shown.
-  int at() const { return m_at; }
-
- signals:
-  void ended();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -55,6 +50,7 @@ class Presentation : public QObject {
   void showBars(bool shown);
   void show(int index);
   void key(const QKeyEvent& event);
+  void nameView(const model::View& view);
   void placeName();
   void documentChange();
 

@@ -4,11 +4,13 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QDockWidget>
+#include <QLocale>
 #include <QMainWindow>
 #include <QMenu>
 #include <QStatusBar>
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "model/edit/annotations.h"
 #include "render/labels/best_place.h"
@@ -20,6 +22,8 @@
 namespace sline::widgets {
 
 namespace {
+
+constexpr int readable = 6000;  // milliseconds
 
 struct KindAction {
   const char* id;
@@ -113,6 +117,7 @@ void LabelActions::makeTools() {
   for (const KindAction& row : kinds) {
     QAction& action = m_actions[QLatin1String(row.id)];
     action.setCheckable(true);
+    action.installEventFilter(this);
     connect(&action, &QAction::triggered, this, [this, kind = row.kind](bool on) {
       m_labels.make(on ? std::optional(kind) : std::nullopt);
       m_viewport.setFocus(Qt::OtherFocusReason);
@@ -120,6 +125,18 @@ void LabelActions::makeTools() {
     });
   }
   connect(&m_labels, &PictureLabels::makingChanged, this, &LabelActions::showMaking);
+  connect(&m_labels, &PictureLabels::missed, this, [this] {
+    m_window.statusBar()->showMessage(tr("Nothing is there: click on a structure"), readable);
+  });
+  // Whatever else is said goes away again; how to go on with a tool stays.
+  connect(m_window.statusBar(), &QStatusBar::messageChanged, this, [this](const QString& says) {
+    if (says.isEmpty() && !m_hint.isEmpty())
+      m_window.statusBar()->showMessage(m_hint);
+  });
+  connect(&m_labels, &PictureLabels::made, this, [this] {
+    if (const QString apart = notInAllViews(); !apart.isEmpty())
+      m_window.statusBar()->showMessage(tr("Label added; %1").arg(apart), readable);
+  });
   connect(&m_actions[QStringLiteral("labelSelected")], &QAction::triggered, this,
           &LabelActions::labelSelected);
   connect(&m_actions[QStringLiteral("labelEdit")], &QAction::triggered, this, [this] {
@@ -130,6 +147,15 @@ void LabelActions::makeTools() {
     if (const auto active = m_session.activeAnnotation())
       m_labels.remove(*active);
   });
+}
+
+bool LabelActions::eventFilter(QObject* watched, QEvent* event) {
+  // A key takes the tool up and never puts it away: what is typed next would be keys of the window.
+  const auto* action = qobject_cast<const QAction*>(watched);
+  if (event->type() != QEvent::Shortcut || !action || !action->isChecked())
+    return QObject::eventFilter(watched, event);
+  m_viewport.setFocus(Qt::OtherFocusReason);
+  return true;
 }
 
 void LabelActions::makeModes(QMenu& menu) {
@@ -163,10 +189,12 @@ void LabelActions::showMaking() {
   const std::optional<model::AnnotationKind> making = m_labels.making();
   for (const KindAction& row : kinds)
     m_actions[QLatin1String(row.id)].setChecked(making == row.kind);
+  QStatusBar& bar = *m_window.statusBar();
+  const QString before = std::exchange(m_hint, making ? hintOf(*making) : QString());
   if (making)
-    m_window.statusBar()->showMessage(hintOf(*making));
-  else
-    m_window.statusBar()->clearMessage();
+    bar.showMessage(m_hint);
+  else if (bar.currentMessage() == before)
+    bar.clearMessage();
 }
 
 void LabelActions::showState() {
@@ -198,7 +226,6 @@ void LabelActions::labelSelected() {
 }
 
 void LabelActions::take(const std::vector<model::Annotation>& found, int opening) {
-  constexpr int readable = 4000;  // milliseconds
   if (opening != m_session.document().opening)
     return;
   const std::string tag = m_labels.style().language;
@@ -206,16 +233,31 @@ void LabelActions::take(const std::vector<model::Annotation>& found, int opening
   int count = 0;
   for (const model::Annotation& place : found) {
     const QString name = offeredText(m_session, *structureOf(place), tag);
-    model::Edited next =
-        model::withAnnotation(all.scene, withFirstText(m_session, place, tag, name));
+    model::Edited next = model::withAnnotationMade(
+        all.scene, withFirstText(m_session, place, tag, name), m_labels.currentView());
     count += next.changed ? 1 : 0;
     all = {std::move(next.scene), all.changed || next.changed};
   }
   m_session.apply(tr("Add %n labels", nullptr, count), std::move(all));
+  const QString apart = count > 0 ? notInAllViews() : QString();
+  const QString added = tr("%n labels added", nullptr, count);
   m_window.statusBar()->showMessage(
-      count > 0 ? tr("%n labels added", nullptr, count)
-                : tr("What is selected has labels already, or is not in the picture"),
+      count == 0        ? tr("What is selected has labels already, or is not in the picture")
+      : apart.isEmpty() ? added
+                        : added + QStringLiteral("; ") + apart,
       readable);
+}
+
+QString LabelActions::notInAllViews() const {
+  const model::Scene& scene = m_session.scene();
+  if (scene.annotations().empty())
+    return {};
+  const std::size_t showing = model::viewsShowing(scene, scene.annotations().back().id).size();
+  return showing == scene.views().size()
+             ? QString()
+             : tr("shown in %1 of %2 saved views: the panel Labels says in which")
+                   .arg(QLocale().toString(qulonglong(showing)),
+                        QLocale().toString(qulonglong(scene.views().size())));
 }
 
 }  // namespace sline::widgets

@@ -35,6 +35,9 @@ class LabelActions : public QObject {
   };
   LabelActions(const Parts& parts, QObject* parent);
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void makeModes(QMenu& menu);
   void makeTools();
@@ -43,6 +46,8 @@ class LabelActions : public QObject {
   void showState();
   /// Each of the selected structures that has no label gets one, where it is best seen.
   void labelSelected();
+  /// What to say where saved views leave out the label that was made last; empty: none does.
+  QString notInAllViews() const;
   void take(const std::vector<model::Annotation>& found, int opening);
 
   QMainWindow& m_window;
@@ -51,6 +56,7 @@ class LabelActions : public QObject {
   PictureLabels& m_labels;
   Preferences& m_preferences;
   const WindowActions& m_actions;
+  QString m_hint;  ///< how to go on with the tool in hand
   BackgroundQueue m_queue;
 };
 

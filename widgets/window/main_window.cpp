@@ -17,6 +17,7 @@
 #include <QUndoView>
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "model/files/cache_folder.h"
 #include "widgets/focus/focus_context.h"
@@ -79,12 +80,15 @@ void connectPreviews(Session& session, Viewport& viewport, StageStrip& stages) {
 QString summaryOf(const model::Scene& scene) {
   std::size_t structures = 0;
   std::size_t triangles = 0;
+  bool refined = false;
   for (const model::Node& node : scene.nodes())
     if (!node.isGroup()) {
       ++structures;
       triangles += node.mesh->triangleCount();
+      refined = refined || node.provenance.refinementSteps > 0;
     }
-  return MainWindow::tr("Structures: %1   Triangles: %2")
+  return (refined ? MainWindow::tr("Structures: %1   Triangles: %2 (refined)")
+                  : MainWindow::tr("Structures: %1   Triangles: %2"))
       .arg(QLocale().toString(qulonglong(structures)), QLocale().toString(qulonglong(triangles)));
 }
 
@@ -156,12 +160,22 @@ void MainWindow::makePanels() {
   focusPanel->raise();
   m_tours = new TourActions(*this, m_session, *m_viewport, m_actions, m_parts);
   addLabelsPanel(*this, m_session, m_preferences, m_actions);
-  resizeDocks({findChild<QDockWidget*>(QStringLiteral("structuresPanel")),
-               findChild<QDockWidget*>(QStringLiteral("gammaPanel"))},
-              {366, 304}, Qt::Horizontal);
+}
+
+void MainWindow::sizePanels() {
+  const auto panel = [this](const char* name) {
+    return findChild<QDockWidget*>(QLatin1String(name));
+  };
+  resizeDocks({panel("structuresPanel"), panel("gammaPanel")}, {366, 304}, Qt::Horizontal);
   // The Γ slider is to be seen as a whole on small screens, too.
-  resizeDocks({findChild<QDockWidget*>(QStringLiteral("gammaPanel")), focusPanel}, {3, 2},
-              Qt::Vertical);
+  resizeDocks({panel("gammaPanel"), panel("focusPanel")}, {3, 2}, Qt::Vertical);
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  // A window that was never laid out does not keep sizes.
+  if (!std::exchange(m_sized, true))
+    QMetaObject::invokeMethod(this, &MainWindow::sizePanels, Qt::QueuedConnection);
 }
 
 void MainWindow::makeControls() {
@@ -438,7 +452,7 @@ void MainWindow::showHelp() {
 void MainWindow::restore() {
   resize(1360, 860);
   restoreGeometry(m_settings.value(QLatin1String(geometryKey)).toByteArray());
-  restoreState(m_settings.value(QLatin1String(stateKey)).toByteArray());
+  m_sized = restoreState(m_settings.value(QLatin1String(stateKey)).toByteArray());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

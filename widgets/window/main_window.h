@@ -49,6 +49,7 @@ class MainWindow : public QMainWindow {
   FocusContext& focus() { return *m_focus; }
 
  protected:
+  void showEvent(QShowEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -62,6 +63,8 @@ class MainWindow : public QMainWindow {
   void remakeControls();
   void nameStructures();
   void makePanels();
+  /// As wide and high as they are at first.
+  void sizePanels();
   void makeStatus();
   void makeMenus();
   void makeTools();
@@ -86,6 +89,7 @@ class MainWindow : public QMainWindow {
   Preferences m_preferences;
   WindowActions m_actions;
   std::optional<WindowMenus> m_menus;
+  bool m_sized = false;        ///< panels have been given their sizes
   QObject* m_parts = nullptr;  ///< what belongs to the controls, and goes with them
   MessageBar* m_message = nullptr;
   Viewport* m_viewport = nullptr;

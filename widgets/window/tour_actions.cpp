@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QEvent>
 #include <QMainWindow>
+#include <QPointer>
 #include <algorithm>
 
 #include "widgets/viewport/viewport.h"
@@ -26,10 +27,11 @@ TourActions::TourActions(QMainWindow& window, Session& session, Viewport& viewpo
   connect(&m_add, &QAction::triggered, m_tour, &ViewTour::add);
   connect(&m_present, &QAction::triggered, this,
           [this] { m_presentation->begin(std::max(0, m_panel->current())); });
-  // Where the presentation was left is where one goes on.
-  connect(m_presentation, &Presentation::ended, this,
-          [this] { m_panel->choose(m_presentation->at()); });
   connect(&session, &Session::documentChanged, this, &TourActions::documentChange);
+  viewport.labels().setCurrentView([panel = QPointer(m_panel)] {
+    const int current = panel ? panel->current() : -1;
+    return current < 0 ? std::nullopt : std::optional(std::size_t(current));
+  });
   showState();
 }
 

@@ -32,27 +32,28 @@ ExportNotes filmNotesOf(const ExportOrder& order) {
 
 std::span<const ExportFormat> exportFormats() {
   static constexpr std::array formats{
-      ExportFormat{"png", "Portable Network Graphics",
+      ExportFormat{"png", "PNG picture",
                    "A picture made of pixels for screens, documents and print: sRGB, grey or pure "
                    "ink, 8 or 16 bits, transparent where asked for",
                    "png", "", writePng, pixelNotesOf<PixelKind::png>},
-      ExportFormat{"tiff", "Tagged Image File Format",
+      ExportFormat{"tiff", "TIFF picture",
                    "The same for printers and journals, with its colour profile", "tiff", "tif",
                    writeTiff, pixelNotesOf<PixelKind::tiff>},
-      ExportFormat{"jpeg", "JPEG", "A picture made of pixels where files must be small; on white",
-                   "jpg", "jpeg", writeJpeg, pixelNotesOf<PixelKind::jpeg>},
-      ExportFormat{"exr", "OpenEXR",
+      ExportFormat{"jpeg", "JPEG picture",
+                   "A picture made of pixels where files must be small; on white", "jpg", "jpeg",
+                   writeJpeg, pixelNotesOf<PixelKind::jpeg>},
+      ExportFormat{"exr", "EXR picture",
                    "A picture in linear light, as halves with alpha multiplied in, for compositing",
                    "exr", "", writeExr, pixelNotesOf<PixelKind::exr>},
-      ExportFormat{"svg", "Scalable Vector Graphics",
+      ExportFormat{"svg", "SVG drawing",
                    "Vectors for Inkscape, Illustrator and print: lines and hatching as smooth "
                    "paths, hidden ones removed, a named group for each structure",
                    "svg", "", writeSvg, noNotes},
-      ExportFormat{"pdf", "Portable Document Format",
+      ExportFormat{"pdf", "PDF document",
                    "The same vectors on a page of their own, or a sheet with title, legend and "
-                   "numbered labels, a page to test oneself and its key (--sheet)",
+                   "numbered labels, a page to test oneself and its key",
                    "pdf", "", writePdf, noNotes},
-      ExportFormat{"glb", "glTF (GLB)",
+      ExportFormat{"glb", "GLB surfaces (glTF)",
                    "Surfaces for Blender, PowerPoint, web pages and headsets: groups, names and "
                    "colours, annotations, cameras of the saved views",
                    "glb", "", writeGltf, gltfNotes},

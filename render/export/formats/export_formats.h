@@ -12,7 +12,7 @@ namespace sline::render {
 /// English texts; the window translates them in the context "sline::render::ExportFormat".
 struct ExportFormat {
   const char* id;              ///< its flag without the dashes, its extension unless there are more
-  const char* title;           ///< "Scalable Vector Graphics"
+  const char* title;           ///< "SVG drawing"
   const char* help;            ///< one sentence: what it is for, what it contains
   const char* extension;       ///< of a file whose name has none; empty: it is a folder
   const char* otherExtension;  ///< that a person may type as well; empty: there is none

@@ -66,6 +66,8 @@ class ViewsEditTest : public QObject {
   void annotationsThatCannotBe();
   void changedAndRemoved();
   void shownInOneViewOrAll();
+  void newOnesJoinViews();
+  void tickedTogether();
   void keyLight();
 };
 
@@ -217,6 +219,48 @@ void ViewsEditTest::shownInOneViewOrAll() {
            (Places{0, 1}));
   QVERIFY(findAnnotation(s.scene, s.free)->id == s.free);
   QVERIFY(!findAnnotation(s.scene, AnnotationId{99}));
+}
+
+void ViewsEditTest::newOnesJoinViews() {
+  Sample s;
+  using Places = std::vector<std::size_t>;
+  // The first leaves one out, the second none, the third shows whatever is visible.
+  s.scene.setViews(
+      {s.view(), {.name = "All", .annotations = {{s.onOne, s.onTwo, s.free}}}, {.name = "W"}});
+  const Annotation pin{.kind = AnnotationKind::pin, .anchors = {glm::vec3(4, 5, 6)}};
+  const Edited made = withAnnotationMade(s.scene, pin, std::nullopt);
+  QVERIFY(made.changed);
+  const AnnotationId id = made.scene.annotations().back().id;
+  QCOMPARE(viewsShowing(made.scene, id), (Places{1, 2}));
+  // It has still left out none.
+  const Edited second = withAnnotationMade(made.scene, pin, 0);
+  QCOMPARE(viewsShowing(second.scene, second.scene.annotations().back().id), (Places{0, 1, 2}));
+  QCOMPARE(viewsShowing(second.scene, s.onTwo), (Places{1, 2}));
+  QVERIFY(!second.scene.views()[2].annotations);
+  // A view of before there were any.
+  Scene bare;
+  bare.setViews({viewOf(bare, Camera{}, "V")});
+  const Edited first = withAnnotationMade(bare, pin, std::nullopt);
+  QCOMPARE(viewsShowing(first.scene, first.scene.annotations().back().id), (Places{0}));
+  const Annotation faulty{.kind = AnnotationKind::pin};
+  QVERIFY(!withAnnotationMade(s.scene, faulty, 0).changed);
+}
+
+void ViewsEditTest::tickedTogether() {
+  Sample s;
+  using Places = std::vector<std::size_t>;
+  s.scene.setViews({s.view(), {.name = "W"}, {.name = "X"}});
+  const std::array both{s.onTwo, s.free};
+  const Edited off = withAnnotationsTicked(s.scene, both, std::array<std::size_t, 2>{0, 1}, false);
+  QVERIFY(off.changed);
+  QCOMPARE(viewsShowing(off.scene, s.onTwo), (Places{2}));
+  QCOMPARE(viewsShowing(off.scene, s.free), (Places{2}));
+  QCOMPARE(viewsShowing(off.scene, s.onOne), (Places{0, 1, 2}));
+  QCOMPARE(visiblePins(off.scene), visiblePins(s.scene));
+  QVERIFY(!off.scene.views()[2].annotations);
+  const Edited on = withAnnotationsTicked(off.scene, both, std::array<std::size_t, 1>{0}, true);
+  QCOMPARE(viewsShowing(on.scene, s.onTwo), (Places{0, 2}));
+  QVERIFY(!withAnnotationsTicked(on.scene, both, std::array<std::size_t, 2>{0, 2}, true).changed);
 }
 
 void ViewsEditTest::keyLight() {

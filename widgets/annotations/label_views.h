@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/session/session.h"
+
+class QComboBox;
+class QToolButton;
+
+namespace sline::widgets {
+
+/// In which of the saved views labels are shown: in all, one or none from a list, or by a tick for
+/// each view in a menu. Several labels are changed in one undo step.
+class LabelViews : public QWidget {
+  Q_OBJECT
+ public:
+  explicit LabelViews(Session& session, QWidget* parent = nullptr);
+  /// What is said is of these labels, and so is what is chosen.
+  void setLabels(std::vector<model::AnnotationId> labels);
+
+ private:
+  void choose(int row);
+  void fillTicks();
+  void tick(const std::vector<std::size_t>& views, bool shown);
+
+  Session& m_session;
+  std::vector<model::AnnotationId> m_labels;
+  QComboBox* m_list;
+  QToolButton* m_ticks;
+};
+
+}  // namespace sline::widgets
