@@ -37,7 +37,7 @@ class Trials {
           label.item.kind == model::AnnotationKind::distance)
         continue;
       MeasuredText text(label, texts.style, words);
-      if (fitsColumn(text.boxAt(widest), frameOf(texts.space)))
+      if (hasRoom(frameOf(texts.space), text.boxAt(widest)))
         m_columns[placeOf(label.item).x < middle ? 0 : 1].push_back(std::move(text));
     }
   }

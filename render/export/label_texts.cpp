@@ -60,11 +60,6 @@ WordLimits limitsOf(float widestMm, const WordRoom& words, float scale) {
           .part = qreal(std::max(widestMm, words.part) / scale)};
 }
 
-/// Two columns never meet, however large letters are.
-float mostOfColumn(float pictureWidthMm, float em) {
-  return std::max(2.0f * em, 0.42f * pictureWidthMm);
-}
-
 /// What a writer began on a line of its own.
 struct Paragraph {
   std::vector<Word> words;
@@ -242,8 +237,7 @@ glm::vec2 paddingOf(model::AnnotationKind kind, const LabelStyle& style) {
 
 float widestTextMm(float pictureWidthMm, const LabelStyle& style) {
   const float em = style.points * millimetresPerPoint;
-  return std::min(mostOfColumn(pictureWidthMm, em),
-                  std::max(6.0f * em, std::min(14.0f * em, 0.22f * pictureWidthMm)));
+  return std::max(6.0f * em, std::min(14.0f * em, 0.22f * pictureWidthMm));
 }
 
 WordRoom wordRoom(float pictureWidthMm, const LabelStyle& style) {

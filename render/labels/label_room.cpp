@@ -3,10 +3,28 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 
 namespace sline::render {
+
+bool standsBeside(const LabelItem& item) {
+  return item.kind == model::AnnotationKind::pin || item.kind == model::AnnotationKind::distance;
+}
+
+bool isColumn(LabelPost post) {
+  return post == LabelPost::left || post == LabelPost::right;
+}
+
+LabelPost otherSide(LabelPost post) {
+  return post == LabelPost::left ? LabelPost::right : LabelPost::left;
+}
+
+bool jumps(const PlacedLabel& was, const PlacedLabel& is) {
+  constexpr float jump = 2.0f;
+  return was.post != is.post || std::abs(was.box.middle().y - is.box.middle().y) > jump;
+}
 
 bool coversOwn(const LabelItem& item, const LabelBox& box) {
   constexpr float rounding = 1e-2f;
@@ -41,8 +59,8 @@ LabelBox frameOf(const LabelSpace& space) {
            space.size.y - room(space.edges.bottom)}};
 }
 
-bool fitsColumn(const glm::vec2& box, const LabelBox& frame) {
-  return box.x <= 0.5f * frame.size().x && box.y <= frame.size().y;
+bool hasRoom(const LabelBox& frame, const glm::vec2& box) {
+  return box.x <= frame.size().x && box.y <= frame.size().y;
 }
 
 bool within(const LabelBox& box, const LabelBox& frame) {

@@ -15,6 +15,13 @@ inline constexpr float edgePadding = 2.0f;
 inline constexpr float anatomyGap = 5.0f;
 /// The box covers the item's own dot, or the line that it measures.
 bool coversOwn(const LabelItem& item, const LabelBox& box);
+/// Beside its place, where there is room.
+bool standsBeside(const LabelItem& item);
+bool isColumn(LabelPost post);
+/// Of a column.
+LabelPost otherSide(LabelPost post);
+/// To another post, or its box more than 2 mm up or down.
+bool jumps(const PlacedLabel& was, const PlacedLabel& is);
 /// What the item points at; of a distance the middle.
 glm::vec2 placeOf(const LabelItem& item);
 /// Whose place lies to the left of that x has its label in the left column: between the middle of
@@ -22,8 +29,8 @@ glm::vec2 placeOf(const LabelItem& item);
 float middleBetweenColumns(const std::vector<LabelItem>& items, float anatomyMiddle);
 /// Where boxes may stand.
 LabelBox frameOf(const LabelSpace& space);
-/// A column has room for such a box: at most half of the frame is for either.
-bool fitsColumn(const glm::vec2& box, const LabelBox& frame);
+/// There is room in the frame for a box of that size.
+bool hasRoom(const LabelBox& frame, const glm::vec2& box);
 /// No more than rounding lies outside.
 bool within(const LabelBox& box, const LabelBox& frame);
 bool overlapAny(const LabelBox& box, const std::vector<LabelBox>& others);

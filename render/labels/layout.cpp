@@ -31,23 +31,6 @@ struct Fate {
   bool out = false;
 };
 
-bool standsBeside(const LabelItem& item) {
-  return item.kind == model::AnnotationKind::pin || item.kind == model::AnnotationKind::distance;
-}
-
-bool isColumn(LabelPost post) {
-  return post == LabelPost::left || post == LabelPost::right;
-}
-
-LabelPost otherSide(LabelPost post) {
-  return post == LabelPost::left ? LabelPost::right : LabelPost::left;
-}
-
-bool jumps(const PlacedLabel& was, const PlacedLabel& is) {
-  constexpr float jump = 2.0f;
-  return was.post != is.post || std::abs(was.box.middle().y - is.box.middle().y) > jump;
-}
-
 class Layouter {
  public:
   Layouter(const LabelRequest& request, const LabelLayout* before)
@@ -63,6 +46,7 @@ class Layouter {
     widen();
     // Each round sends an item to the other side or out, so that this ends.
     for (std::size_t rounds = 0; rounds <= 3 * m_fates.size(); ++rounds) {
+      letWideIn();
       place();
       const std::optional<std::size_t> loser = firstLoser();
       if (!loser)
@@ -92,7 +76,11 @@ class Layouter {
   glm::vec3 lastJump(std::size_t i) const;
   /// It may not jump in this layout.
   bool rests(std::size_t i) const { return m_request.moving && calm(i) <= restDegrees; }
+  /// Half of the frame is for each column. Only where nothing is narrower one label takes more.
+  bool tooWide(std::size_t i) const { return item(i).box.x > 0.5f * m_frame.size().x; }
   void choosePosts();
+  /// Where nothing else stands in a column, one that is too wide for it.
+  void letWideIn();
   LabelPost sideOf(std::size_t i) const;
   /// Until both columns' boxes fit in, those nearest to the middle change sides or go out.
   void relieve(LabelPost post);
@@ -121,7 +109,8 @@ class Layouter {
   std::array<float, 2> m_edges{};
   std::array<float, 2> m_widths{};
   float m_middle = 0.0f;
-  float m_width = 0.0f;  ///< of the anatomy
+  float m_width = 0.0f;             ///< of the anatomy
+  std::vector<std::size_t> m_wide;  ///< those that wait whether there is nothing narrower
   std::vector<Fate> m_fates;
   std::vector<std::optional<PlacedLabel>> m_placed;
 };
@@ -151,7 +140,7 @@ void Layouter::widen() {
   float widest = 0.0f;
   std::array<float, 2> widths{};
   for (std::size_t i = 0; i < m_fates.size(); ++i) {
-    if (fitsColumn(item(i).box, m_frame))
+    if (!tooWide(i))
       widest = std::max(widest, item(i).box.x);
     if (!m_fates[i].out && isColumn(m_fates[i].post)) {
       float& width = widths[m_fates[i].post == LabelPost::left ? 0 : 1];
@@ -160,7 +149,7 @@ void Layouter::widen() {
   }
   for (std::size_t side = 0; side < 2; ++side)
     if (widths[side] > m_widths[side])
-      m_widths[side] = follows ? widest : widths[side];
+      m_widths[side] = follows ? std::max(widest, widths[side]) : widths[side];
   m_edges = {std::max(m_near[0], m_frame.low.x + m_widths[0]),
              std::min(m_near[1], m_frame.high.x - m_widths[1])};
 }
@@ -230,15 +219,25 @@ LabelPost Layouter::sideOf(std::size_t i) const {
 void Layouter::choosePosts() {
   for (std::size_t i = 0; i < m_fates.size(); ++i) {
     const LabelItem& one = item(i);
-    // Half a frame is for each column; what stands anywhere may be as wide as the whole.
-    const float share = one.offset || standsBeside(one) ? 0.5f : 1.0f;
-    m_fates[i].out = one.places.empty() || !(one.box.x > 0.0f) || !(one.box.y > 0.0f) ||
-                     !fitsColumn({share * one.box.x, one.box.y}, m_frame) ||
-                     (rests(i) && !before(i));
+    m_fates[i].out = one.places.empty() || !hasRoom(m_frame, one.box) || !(one.box.x > 0.0f) ||
+                     !(one.box.y > 0.0f) || (rests(i) && !before(i));
     m_fates[i].post = one.offset          ? LabelPost::byHand
                       : standsBeside(one) ? LabelPost::beside
                                           : sideOf(i);
   }
+  for (std::size_t i = 0; i < m_fates.size(); ++i)
+    if (!m_fates[i].out && isColumn(m_fates[i].post) && tooWide(i)) {
+      m_fates[i].out = true;
+      m_wide.push_back(i);
+    }
+}
+
+void Layouter::letWideIn() {
+  const auto stands = [](const Fate& fate) { return !fate.out && isColumn(fate.post); };
+  if (m_wide.empty() || std::any_of(m_fates.begin(), m_fates.end(), stands))
+    return;
+  m_fates[m_wide.front()].out = false;
+  m_wide.erase(m_wide.begin());
 }
 
 void Layouter::relieve(LabelPost post) {
@@ -458,7 +457,7 @@ void Layouter::giveWay(std::size_t i) {
     fate.tried = true;
   } else {
     fate.post = sideOf(i);
-    fate.out = !fitsColumn(item(i).box, m_frame);
+    fate.out = tooWide(i);
   }
 }
 

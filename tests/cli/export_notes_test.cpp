@@ -55,7 +55,7 @@ class ExportNotesTest : public QObject {
          "view"});
     row("language", {"--svg", "a.svg", "--labels", "on", "--language", "de"},
         {"3 labels have no text in de", "--language"});
-    row("cards", {"--anki", "a.apkg", "--label-size", "24", "--size-mm", "60x24", "--marks", "off"},
+    row("cards", {"--anki", "a.apkg", "--label-size", "24", "--size-mm", "60x30", "--marks", "off"},
         {"found no room and ha", "no card: \"the "});
     row("marks", {"--svg", "a.svg", "--label-size", "48", "--size-mm", "30x12"},
         {"at the picture's edge found no room: ", "--marks"});

@@ -360,6 +360,18 @@ class LabelLayoutTest : public QObject {
       }
   }
 
+  /// Letters so large that no label is as narrow as a column may be: one is shown.
+  void oneThatIsTooWideStandsAlone() {
+    LabelRequest request = roomy();
+    for (LabelItem& item : request.items)
+      item.box = {200.0f, 40.0f};
+    const LabelLayout layout = layOutLabels(request);
+    QCOMPARE(layout.labels.size(), std::size_t(1));
+    QCOMPARE(layout.labels.front().id, model::AnnotationId{1});
+    QCOMPARE(broken(request, layout), QString());
+    QVERIFY(layOutLabels(request, &layout).find({1}));
+  }
+
   /// Put into a column: those there make room in their column, and nobody is lost.
   void othersGiveWayToTheHand() {
     const LabelRequest before = roomy();
