@@ -15,7 +15,10 @@
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
 #include "widgets/gamma/gamma_slider.h"
+#include "widgets/structure_tree/structure_tree.h"
 #include "widgets/structure_tree/structure_tree_model.h"
+#include "widgets/structure_tree/structure_tree_view.h"
+#include "widgets/theme/theme.h"
 #include "widgets/window/message_bar.h"
 
 namespace sline::test {
@@ -233,31 +236,47 @@ class WindowTest : public QObject {
     QCOMPARE(filter.text(), QString());
   }
 
-  /// The first time, behind the start page, panels have the widths they are made for, and names
-  /// their room.
+  /// The first time, behind the start page and in the program's dress, panels have the widths they
+  /// are made for, and names their room; afterwards what somebody has made of it.
   void panelsHaveRoom() {
     WindowFixture f;
-    f.window.resize(1600, 1000);
-    QVERIFY(f.control<QWidget>("startPage").isVisible());
-    QVERIFY(openBody(f));
-    QVERIFY(std::abs(f.control<QWidget>("structuresPanel").width() - 366) <= 4);
-    QVERIFY(std::abs(f.control<QWidget>("gammaPanel").width() - 304) <= 4);
-    const auto nameWidth = [&f] { return f.tree().columnWidth(widgets::StructureTreeModel::name); };
-    QVERIFY2(nameWidth() > 120, qPrintable(QString::number(nameWidth())));
-    // Nor are names cut to nothing by hand.
-    f.window.resizeDocks({&f.control<QDockWidget>("structuresPanel")}, {60}, Qt::Horizontal);
-    QCoreApplication::processEvents();
-    QVERIFY2(nameWidth() > 80, qPrintable(QString::number(nameWidth())));
-    // What somebody has made of it is kept.
-    f.window.resizeDocks({&f.control<QDockWidget>("structuresPanel")}, {440}, Qt::Horizontal);
-    QCoreApplication::processEvents();
-    f.window.close();
+    QSettings settings(f.folder.filePath(QStringLiteral("first.ini")), QSettings::IniFormat);
+    const auto widthOf = [](const widgets::MainWindow& window, const char* panel) {
+      return window.findChild<QDockWidget*>(QLatin1String(panel))->width();
+    };
+    const auto show = [](widgets::MainWindow& window) {
+      window.show();
+      const bool shown = QTest::qWaitForWindowExposed(&window);
+      window.resize(1600, 1000);
+      QCoreApplication::processEvents();
+      return shown;
+    };
+    {
+      widgets::Session session;
+      widgets::MainWindow first(session, settings);
+      const widgets::ThemeFollower dressed(*qApp, first.preferences());
+      QVERIFY(show(first));
+      QVERIFY(first.findChild<QWidget*>(QStringLiteral("startPage"))->isVisible());
+      QVERIFY2(std::abs(widthOf(first, "structuresPanel") - 366) <= 4,
+               qPrintable(QString::number(widthOf(first, "structuresPanel"))));
+      QVERIFY(std::abs(widthOf(first, "gammaPanel") - 304) <= 4);
+      const auto nameWidth = [&first] {
+        return first.tree().view().columnWidth(widgets::StructureTreeModel::name);
+      };
+      QVERIFY2(nameWidth() > 120, qPrintable(QString::number(nameWidth())));
+      // Nor are names cut to nothing by hand.
+      auto* structures = first.findChild<QDockWidget*>(QStringLiteral("structuresPanel"));
+      first.resizeDocks({structures}, {60}, Qt::Horizontal);
+      QCoreApplication::processEvents();
+      QVERIFY2(nameWidth() > 80, qPrintable(QString::number(nameWidth())));
+      first.resizeDocks({structures}, {440}, Qt::Horizontal);
+      QCoreApplication::processEvents();
+      first.close();
+    }
     widgets::Session session;
-    widgets::MainWindow again(session, f.settings);
-    again.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&again));
-    QCoreApplication::processEvents();
-    QVERIFY(std::abs(again.findChild<QDockWidget*>("structuresPanel")->width() - 440) <= 4);
+    widgets::MainWindow again(session, settings);
+    QVERIFY(show(again));
+    QVERIFY(std::abs(widthOf(again, "structuresPanel") - 440) <= 4);
   }
 
   void summarySaysWhatIsRefined() {
