@@ -69,6 +69,39 @@ class LabelsPictureTest : public QObject {
     }
   }
 
+  /// Where one has gone to another view, or come much nearer, labels stand as if there had been
+  /// none before.
+  void anotherViewIsLaidOutAnew() {
+    Labels f;
+    f.make(f.liver, QStringLiteral("A text that makes its column very much wider"));
+    f.make(f.bladder, QStringLiteral("B"));
+    const auto strayed = [&f] {
+      const widgets::LabelSheet& sheet = f.sheet();
+      render::SightTrees trees;
+      const render::LabelPlate plate = render::labelPlate(
+          f.session.scene(),
+          render::Screen(f.viewport().camera(), sheet.wish.size / sheet.wish.pixelsPerMm),
+          sheet.wish.style, trees);
+      float most = sheet.plate.layout.labels.size() == plate.layout.labels.size() ? 0.0f : 1e6f;
+      for (const render::PlacedLabel& label : plate.layout.labels)
+        if (const render::PlacedLabel* shown = sheet.plate.layout.find(label.id))
+          most = std::max(most, glm::distance(shown->box.low, label.box.low));
+      return most;
+    };
+    f.viewport().setFlights(true);
+    for (const Qt::Key key : {Qt::Key_P, Qt::Key_L, Qt::Key_A}) {
+      f.key(key);
+      QVERIFY2(strayed() < 0.1f, qPrintable(QKeySequence(key).toString()));
+    }
+    for (int i = 0; i < 2; ++i) {
+      QWheelEvent wheel(f.viewport().rect().center(),
+                        f.viewport().mapToGlobal(f.viewport().rect().center()), {}, {0, 120},
+                        Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+      QCoreApplication::sendEvent(&f.viewport(), &wheel);
+    }
+    QVERIFY2(strayed() < 0.1f, "nearer");
+  }
+
   /// What hides a place hides it here as in exports.
   void hiddenPlacesAreTold() {
     Labels f;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <limits>
 #include <tuple>
 
@@ -41,7 +42,7 @@ render::LabelBox extentOf(const render::LabelPlate& plate) {
 bool same(const LabelWish& a, const LabelWish& b) {
   const auto tied = [](const LabelWish& w) {
     return std::tie(w.style.mode, w.style.points, w.style.language, w.style.onDark, w.size,
-                    w.style.reserved, w.pixelsPerMm, w.ratio, w.document);
+                    w.style.reserved, w.pixelsPerMm, w.ratio, w.document, w.arrivals);
   };
   return tied(a) == tied(b);
 }
@@ -107,6 +108,18 @@ render::LabelPlate withoutTexts(render::LabelPlate plate) {
 
 }  // namespace
 
+bool outgrown(const model::Camera& settled, const model::Camera& camera) {
+  constexpr double most = 1.25;
+  const auto shown = [](const model::Camera& of) {  // millimetres, at the target
+    return of.projection == model::Projection::orthographic
+               ? double(of.heightMm)
+               : 2.0 * double(glm::distance(of.eye, of.target)) *
+                     std::tan(0.5 * double(glm::radians(of.fovyDegrees)));
+  };
+  const double share = shown(camera) / std::max(shown(settled), 1e-9);
+  return share > most || share * most < 1.0;
+}
+
 void LabelDrawer::paintTexts(QPainter& painter, const LabelSheet& sheet) {
   const double scale = double(sheet.wish.pixelsPerMm) * sheet.wish.ratio;
   // Labels come and go while a camera turns; what is out of use for long goes with all others.
@@ -168,7 +181,8 @@ const render::LabelLayout* LabelDrawer::before(const model::Camera& camera,
   constexpr float another = 0.85f;  // cosine of the angle beyond which nobody follows a turn
   if (!m_last || m_last->empty() || m_last->wish.document != wish.document ||
       m_last->wish.size != wish.size || m_last->wish.style.points != wish.style.points ||
-      m_last->wish.style.mode != wish.style.mode)
+      m_last->wish.style.mode != wish.style.mode || m_last->wish.arrivals != wish.arrivals ||
+      (!wish.moving && outgrown(m_last->settled, camera)))
     return nullptr;
   const glm::vec3 was = model::cameraFrame(m_last->camera).back;
   return glm::dot(was, model::cameraFrame(camera).back) < another ? nullptr : &m_last->plate.layout;
@@ -187,8 +201,9 @@ LabelSheetPtr LabelDrawer::draw(const model::Scene& scene, const model::Camera& 
     if (!render::Sights(scene, m_trees).withoutTree().empty())
       return nullptr;
     const render::Screen screen(camera, wish.size / wish.pixelsPerMm);
-    sheet->plate =
-        render::labelPlate(scene, screen, wish.style, m_trees, {before(camera, wish), wish.moving});
+    const render::LabelLayout* follows = before(camera, wish);
+    sheet->plate = render::labelPlate(scene, screen, wish.style, m_trees, {follows, wish.moving});
+    sheet->settled = follows ? m_last->settled : camera;
     if (!sheet->empty())
       paint(*sheet);
   }

@@ -22,19 +22,24 @@ struct LabelWish {
   double ratio = 1.0;   ///< the screen's pixels to the window's
   int document = 0;     ///< another one has nothing to do with the labels before
   bool moving = false;  ///< the camera is on its way: who has just jumped does not jump again
+  int arrivals = 0;     ///< another one is another view: labels stand as if there were none before
 };
 
 struct LabelSheet {
   model::Camera camera;
   LabelWish wish;
   render::LabelPlate plate;
-  QImage image;    ///< of all that is painted; transparent elsewhere
-  QPointF corner;  ///< where it lies, in the window's pixels
+  model::Camera settled;  ///< of the last layout that followed no other
+  QImage image;           ///< of all that is painted; transparent elsewhere
+  QPointF corner;         ///< where it lies, in the window's pixels
 
   bool empty() const { return plate.layout.labels.empty(); }
   /// Some labels were left out only because the camera moved.
   bool waits() const { return wish.moving && !plate.layout.waiting.empty(); }
 };
+/// The picture is so much larger or smaller that labels that followed it may stand anywhere.
+bool outgrown(const model::Camera& settled, const model::Camera& camera);
+
 using LabelSheetPtr = std::shared_ptr<const LabelSheet>;
 
 /// Lives where pictures are drawn. Each sheet starts from the one before, so that labels are steady

@@ -83,13 +83,24 @@ LabelWish PictureLabels::wish(bool moving) const {
                  .pixelsPerMm = float(picture.logicalDpiY()) / render::millimetresPerInch,
                  .ratio = picture.devicePixelRatioF(),
                  .document = m_place.session.document().opening,
-                 .moving = moving};
+                 .moving = moving,
+                 .arrivals = m_arrivals};
   if (m_presented)
     wish.pixelsPerMm = std::max(wish.pixelsPerMm, wish.size.y / presentedPageMm);
   for (const QRectF& mark : m_place.marks())
     wish.style.reserved.push_back(
         {vec(mark.topLeft()) / wish.pixelsPerMm, vec(mark.bottomRight()) / wish.pixelsPerMm});
   return wish;
+}
+
+bool PictureLabels::arrive() {
+  ++m_arrivals;
+  return m_layer->sheet() && !m_layer->sheet()->empty();
+}
+
+bool PictureLabels::outgrown() const {
+  const LabelSheet* sheet = m_layer->sheet();
+  return sheet && !sheet->empty() && widgets::outgrown(sheet->settled, sheet->camera);
 }
 
 bool PictureLabels::waits() const {

@@ -40,6 +40,11 @@ class PictureLabels : public QObject {
   void setPresented(bool presented) { m_presented = presented; }
   /// For a picture of the widget as it is now; `moving`: its camera is on its way.
   LabelWish wish(bool moving = false) const;
+  /// The camera has gone to another view: labels stand there as if there had been none before.
+  /// False where there are none.
+  bool arrive();
+  /// The picture has become so much larger or smaller that they are to be laid out anew.
+  bool outgrown() const;
   /// Some are left out until the camera rests.
   bool waits() const;
   /// What labels beside the anatomy leave of the picture's width, 0 … 1, as that camera looks.
@@ -99,6 +104,7 @@ class PictureLabels : public QObject {
   bool m_shut = false;
   bool m_presented = false;
   bool m_ready = true;
+  int m_arrivals = 0;
   model::Camera m_camera;  ///< of the picture that is shown
   std::optional<QPointF> m_mouse;
   std::optional<model::AnnotationKind> m_making;

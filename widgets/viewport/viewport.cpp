@@ -6,6 +6,7 @@
 #include <QOpenGLFunctions>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "render/picture/layer.h"
 #include "widgets/viewport/framing.h"
@@ -242,7 +243,8 @@ void Viewport::move(const model::Camera& camera) {
 void Viewport::rest() {
   m_moving = false;
   m_cutting = false;
-  if (m_askedScale != 1.0f || m_labels->waits())
+  const bool arrived = std::exchange(m_arrived, false) && m_labels->arrive();
+  if (arrived || m_askedScale != 1.0f || m_labels->waits() || m_labels->outgrown())
     refresh();
 }
 
@@ -322,6 +324,7 @@ void Viewport::flyOn() {
   const model::Camera camera = m_flight->at(part);
   const bool looks = m_blend.has_value();
   if (part >= 1.0) {
+    m_arrived = true;
     m_flight.reset();
     m_blend.reset();
     m_flightTick.stop();

@@ -190,6 +190,7 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   bool m_cutting = false;  ///< it is a section that moves
   QTimer m_rest;
   bool m_moving = false;
+  bool m_arrived = false;     ///< at the end of a flight, whose last picture is still to come
   std::uint64_t m_asked = 0;  ///< the newest request
   float m_askedScale = 1.0f;
   std::uint64_t m_took = 0;   ///< the newest that was drawn
