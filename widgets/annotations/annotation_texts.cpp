@@ -31,12 +31,10 @@ QString anchorText(Session& session, const model::Anchor& anchor) {
 
 /// As the picture says it.
 QString lengthText(float millimetres, const std::string& language) {
-  constexpr float unbroken = 1e4f;  // millimetres
   render::ShownLabel label;
   label.item.kind = model::AnnotationKind::distance;
   label.lengthMm = millimetres;
-  const render::LabelStyle style{.mode = render::LabelMode::on, .language = language};
-  return render::plainText(render::textOf(label, style, unbroken).lines).simplified();
+  return QString::fromStdString(render::keyText(label, {.language = language})).simplified();
 }
 
 }  // namespace

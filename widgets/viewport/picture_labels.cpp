@@ -10,13 +10,14 @@
 #include "render/export/order/label_style.h"
 #include "widgets/annotations/annotation_texts.h"
 #include "widgets/viewport/navigation.h"
+#include "widgets/viewport/presented_letters.h"
 
 namespace sline::widgets {
 
 namespace {
 
-/// Letters of 10 pt are a fortieth of its height.
-constexpr float presentedPageMm = 40.0f * 10.0f * 25.4f / 72.0f;
+/// Letters of 10 pt are a line's share of its height.
+constexpr float presentedPageMm = float(presentedLines) * 10.0f * render::millimetresPerPoint;
 
 glm::vec2 vec(const QPointF& p) {
   return {float(p.x()), float(p.y())};

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "render/export/marks/orientation_letters.h"
+#include "widgets/viewport/presented_letters.h"
 
 namespace sline::widgets {
 
@@ -135,9 +136,8 @@ void PictureMarks::placeAtEdge(QRect& box, std::size_t edge) const {
 }
 
 void PictureMarks::place(const model::Camera& camera, const glm::vec3& pivot, bool scene) {
-  constexpr int linesToAPage = 40;
   m_scene = scene;
-  const int letters = m_presented ? m_picture.height() / linesToAPage : 0;
+  const int letters = m_presented ? m_picture.height() / presentedLines : 0;
   if (std::exchange(m_letterPixels, letters) != letters)
     dress();
   placeLetters(camera);

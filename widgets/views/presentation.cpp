@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "model/edit/views.h"
+#include "widgets/viewport/presented_letters.h"
 #include "widgets/views/view_list.h"
 
 namespace sline::widgets {
@@ -146,9 +147,8 @@ void Presentation::nameView(const model::View& view) {
 void Presentation::placeName() {
   constexpr int margin = 24;
   constexpr int least = 16;  // pixels
-  constexpr int linesToAPage = 40;
   constexpr int sides = 16;
-  const int letters = std::max(least, m_viewport.height() / linesToAPage);
+  const int letters = std::max(least, m_viewport.height() / presentedLines);
   m_name->setStyleSheet(QStringLiteral("QLabel { color: #f4f4f2; background: rgba(28, 30, 34, 190);"
                                        " border-radius: 6px; padding: 6px %1px;"
                                        " font-size: %2px; }")
