@@ -1,37 +1,45 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Installs what building and testing needs from Debian 12's own packages; does nothing where all is
-# there. Works as root or through sudo.
+# install-packages.sh [--tests]: installs what building and running needs from Debian 12's own
+# packages, with --tests what testing needs beyond it; does nothing where all is there. Works as root
+# or through sudo.
 set -euo pipefail
 
 packages=(
-  # compiler, build, checks
-  build-essential cmake ninja-build ccache git pkg-config clang clang-format clang-tidy
-  libclang-rt-14-dev
-  # Qt, a display for its tests; meshes and volumes, pixel files
+  # compiler and build
+  build-essential cmake ninja-build pkg-config
+  # Qt and OpenGL, with a display and without one; the letters of labels
   qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
-  libqt6opengl6-dev libgl-dev libglx-mesa0 fonts-dejavu-core fonts-dejavu-extra xvfb
-  xauth libx11-dev
-  libvtk9-dev libglew-dev
-  libopenexr-dev libjpeg62-turbo-dev
-  # other programs' opinion of our pictures, vector drawings and sheets
-  libopenimageio-dev openimageio-tools libopencv-dev
-  librsvg2-bin
-  inkscape
-  poppler-utils
-  # OpenGL without a display
-  libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri
+  libgl-dev libglx-mesa0 libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri
+  fonts-dejavu-core fonts-dejavu-extra
+  # meshes and volumes, pixel files, films
+  libvtk9-dev libopenexr-dev libjpeg62-turbo-dev libwebp-dev libgif-dev
   # small libraries
   libtbb-dev libglm-dev nlohmann-json3-dev libcli11-dev libpugixml-dev libzip-dev
-  zlib1g-dev libbz2-dev
-  # films; ffmpeg is a program that writes some where it is installed
-  libwebp-dev libgif-dev ffmpeg
-  # Anki's packages
-  libsqlite3-dev
+  zlib1g-dev libbz2-dev libsqlite3-dev
 )
 
+testing=(
+  # a display for the window's tests
+  xvfb xauth libx11-dev
+  # checks, sanitizers and fuzzing; a compiler cache, as tests are built many times
+  clang clang-format clang-tidy libclang-rt-14-dev ccache git
+  # the renderer that sline-bench compares with
+  libglew-dev
+  # other programs' opinion of our pictures, vector drawings, sheets and films
+  libopenimageio-dev openimageio-tools libopencv-dev librsvg2-bin inkscape poppler-utils ffmpeg
+)
 # For Khronos's glTF validator; whoever has npm from elsewhere keeps it.
-command -v npm >/dev/null || packages+=(nodejs npm)
+command -v npm >/dev/null || testing+=(nodejs npm)
+
+case "${1:-}" in
+  "") ;;
+  --tests) packages+=("${testing[@]}") ;;
+  *)
+    echo "usage: app/install-packages.sh [--tests]" >&2
+    exit 2
+    ;;
+esac
 
 missing=()
 for package in "${packages[@]}"; do

@@ -11,7 +11,7 @@ build=${1:?which build}
 label=${2:?which label}
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 leaks=1
-probe=$("$build/bin/bounding_sphere_test" 2>&1 || true)
+probe=$("$build/bin/model_tests" bounding_sphere_test 2>&1 || true)
 if [[ $probe == *"LeakSanitizer has encountered a fatal error"* ]]; then
   echo "This system does not let LeakSanitizer look at a process: leaks are not checked." >&2
   leaks=0

@@ -22,7 +22,8 @@ namespace {
 using model::Annotation;
 using model::AnnotationKind;
 
-constexpr std::array<std::string_view, 4> kindNames{"label", "callout", "pin", "distance"};
+constexpr std::array<std::string_view, 4> annotationKindNames{"label", "callout", "pin",
+                                                              "distance"};
 
 struct AnnotateFlags {
   std::string scene;
@@ -167,7 +168,8 @@ Result<Annotation> annotationFor(const AnnotateFlags& flags, const Where& where,
                                  const std::optional<std::string>& on) {
   Annotation made;
   made.kind =
-      AnnotationKind(std::find(kindNames.begin(), kindNames.end(), flags.kind) - kindNames.begin());
+      AnnotationKind(std::find(annotationKindNames.begin(), annotationKindNames.end(), flags.kind) -
+                     annotationKindNames.begin());
   Result<std::map<std::string, std::string>> texts = parseTexts(flags.texts);
   if (!texts.ok())
     return texts.error();
@@ -270,7 +272,8 @@ Result<model::Scene> without(const model::Scene& scene, const AnnotateFlags& fla
 
 Exit list(const model::Scene& scene) {
   for (const Annotation& annotation : scene.annotations()) {
-    std::cout << annotation.id.value << '\t' << kindNames[std::size_t(annotation.kind)] << '\t';
+    std::cout << annotation.id.value << '\t' << annotationKindNames[std::size_t(annotation.kind)]
+              << '\t';
     const auto* point = std::get_if<model::SurfacePoint>(&annotation.anchors.front());
     const model::Node* node = point ? scene.find(point->structure) : nullptr;
     const auto words = [&annotation](const std::string& text) {

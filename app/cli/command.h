@@ -64,6 +64,7 @@ inline constexpr const char* inputHelp =
 inline constexpr const char* frameHelp =
     "How the files' coordinates map to the patient: LPS or RAS overrides what the files say or "
     "their names suggest, `file` leaves coordinates as they are";
+inline constexpr const char* verboseHelp = "Lists each surface that was repaired on reading";
 inline constexpr const char* overlayHelp =
     "Several molecules: auto lays them over the first by their backbones, off leaves them";
 inline constexpr const char* smoothHelp =

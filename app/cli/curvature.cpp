@@ -68,7 +68,7 @@ Exit runCurvature(const CurvatureFlags& flags) {
   if (const Status fine = checkTargets({&table, 1}, flags.input.inputs); !fine.ok())
     return complain(fine.error(), Exit::wrongUse);
   Progress progress;
-  const Result<model::Imported> imported = readInputs(input.inputs, *options, progress);
+  const Result<model::Imported> imported = readInputs(input, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
   std::string text(header);
@@ -81,6 +81,7 @@ Exit runCurvature(const CurvatureFlags& flags) {
 
 void declareCurvature(CLI::App& command, CurvatureFlags& flags) {
   command.add_option("MESH", flags.input.inputs, inputHelp)->required()->expected(1);
+  command.add_flag("--verbose", flags.input.verbose, verboseHelp);
   command.add_option("-o,--output", flags.output, "Where to write the table")
       ->required()
       ->type_name("FILE.csv");

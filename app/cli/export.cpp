@@ -212,7 +212,7 @@ Exit writeAll(const render::ExportOrder& job, const std::map<std::string, std::s
 }
 
 /// Whether all targets may be written.
-Status checkTargets(const ExportFlags& flags) {
+Status checkExportTargets(const ExportFlags& flags) {
   std::vector<std::string> read = flags.input.inputs;
   read.push_back(flags.picture.cameraFile);
   read.push_back(flags.sheet.text);
@@ -226,7 +226,7 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   Result<Wanted> wish = wanted(flags);
   if (!wish.ok())
     return complain(wish.error(), Exit::wrongUse);
-  if (const Status fine = checkTargets(flags); !fine.ok())
+  if (const Status fine = checkExportTargets(flags); !fine.ok())
     return complain(fine.error(), Exit::wrongUse);
   if (flags.film.motion == "tour" && !flags.picture.only.empty())
     tellWarning("a tour shows what its views show: --only changes nothing in it");
@@ -235,7 +235,7 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   if (!typesetting.ok())
     return complain(typesetting.error(), Exit::failed);
   Progress progress;
-  const Result<model::Imported> imported = readInputs(flags.input.inputs, wish->import, progress);
+  const Result<model::Imported> imported = readInputs(flags.input, wish->import, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
   const Result<ArrangedScene> arranged =
@@ -256,6 +256,7 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
 
 void declareExport(CLI::App& command, ExportFlags& flags) {
   command.add_option("INPUT", flags.input.inputs, inputHelp)->required();
+  command.add_flag("--verbose", flags.input.verbose, verboseHelp);
   for (const render::ExportFormat& format : render::exportFormats())
     command
         .add_option_function<std::string>(

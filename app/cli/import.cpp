@@ -56,7 +56,7 @@ Exit runImport(const ImportFlags& flags) {
   if (flags.plan)
     return showPlan(flags, *options);
   Progress progress;
-  Result<model::Imported> imported = readInputs(flags.input.inputs, *options, progress);
+  Result<model::Imported> imported = readInputs(flags.input, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
   progress.show(0.9, "drawing the thumbnail");
@@ -71,6 +71,7 @@ Exit runImport(const ImportFlags& flags) {
 
 void declareImport(CLI::App& command, ImportFlags& flags) {
   command.add_option("INPUT", flags.input.inputs, inputHelp)->required();
+  command.add_flag("--verbose", flags.input.verbose, verboseHelp);
   command.add_option("-o,--output", flags.output, "The scene file to write")
       ->type_name("FILE.sline");
   CLI::Option* plan = command.add_flag("--plan", flags.plan,

@@ -41,7 +41,7 @@ Exit runInfo(const InfoFlags& flags) {
     return complain(options.error(), Exit::wrongUse);
   options->smoothing.mode = model::Smoothing::Mode::off;
   Progress progress;
-  const Result<model::Imported> imported = readInputs(flags.input.inputs, *options, progress);
+  const Result<model::Imported> imported = readInputs(flags.input, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
   const SceneSummary summary = summaryOf(imported->scene);
@@ -56,6 +56,7 @@ Exit runInfo(const InfoFlags& flags) {
 
 void declareInfo(CLI::App& command, InfoFlags& flags) {
   command.add_option("INPUT", flags.input.inputs, inputHelp)->required();
+  command.add_flag("--verbose", flags.input.verbose, verboseHelp);
   command.add_flag("--json", flags.json, "For programs: one JSON object on standard output");
   command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
   command.footer("Counts are of the surfaces as repaired on reading, without smoothing.");

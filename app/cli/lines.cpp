@@ -34,8 +34,8 @@ struct LinesFlags {
   SectionFlags sections;
 };
 
-constexpr std::array<const char*, 5> kindNames{"contour", "suggestive", "silhouette", "section",
-                                               "hatching"};
+constexpr std::array<const char*, 5> lineKindNames{"contour", "suggestive", "silhouette", "section",
+                                                   "hatching"};
 
 struct LinesOrder {
   model::ImportOptions import;
@@ -216,7 +216,7 @@ Exit runLines(const LinesFlags& flags) {
   if (const Status fine = checkTargets({&lines, 1}, read); !fine.ok())
     return complain(fine.error(), Exit::wrongUse);
   Progress progress;
-  const Result<model::Imported> imported = readInputs(flags.input.inputs, order->import, progress);
+  const Result<model::Imported> imported = readInputs(flags.input, order->import, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
   const Result<model::Scene> scene = sectioned(imported->scene, order->sections, order->camera);
@@ -232,6 +232,7 @@ Exit runLines(const LinesFlags& flags) {
 
 void declareLines(CLI::App& command, LinesFlags& flags) {
   command.add_option("MESH", flags.input.inputs, inputHelp)->required()->expected(1);
+  command.add_flag("--verbose", flags.input.verbose, verboseHelp);
   command.add_option("--camera", flags.camera, "A camera as in `sline render --camera`")
       ->required()
       ->type_name("FILE.json");
@@ -246,7 +247,8 @@ void declareLines(CLI::App& command, LinesFlags& flags) {
       ->type_name("FILE.json");
   command.add_option("--kinds", flags.kinds, "Which lines")
       ->delimiter(',')
-      ->check(CLI::IsMember({kindNames[0], kindNames[1], kindNames[2], kindNames[3], kindNames[4]}))
+      ->check(CLI::IsMember({lineKindNames[0], lineKindNames[1], lineKindNames[2], lineKindNames[3],
+                             lineKindNames[4]}))
       ->type_name("contour,suggestive,silhouette,section,hatching")
       ->default_str("contour,suggestive");
   command

@@ -57,7 +57,7 @@ Result<MeasureOrder> measureOrder(const MeasureFlags& flags, Progress& progress,
   if (!picture.ok())
     return picture.error();
   wrongUse = false;
-  Result<model::Imported> imported = readInputs(flags.input.inputs, *options, progress);
+  Result<model::Imported> imported = readInputs(flags.input, *options, progress);
   if (!imported.ok())
     return imported.error();
   wrongUse = true;

@@ -11,6 +11,7 @@ namespace sline::cli {
 /// Declares the flags of `MeasureFlags` on a sub-command.
 inline void addMeasureOptions(CLI::App& command, MeasureFlags& flags) {
   command.add_option("INPUT", flags.input.inputs, inputHelp)->required();
+  command.add_flag("--verbose", flags.input.verbose, verboseHelp);
   CLI::Option* structure =
       command
           .add_option("--structure", flags.structures,

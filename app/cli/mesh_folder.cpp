@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 constexpr const char* listName = "sline-files.txt";
 constexpr const char* listTitle = "Files written by sline; writing here again replaces them.";
-constexpr std::size_t largestList = std::size_t(1) << 20;
+constexpr std::size_t largestFolderList = std::size_t(1) << 20;
 
 std::string fileName(std::string name) {
   std::replace(name.begin(), name.end(), '/', '-');
@@ -57,7 +57,7 @@ Result<std::set<fs::path>> writtenBefore(const fs::path& folder) {
       return notOurs(folder, "it holds files that no earlier run wrote");
     return std::set<fs::path>();
   }
-  const Result<std::string> list = readText(folder / listName, largestList);
+  const Result<std::string> list = readText(folder / listName, largestFolderList);
   if (!list.ok())
     return list.error();
   std::istringstream lines(*list);

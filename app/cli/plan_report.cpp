@@ -75,6 +75,7 @@ Json planJson(const model::ImportPlan& plan) {
   for (const model::ImportWarning& warning : plan.report.warnings)
     root["left_out"].push_back({{"file", warning.file}, {"reason", warning.reason}});
   root["notes"] = plan.report.notes;
+  root["repaired"] = plan.report.repairs.surfaces;
   return root;
 }
 
@@ -110,6 +111,8 @@ std::string planText(const model::ImportPlan& plan) {
         << jsonText(jsonNumber(plan.options.decimateMm)) << " mm\n";
   for (const std::string& note : plan.report.notes)
     out << note << '\n';
+  if (!plan.report.repairs.summary.empty())
+    out << plan.report.repairs.summary << '\n';
   for (const model::ImportWarning& warning : plan.report.warnings)
     out << "left out or mended: " << (warning.file.empty() ? "" : warning.file + ": ")
         << warning.reason << '\n';

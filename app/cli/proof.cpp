@@ -255,7 +255,7 @@ Exit runProof(const ProofFlags& flags) {
   if (!order.ok())
     return complain(order.error(), Exit::wrongUse);
   Progress progress;
-  const Result<model::Imported> imported = readInputs(flags.input.inputs, *options, progress);
+  const Result<model::Imported> imported = readInputs(flags.input, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
   const Result<ArrangedScene> arranged = arrangedFor(imported->scene, *order);
@@ -286,6 +286,7 @@ Exit runProof(const ProofFlags& flags) {
 
 void declareProof(CLI::App& command, ProofFlags& flags) {
   command.add_option("INPUT", flags.input.inputs, inputHelp)->required();
+  command.add_flag("--verbose", flags.input.verbose, verboseHelp);
   command.add_flag("--json", flags.json, "For programs: one JSON object on standard output");
   command.add_option("--out", flags.folder, "Writes the picture there as each kind of eye sees it")
       ->type_name("FOLDER");

@@ -28,7 +28,7 @@ Exit runRender(const RenderFlags& flags) {
     return complain(fine.error(), Exit::wrongUse);
 
   Progress progress;
-  const Result<model::Imported> imported = readInputs(flags.input.inputs, *options, progress);
+  const Result<model::Imported> imported = readInputs(flags.input, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
   return drawScene(imported->scene, *order, progress);
@@ -36,6 +36,7 @@ Exit runRender(const RenderFlags& flags) {
 
 void declareRender(CLI::App& command, RenderFlags& flags) {
   command.add_option("INPUT", flags.input.inputs, inputHelp)->required();
+  command.add_flag("--verbose", flags.input.verbose, verboseHelp);
   addPictureOptions(command, flags.picture);
   command.add_option("--overlay", flags.input.overlay, overlayHelp)
       ->type_name("auto|off")

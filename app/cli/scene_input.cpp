@@ -5,6 +5,19 @@
 
 namespace sline::cli {
 
+namespace {
+/// Tells the notes of an import and, where asked for, of each surface that was repaired.
+void tellNotes(const model::ImportReport& report, bool verbose) {
+  for (const std::string& note : report.notes)
+    tell(note);
+  if (!report.repairs.summary.empty())
+    tell(report.repairs.summary + (verbose ? "" : "; --verbose lists them"));
+  if (verbose)
+    for (const std::string& surface : report.repairs.surfaces)
+      tell("  " + surface);
+}
+}  // namespace
+
 Result<model::ImportOptions> importOptions(const InputFlags& flags) {
   model::ImportOptions options;
   if (!flags.frame.empty()) {
@@ -37,9 +50,9 @@ Result<model::ImportOptions> importOptions(const InputFlags& flags) {
   return options;
 }
 
-Result<model::Imported> readInputs(const std::vector<std::string>& inputs,
-                                   const model::ImportOptions& options, Progress& progress) {
-  const std::vector<std::filesystem::path> paths(inputs.begin(), inputs.end());
+Result<model::Imported> readInputs(const InputFlags& flags, const model::ImportOptions& options,
+                                   Progress& progress) {
+  const std::vector<std::filesystem::path> paths(flags.inputs.begin(), flags.inputs.end());
   auto imported =
       model::importInputs(paths, options, [&progress](double done, const std::string& what) {
         progress.show(done, what);
@@ -50,8 +63,7 @@ Result<model::Imported> readInputs(const std::vector<std::string>& inputs,
     return imported;
   for (const model::ImportWarning& warning : imported->report.warnings)
     warn(warning.file.empty() ? warning.reason : warning.file + ": " + warning.reason);
-  for (const std::string& note : imported->report.notes)
-    tell(note);
+  tellNotes(imported->report, flags.verbose);
   return imported;
 }
 

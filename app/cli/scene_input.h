@@ -20,14 +20,15 @@ struct InputFlags {
   std::string unit;
   double decimateMm = 0;  ///< 0: not at all
   std::string overlay;
+  bool verbose = false;  ///< tell of each surface that was repaired
 };
 
 /// The importer's options; an error is a wrong use.
 Result<model::ImportOptions> importOptions(const InputFlags& flags);
 
-/// Imports with progress on a terminal and passes each warning on to standard error.
-Result<model::Imported> readInputs(const std::vector<std::string>& inputs,
-                                   const model::ImportOptions& options, Progress& progress);
+/// Imports with progress on a terminal and passes each warning and note on to standard error.
+Result<model::Imported> readInputs(const InputFlags& flags, const model::ImportOptions& options,
+                                   Progress& progress);
 
 /// A scene file to be looked at or changed; what it warns of is passed on likewise.
 Result<model::SceneDocument> openedScene(const std::string& file);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <memory>
+#include <numbers>
 #include <utility>
 
 #include "model/demo/abdomen_parts.h"
@@ -17,9 +18,7 @@
 namespace sline::model {
 
 namespace {
-constexpr Colour bowelColour{217, 160, 124};
 constexpr float bowelRadius = 9.4f;
-constexpr float pi = 3.14159265f;
 
 /// Back and front of the peritoneal cavity, low down its narrowing, and the mesentery's vessels.
 float cavityWall(const glm::vec3& p) {
@@ -107,8 +106,9 @@ DemoStructure stretch(const char* name, const std::shared_ptr<const Swept>& tube
   // Circular folds, closer together in the jejunum.
   s.folds = [=](const glm::vec3& p) {
     const SweptPlace at = tube->place(p);
-    return first ? 0.9f + 0.9f * std::sin(at.along * 2.0f * pi / 7.5f + std::sin(at.angle))
-                 : 0.4f + 0.4f * std::sin(at.along * 2.0f * pi / 11.0f);
+    return first ? 0.9f + 0.9f * std::sin(at.along * 2.0f * std::numbers::pi_v<float> / 7.5f +
+                                          std::sin(at.angle))
+                 : 0.4f + 0.4f * std::sin(at.along * 2.0f * std::numbers::pi_v<float> / 11.0f);
   };
   return s;
 }

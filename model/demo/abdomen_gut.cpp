@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,9 +17,7 @@ namespace sline::model {
 
 namespace {
 constexpr Colour stomachColour{217, 143, 134};
-constexpr Colour bowelColour{217, 160, 124};
 constexpr Colour colonColour{191, 138, 99};
-constexpr float pi = 3.14159265f;
 
 DemoStructure organ(std::string name, Colour colour, float gamma, Field field, Box box) {
   return {.name = std::move(name),
@@ -115,8 +114,8 @@ DemoStructure duodenum() {
   s.folds = [tube](const glm::vec3& p) {
     const SweptPlace at = tube->place(p);
     const float further = std::clamp((at.along - 30.0f) / 30.0f, 0.0f, 1.0f);
-    return further *
-           (1.0f + std::sin(at.along * 2.0f * pi / 8.0f + 0.8f * std::sin(at.angle + 1.0f)));
+    return further * (1.0f + std::sin(at.along * 2.0f * std::numbers::pi_v<float> / 8.0f +
+                                      0.8f * std::sin(at.angle + 1.0f)));
   };
   return s;
 }

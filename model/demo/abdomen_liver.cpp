@@ -27,10 +27,6 @@ float ramp(float low, float high, float x) {
   return t * t * t * (10.0f + t * (6.0f * t - 15.0f));
 }
 
-float blendedIntersection(float a, float b, float radius) {
-  return -blendedUnion(-a, -b, radius);
-}
-
 /// What the diaphragm moulds: a high right dome, a flat left lobe that thins to its tip, and the
 /// hollow behind where the spine and the crura stand.
 float domeField(const glm::vec3& p) {

@@ -60,10 +60,6 @@ float outline(const glm::vec2& p, float halfWidth, float halfDepth) {
   return blendedDifference(oval, canal, 4.0f);
 }
 
-float blendedIntersection(float a, float b, float radius) {
-  return -blendedUnion(-a, -b, radius);
-}
-
 /// Processes on the right side; the left ones are their mirror.
 struct Arch {
   explicit Arch(float transverseLength)

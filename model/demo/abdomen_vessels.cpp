@@ -18,7 +18,7 @@ constexpr Colour veinColour{44, 84, 166};
 constexpr Colour portalColour{152, 132, 230};
 
 using Course = std::vector<SweptPoint>;
-using Tubes = std::vector<Swept>;
+using SweptTubes = std::vector<Swept>;
 
 struct Kind {
   const char* group;
@@ -43,8 +43,8 @@ DemoStructure vessel(std::string name, const Kind& kind, Field field, const Box&
   return s;
 }
 
-std::shared_ptr<const Tubes> tubesAlong(const std::vector<Course>& courses) {
-  auto tubes = std::make_shared<Tubes>();
+std::shared_ptr<const SweptTubes> tubesAlong(const std::vector<Course>& courses) {
+  auto tubes = std::make_shared<SweptTubes>();
   for (const Course& course : courses)
     tubes->emplace_back(course, glm::vec3(0.31f, -0.9f, 0.3f), 1.5f);
   return tubes;
@@ -58,14 +58,14 @@ float thinnest(const std::vector<Course>& courses) {
   return radius;
 }
 
-Box boundsOf(const Tubes& tubes) {
+Box boundsOf(const SweptTubes& tubes) {
   Box box;
   for (const Swept& tube : tubes)
     box.add(tube.bounds());
   return box;
 }
 
-float blended(const Tubes& tubes, const glm::vec3& p, float blend) {
+float blended(const SweptTubes& tubes, const glm::vec3& p, float blend) {
   float d = tubes.front().distance(p);
   for (std::size_t i = 1; i < tubes.size(); ++i)
     d = blendedUnion(d, tubes[i].distance(p), blend);

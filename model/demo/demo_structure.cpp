@@ -18,10 +18,6 @@
 namespace sline::model {
 
 namespace {
-bool meet(const Box& a, const Box& b) {
-  return glm::all(glm::lessThan(a.low, b.high)) && glm::all(glm::lessThan(b.low, a.high));
-}
-
 /// mm
 constexpr float deepestFold = 3.0f;
 

@@ -22,6 +22,8 @@ enum class Sex { female, male };
 inline constexpr Colour boneInk{94, 79, 56};
 inline constexpr Colour muscleInk{122, 44, 34};
 inline constexpr Colour bowelInk{112, 70, 44};
+inline constexpr Colour bowelColour{217, 160, 124};
+inline constexpr Colour urinaryColour{226, 178, 96};
 inline constexpr Colour arteryInk{168, 28, 20};
 inline constexpr Colour veinInk{31, 70, 143};
 inline constexpr Colour portalInk{86, 67, 156};

@@ -25,9 +25,17 @@ float ellipsoid(const glm::vec3& p, const glm::vec3& semiAxes);
 /// over.
 float cushion(const glm::vec3& p, const glm::vec3& semiAxes, float fullness);
 
-/// Union and difference whose seam is rounded over about `radius` mm, with continuous curvature.
+/// Union, difference and intersection whose seam is rounded over about `radius` mm, with continuous
+/// curvature.
 float blendedUnion(float a, float b, float radius);
 float blendedDifference(float a, float b, float radius);
+inline float blendedIntersection(float a, float b, float radius) {
+  return -blendedUnion(-a, -b, radius);
+}
+/// Whether the boxes have a point inside both.
+inline bool meet(const Box& a, const Box& b) {
+  return glm::all(glm::lessThan(a.low, b.high)) && glm::all(glm::lessThan(b.low, a.high));
+}
 
 /// How far the point lies outside the box; 0 inside.
 float distanceToBox(const Box& box, const glm::vec3& p);

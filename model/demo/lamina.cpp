@@ -12,15 +12,15 @@ namespace sline::model {
 
 namespace {
 constexpr float sampleStep = 3.0f;  // mm
-constexpr float farAway = 12.0f;
+constexpr float farFromLamina = 12.0f;
 
 /// Weights of four neighbours on a uniform cubic B-spline, and their derivatives.
-struct Weights {
+struct SplineWeights {
   std::array<float, 4> value;
   std::array<float, 4> slope;
 };
 
-Weights weightsAt(float t) {
+SplineWeights splineWeightsAt(float t) {
   const float s = 1.0f - t;
   return {{s * s * s / 6.0f, (3.0f * t * t * t - 6.0f * t * t + 4.0f) / 6.0f,
            (3.0f * s * s * s - 6.0f * s * s + 4.0f) / 6.0f, t * t * t / 6.0f},
@@ -96,8 +96,8 @@ glm::vec4 Lamina::control(int row, int column) const {
 Lamina::Place Lamina::at(float u, float v) const {
   const int column = std::clamp(int(std::floor(u)), 0, m_columns - 2);
   const int row = std::clamp(int(std::floor(v)), 0, m_rows - 2);
-  const Weights wu = weightsAt(u - float(column));
-  const Weights wv = weightsAt(v - float(row));
+  const SplineWeights wu = splineWeightsAt(u - float(column));
+  const SplineWeights wv = splineWeightsAt(v - float(row));
   Place place{};
   for (int r = 0; r < 4; ++r) {
     glm::vec4 value(0.0f);
@@ -170,7 +170,7 @@ Lamina::Sample Lamina::nearestSample(const glm::vec3& p) const {
 
 float Lamina::distance(const glm::vec3& p) const {
   const float toBox = distanceToBox(m_bounds, p);
-  if (toBox > farAway)
+  if (toBox > farFromLamina)
     return toBox;
   Sample s = nearestSample(p);
   // Gauss and Newton within the sheet; a coordinate at the rim stays there while p pulls outward.

@@ -37,10 +37,6 @@ int precedence(const DemoStructure& s) {
   return group == "Organs" ? 6 : 7;
 }
 
-bool meet(const Box& a, const Box& b) {
-  return glm::all(glm::lessThan(a.low, b.high)) && glm::all(glm::lessThan(b.low, a.high));
-}
-
 /// Cut in one plane, they go over into each other without a gap.
 bool isSeam(const DemoStructure& own, const DemoStructure& other) {
   return own.name == "sigmoid colon" && other.name == "rectum";

@@ -9,18 +9,14 @@
 #include "model/demo/femur.h"
 #include "model/demo/hip_bone.h"
 #include "model/demo/lumbar_vertebra.h"
+#include "model/demo/pelvis_parts.h"
 #include "model/demo/sacrum.h"
 
 namespace sline::model {
 
 namespace {
-constexpr Colour boneColour{226, 211, 178};
+constexpr Colour dryBoneColour{226, 211, 178};
 constexpr Colour cartilageColour{172, 200, 206};
-
-struct Shape {
-  Field field;
-  Box box;
-};
 
 Shape reflected(const Shape& shape) {
   return {mirrored(shape.field, pelvisMiddle), mirrored(shape.box, pelvisMiddle)};
@@ -86,18 +82,18 @@ std::vector<DemoStructure> pelvisBones(Sex sex, const std::stop_token& stop) {
   const Shape hipBone = shapeOf(leftHipBone(), {1.6f, 2.3f});
   const Shape femur = shapeOf(leftFemur(), {1.8f, 2.2f});
   std::vector<DemoStructure> bones;
-  bones.push_back(structure("left hip bone", hipBone, boneColour, 2.3f));
-  bones.push_back(structure("right hip bone", reflected(hipBone), boneColour, 2.3f));
+  bones.push_back(structure("left hip bone", hipBone, dryBoneColour, 2.3f));
+  bones.push_back(structure("right hip bone", reflected(hipBone), dryBoneColour, 2.3f));
   // The sacroiliac joints are as narrow as the cut is: the wings are modelled into the hip bones.
-  DemoStructure wedge = structure("sacrum", shapeOf(sacrum(), {1.3f, 1.8f}), boneColour, 1.8f);
+  DemoStructure wedge = structure("sacrum", shapeOf(sacrum(), {1.3f, 1.8f}), dryBoneColour, 1.8f);
   wedge.givesWayTo = {"left hip bone", "right hip bone"};
   wedge.gap = 1.0f;
   wedge.rounding = 1.5f;
   bones.push_back(std::move(wedge));
   bones.push_back(structure("fifth lumbar vertebra", shapeOf(fifthLumbarVertebra(), {1.2f, 1.3f}),
-                            boneColour, 1.8f));
-  bones.push_back(structure("left femur", femur, boneColour, 2.4f));
-  bones.push_back(structure("right femur", reflected(femur), boneColour, 2.4f));
+                            dryBoneColour, 1.8f));
+  bones.push_back(structure("left femur", femur, dryBoneColour, 2.4f));
+  bones.push_back(structure("right femur", reflected(femur), dryBoneColour, 2.4f));
   DemoStructure disc = structure("fifth lumbar intervertebral disc",
                                  shapeOf(lumbosacralDisc(), {1.4f, 1.0f}), cartilageColour, 1.8f);
   disc.givesWayTo = {"sacrum", "fifth lumbar vertebra"};

@@ -11,7 +11,6 @@ namespace sline::model {
 
 namespace {
 constexpr float x0 = pelvisMiddle - 0.4f;
-constexpr Colour urinaryColour{226, 178, 96};
 constexpr Colour prostateColour{196, 138, 118};
 constexpr Colour seminalColour{206, 150, 168};
 constexpr Colour penisColour{206, 148, 140};

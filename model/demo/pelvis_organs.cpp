@@ -13,7 +13,6 @@ namespace sline::model {
 
 namespace {
 constexpr Colour gutColour{205, 150, 122};
-constexpr Colour urinaryColour{226, 178, 96};
 constexpr Colour tumourColour{128, 96, 146};
 
 DemoStructure organ(const char* name, Colour colour, Shape shape, float edge) {

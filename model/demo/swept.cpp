@@ -15,7 +15,7 @@ namespace sline::model {
 namespace {
 constexpr std::size_t runLength = 8;
 /// Beyond this the distance to the box around everything, a lower bound, is as good.
-constexpr float farAway = 14.0f;
+constexpr float farFromRuns = 14.0f;
 
 glm::vec3 direction(const glm::vec3& from, const glm::vec3& to) {
   const glm::vec3 d = to - from;
@@ -206,11 +206,11 @@ Swept::Sample Swept::onCurve(float s, Slopes& slopes) const {
 
 SweptPlace Swept::place(const glm::vec3& p) const {
   const float toBox = distanceToBox(m_bounds, p);
-  if (toBox > farAway)
+  if (toBox > farFromRuns)
     return {.distance = toBox};
-  const Nearest at = nearest(p, farAway);
+  const Nearest at = nearest(p, farFromRuns);
   if (std::isinf(at.distance))
-    return {.distance = std::max(farAway, distanceToRuns(p))};
+    return {.distance = std::max(farFromRuns, distanceToRuns(p))};
   // Newton's method for the place whose sphere is nearest, from the polyline's: the wall is what
   // spheres along the curve envelop, and so their caps join it smoothly where it widens.
   const float end = float(m_samples.size() - 1);

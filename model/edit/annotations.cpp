@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "model/edit/views.h"
+
 namespace sline::model {
 
 namespace {
@@ -40,13 +42,6 @@ void tick(const Scene& scene, View& view, AnnotationId id, bool shown) {
   else
     std::erase(now, id);
   view.annotations = std::move(now);
-}
-
-Edited withViews(const Scene& scene, std::vector<View> views) {
-  const bool changed = views != scene.views();
-  Scene after = scene;
-  after.setViews(std::move(views));
-  return {std::move(after), changed};
 }
 }  // namespace
 

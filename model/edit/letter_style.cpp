@@ -11,7 +11,7 @@ namespace sline::model {
 namespace {
 
 /// A byte that is shown.
-struct Shown {
+struct ShownByte {
   std::size_t source = 0;
   char byte = 0;
   LetterStyle style;
@@ -29,18 +29,19 @@ std::string_view markerOf(LetterMark mark) {
   return mark == LetterMark::bold ? "**" : "*";
 }
 
-std::vector<Shown> shownOf(std::string_view text, const MarkupLine& line) {
-  std::vector<Shown> shown;
+std::vector<ShownByte> shownBytes(std::string_view text, const MarkupLine& line) {
+  std::vector<ShownByte> shown;
   for (const MarkupSpan& span : line.spans)
     for (std::size_t i = span.begin; i < span.end; ++i)
       shown.push_back({.source = i, .byte = text[i], .style = span.style});
   return shown;
 }
 
-bool sameWords(const std::vector<Shown>& a, const std::vector<Shown>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Shown& x, const Shown& y) {
-    return x.byte == y.byte && (x.blank() || x.style == y.style);
-  });
+bool sameWords(const std::vector<ShownByte>& a, const std::vector<ShownByte>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const ShownByte& x, const ShownByte& y) {
+                      return x.byte == y.byte && (x.blank() || x.style == y.style);
+                    });
 }
 
 enum class Escapes { asTyped, all };
@@ -48,7 +49,7 @@ enum class Escapes { asTyped, all };
 /// Writes a line's words with markers for their styles.
 class LineWriter {
  public:
-  LineWriter(std::string_view text, const std::vector<Shown>& shown, Escapes escapes)
+  LineWriter(std::string_view text, const std::vector<ShownByte>& shown, Escapes escapes)
       : m_text(text), m_shown(shown), m_escapes(escapes), m_lasts(shown.size()) {
     // How far on each style lasts tells which marker is the outer one.
     std::size_t bold = shown.size();
@@ -107,7 +108,7 @@ class LineWriter {
   }
 
   bool escaped(std::size_t i) const {
-    const Shown& byte = m_shown[i];
+    const ShownByte& byte = m_shown[i];
     if (m_escapes == Escapes::all)
       return byte.byte == '*' || byte.byte == '\\' || (byte.byte == '-' && i == 0);
     const bool before = byte.source > 0 && m_text[byte.source - 1] == '\\';
@@ -116,7 +117,7 @@ class LineWriter {
   }
 
   std::string_view m_text;
-  const std::vector<Shown>& m_shown;
+  const std::vector<ShownByte>& m_shown;
   Escapes m_escapes;
   std::vector<std::pair<std::size_t, std::size_t>> m_lasts;  ///< bold, italic: where it ends
   std::string m_written;
@@ -127,7 +128,7 @@ class LineWriter {
 /// One line while its styles change.
 struct Line {
   MarkupLine parsed;
-  std::vector<Shown> shown;
+  std::vector<ShownByte> shown;
   std::optional<std::pair<std::size_t, std::size_t>> selected;  ///< first and last word's byte
 };
 
@@ -135,9 +136,9 @@ std::vector<Line> linesOf(std::string_view text, TextRange selection) {
   std::vector<Line> lines;
   for (MarkupLine& parsed : parsedMarkup(text)) {
     Line line{.parsed = std::move(parsed), .shown = {}, .selected = {}};
-    line.shown = shownOf(text, line.parsed);
+    line.shown = shownBytes(text, line.parsed);
     for (std::size_t i = 0; i < line.shown.size(); ++i) {
-      Shown& byte = line.shown[i];
+      ShownByte& byte = line.shown[i];
       byte.selected =
           !byte.blank() && byte.source >= selection.begin && byte.source < selection.end;
       if (byte.selected)
@@ -166,7 +167,7 @@ std::optional<Written> writtenLine(std::string_view text, const Line& line, Esca
   written.text += text.substr(tail, line.parsed.end - tail);
   const std::vector<MarkupLine> again = parsedMarkup(written.text);
   if (again.size() != 1 || again.front().bullet != line.parsed.bullet ||
-      !sameWords(shownOf(written.text, again.front()), line.shown))
+      !sameWords(shownBytes(written.text, again.front()), line.shown))
     return std::nullopt;
   return written;
 }
@@ -192,8 +193,9 @@ MarkedText withLetterStyle(std::string_view text, TextRange selection, LetterMar
     return withPair(text, selection.end, mark);
   std::vector<Line> lines = linesOf(text, selection);
   const bool wanted = std::any_of(lines.begin(), lines.end(), [mark](Line& line) {
-    return std::any_of(line.shown.begin(), line.shown.end(),
-                       [mark](Shown& byte) { return byte.selected && !part(byte.style, mark); });
+    return std::any_of(line.shown.begin(), line.shown.end(), [mark](ShownByte& byte) {
+      return byte.selected && !part(byte.style, mark);
+    });
   });
   MarkedText made{.text = {}, .selection = selection};
   bool any = false;
@@ -202,7 +204,7 @@ MarkedText withLetterStyle(std::string_view text, TextRange selection, LetterMar
       made.text += '\n';
     const std::size_t begin = made.text.size();
     if (line.selected)
-      for (Shown& byte : line.shown)
+      for (ShownByte& byte : line.shown)
         if (byte.selected)
           part(byte.style, mark) = wanted;
     std::optional<Written> written;

@@ -22,6 +22,7 @@ std::string trimmed(const std::string& text) {
     return {};
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
+}  // namespace
 
 Edited withViews(const Scene& scene, std::vector<View> views) {
   if (views == scene.views())
@@ -30,7 +31,6 @@ Edited withViews(const Scene& scene, std::vector<View> views) {
   edited.scene.setViews(std::move(views));
   return edited;
 }
-}  // namespace
 
 ShownScene shown(const Scene& scene, const View& view) {
   ShownScene result{scene, {}};

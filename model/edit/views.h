@@ -35,6 +35,9 @@ View viewOf(const Scene& scene, const Camera& camera, std::string name);
 std::string freeViewName(const Scene& scene, const std::string& wanted,
                          std::optional<std::size_t> but = std::nullopt);
 
+/// Returns the scene with these saved views instead of its own.
+Edited withViews(const Scene& scene, std::vector<View> views);
+
 /// The view stands last, by a free name. Without a name, or from a faulty camera, it is none.
 Edited withView(const Scene& scene, View view);
 /// The view shows what `seen` does, and keeps its name and what its file says beyond.

@@ -34,34 +34,34 @@ Error failed(zip_t* archive, const std::string& what, const std::string& where =
   return {.where = where, .reason = what + ": " + zip_error_strerror(zip_get_error(archive))};
 }
 
-constexpr const char* notWritten = "the ZIP file cannot be made";
+constexpr const char* zipNotMade = "the ZIP file cannot be made";
 
 Result<Unit> add(zip_t* archive, const ZipMember& member, int method) {
   zip_source_t* source = zip_source_buffer(archive, member.bytes.data(), member.bytes.size(), 0);
   if (!source)
-    return failed(archive, notWritten, member.name);
+    return failed(archive, zipNotMade, member.name);
   const zip_int64_t index = zip_file_add(archive, member.name.c_str(), source, ZIP_FL_ENC_UTF_8);
   if (index < 0) {
     zip_source_free(source);
-    return failed(archive, notWritten, member.name);
+    return failed(archive, zipNotMade, member.name);
   }
   const auto at = zip_uint64_t(index);
   if (zip_set_file_compression(archive, at, method, deflateLevel) != 0 ||
       zip_file_set_dostime(archive, at, 0, fixedDate, 0) != 0 ||
       zip_file_set_external_attributes(archive, at, 0, ZIP_OPSYS_DOS, 0) != 0)
-    return failed(archive, notWritten, member.name);
+    return failed(archive, zipNotMade, member.name);
   return Unit{};
 }
 
 Result<std::string> contentsOf(zip_source_t* source) {
   zip_stat_t stat;
   if (zip_source_stat(source, &stat) != 0 || zip_source_open(source) != 0)
-    return Error{.reason = notWritten};
+    return Error{.reason = zipNotMade};
   std::string bytes(stat.size, '\0');
   const zip_int64_t got = zip_source_read(source, bytes.data(), bytes.size());
   zip_source_close(source);
   if (got != zip_int64_t(bytes.size()))
-    return Error{.reason = notWritten};
+    return Error{.reason = zipNotMade};
   return bytes;
 }
 
@@ -70,10 +70,10 @@ Result<std::string> zippedBy(int method, const std::vector<const ZipMember*>& me
   zip_error_init(&error);
   const SourcePtr target(zip_source_buffer_create(nullptr, 0, 0, &error));
   if (!target)
-    return failed(&error, notWritten);
+    return failed(&error, zipNotMade);
   zip_t* archive = zip_open_from_source(target.get(), ZIP_TRUNCATE, &error);
   if (!archive)
-    return failed(&error, notWritten);
+    return failed(&error, zipNotMade);
   zip_source_keep(target.get());
   for (const ZipMember* member : members)
     if (const Result<Unit> added = add(archive, *member, method); !added.ok()) {
@@ -81,7 +81,7 @@ Result<std::string> zippedBy(int method, const std::vector<const ZipMember*>& me
       return added.error();
     }
   if (zip_close(archive) != 0) {
-    const Error told = failed(archive, notWritten);
+    const Error told = failed(archive, zipNotMade);
     zip_discard(archive);
     return told;
   }

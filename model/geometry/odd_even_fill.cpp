@@ -8,7 +8,7 @@ namespace sline::model {
 
 namespace {
 
-constexpr std::uint32_t none = ~0u;
+constexpr std::uint32_t nowhere = ~0u;
 
 /// An edge that is not horizontal, from its lower to its upper end; levels number the heights of
 /// all ends from below.
@@ -64,9 +64,9 @@ class Sweep {
   };
   /// A gap that may go on above.
   struct Open {
-    std::uint32_t right = none;
+    std::uint32_t right = nowhere;
     std::uint32_t since = 0;
-    std::uint32_t seen = none;  ///< the last slab it was found in
+    std::uint32_t seen = nowhere;  ///< the last slab it was found in
   };
 
   /// To multiples of a length below what a float of the outline's size can tell apart. Ends that
@@ -141,9 +141,9 @@ class Sweep {
   }
 
   void close(std::uint32_t left, Open& gap, std::uint32_t atLevel) {
-    if (gap.right != none && gap.since < atLevel)
+    if (gap.right != nowhere && gap.since < atLevel)
       m_trapezoids.push_back({left, gap.right, gap.since, atLevel});
-    gap.right = none;
+    gap.right = nowhere;
   }
 
   /// Corners of all trapezoids on each level, from left to right: those within a trapezoid's side

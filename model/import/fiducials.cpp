@@ -3,6 +3,7 @@
 
 #include "model/files/whole_file.h"
 #include "model/import/fiducial_files.h"
+#include "model/import/file_kinds.h"
 #include "model/import/readers/text_cursor.h"
 #include "model/import/readers/values.h"
 
@@ -11,16 +12,11 @@ namespace sline::model {
 namespace {
 constexpr std::string_view table = ".fcsv";
 constexpr std::string_view markups = ".mrk.json";
-
-bool endsLike(const std::filesystem::path& file, std::string_view ending) {
-  const std::string name = file.filename().string();
-  return name.size() > ending.size() &&
-         equalsIgnoringCase(std::string_view(name).substr(name.size() - ending.size()), ending);
-}
 }  // namespace
 
 bool isFiducialFile(const std::filesystem::path& file) {
-  return endsLike(file, table) || endsLike(file, markups);
+  const std::string name = file.filename().string();
+  return endsLike(name, table) || endsLike(name, markups);
 }
 
 std::string fiducialExtensions() {
@@ -31,7 +27,7 @@ Result<Fiducials> readFiducials(const std::filesystem::path& file, const ReadLim
   const Result<std::string> text = readText(file, std::size_t(limits.fileBytes));
   if (!text)
     return text.error();
-  if (endsLike(file, table))
+  if (endsLike(file.filename().string(), table))
     return fiducialsInTable(*text, file);
   std::string name = file.filename().string();
   name.resize(name.size() - std::min(name.size(), markups.size()));

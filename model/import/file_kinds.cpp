@@ -44,11 +44,6 @@ constexpr std::array kinds = {FileKind{".obj", "OBJ", within<readObj>},
                               FileKind{".cif", "mmCIF", readMmcif},
                               FileKind{".mmcif", "mmCIF", readMmcif}};
 
-bool endsLike(std::string_view name, std::string_view ending) {
-  return name.size() > ending.size() &&
-         equalsIgnoringCase(name.substr(name.size() - ending.size()), ending);
-}
-
 /// The kind with the longest ending that fits.
 const FileKind* kindOf(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
@@ -110,6 +105,11 @@ std::string_view kindInContent(const std::filesystem::path& file) {
   return at.peekWord() == "v" ? "OBJ" : std::string_view();
 }
 }  // namespace
+
+bool endsLike(std::string_view name, std::string_view ending) {
+  return name.size() > ending.size() &&
+         equalsIgnoringCase(name.substr(name.size() - ending.size()), ending);
+}
 
 std::span<const FileKind> fileKinds() {
   return kinds;

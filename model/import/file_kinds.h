@@ -24,6 +24,9 @@ std::span<const FileKind> fileKinds();
 /// ".obj, .stl, … or .glb"
 std::string surfaceExtensions();
 
+/// Whether the name ends with `ending`, case ignored, and has something before it.
+bool endsLike(std::string_view name, std::string_view ending);
+
 /// True for a name that ends like one of the kinds (case ignored), and for a file without such an
 /// ending whose content says DICOM, as that is how DICOM files are often called.
 bool isSurfaceFile(const std::filesystem::path& file);

@@ -13,6 +13,7 @@
 #include "model/import/frame_and_unit.h"
 #include "model/import/overlay.h"
 #include "model/import/parts.h"
+#include "model/import/repair_notes.h"
 #include "model/import/scene_inputs.h"
 #include "model/import/sources.h"
 #include "model/import/views_and_annotations.h"
@@ -44,6 +45,7 @@ Result<Imported> importMeshes(std::span<const std::filesystem::path> inputs,
   if (parts.empty() && !haveFiducials(sources))
     return nothingRead(sources, report.warnings);
   report.notes = overlayMolecules(parts, options.overlay);
+  report.repairs = repairNotes(parts, sources);
   decideFrames(parts, sources, options, report);
   decideUnits(parts, sources, options, report);
   smoothParts(parts, sources, options.smoothing, meter);

@@ -35,12 +35,19 @@ struct ImportOptions {
 /// Called from any thread with done in [0, 1]; return false to cancel.
 using ImportProgress = std::function<bool(float done, const std::string& what)>;
 
+/// What is said of surfaces that were repaired without loss; all empty where none was.
+struct RepairNotes {
+  std::string summary;                ///< "repaired 31 of 94 surfaces: …"
+  std::vector<std::string> surfaces;  ///< a line each: "liver.obj: \"liver\": 2 faces given twice"
+};
+
 struct ImportReport {
   Frame frame = Frame::lps;  ///< of the inputs that had no header of their own
   std::string frameReason;   ///< "header", "vote: 20 of 22 left/right names", …
   std::vector<ImportWarning> warnings;
   std::vector<std::string>
       notes;  ///< what was done that is no loss: molecules laid over each other
+  RepairNotes repairs;
 };
 
 struct Imported {

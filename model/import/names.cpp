@@ -40,13 +40,13 @@ bool isCatalogueId(const std::string& word) {
   return false;
 }
 
-struct Part {
+struct NamePiece {
   std::size_t begin;
   std::string word;  ///< lower case
 };
 
-std::vector<Part> cutAt(std::string_view text, std::string_view separators) {
-  std::vector<Part> parts;
+std::vector<NamePiece> cutAt(std::string_view text, std::string_view separators) {
+  std::vector<NamePiece> parts;
   std::size_t at = 0;
   while (at < text.size()) {
     const std::size_t end = std::min(text.find_first_of(separators, at), text.size());
@@ -58,7 +58,7 @@ std::vector<Part> cutAt(std::string_view text, std::string_view separators) {
 }
 
 /// How many leading parts are catalogue ids.
-std::size_t cataloguePrefix(const std::vector<Part>& parts) {
+std::size_t cataloguePrefix(const std::vector<NamePiece>& parts) {
   std::size_t i = 0;
   const auto word = [&](std::size_t k) { return k < parts.size() ? parts[k].word : std::string(); };
   while (i < parts.size()) {
@@ -94,7 +94,7 @@ std::string withSpaces(std::string_view text) {
 
 /// The text behind its catalogue ids, or nothing where there are none or nothing else.
 std::string_view behindCatalogue(std::string_view text) {
-  const std::vector<Part> parts = cutAt(text, "_- \t");
+  const std::vector<NamePiece> parts = cutAt(text, "_- \t");
   const std::size_t skip = cataloguePrefix(parts);
   if (skip == 0 || skip >= parts.size())
     return {};

@@ -37,18 +37,11 @@ std::string counted(int count, const char* one, const char* many) {
 }
 
 void mend(Part& part, const std::string& file, std::vector<ImportWarning>& warnings) {
-  const RepairReport report = repair(part.raw.positions, part.raw.triangles);
-  part.provenance.repairedFaces = report.faces();
-  const std::string of = " of \"" + part.name + "\"";
-  if (report.degenerateFaces > 0)
-    warnings.push_back(
-        {file, counted(report.degenerateFaces, "face", "faces") + of + " without area left out"});
-  if (report.duplicateFaces > 0)
-    warnings.push_back(
-        {file, counted(report.duplicateFaces, "face", "faces") + of + " given twice left out"});
-  if (report.notOrientable)
-    warnings.push_back(
-        {file, "a piece" + of + " has no consistent orientation; it stays as it is"});
+  part.repair = repair(part.raw.positions, part.raw.triangles);
+  part.provenance.repairedFaces = part.repair.faces();
+  if (part.repair.notOrientable)
+    warnings.push_back({file, "a piece of \"" + part.name +
+                                  "\" has no consistent orientation; it stays as it is"});
 }
 
 Result<RawMeshes> readTogether(const SourceFile& source, const ReadOptions& options) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/import/import.h"
+#include "model/import/repair.h"
 #include "model/import/smoothing.h"
 #include "model/import/sources.h"
 #include "model/scene/scene.h"
@@ -32,6 +33,7 @@ struct Part {
   std::string name;
   RawMesh raw;
   SurfaceMeasure measure;
+  RepairReport repair;
   Frame frame = Frame::lps;
   float unit = 1.0f;  ///< millimetres per unit, a guessed one included
   Provenance provenance;

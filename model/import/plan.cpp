@@ -12,6 +12,7 @@
 #include "model/import/frame_and_unit.h"
 #include "model/import/overlay.h"
 #include "model/import/read_inputs.h"
+#include "model/import/repair_notes.h"
 #include "model/import/scene_inputs.h"
 #include "model/import/views_and_annotations.h"
 
@@ -49,6 +50,7 @@ ImportReport decide(std::vector<Part>& parts, const ReadInputs& read,
   report.warnings = read.sources.warnings;
   report.warnings.insert(report.warnings.end(), read.warnings.begin(), read.warnings.end());
   report.notes = overlayMolecules(parts, options.overlay);
+  report.repairs = repairNotes(parts, read.sources);
   decideFrames(parts, read.sources, options, report);
   decideUnits(parts, read.sources, options, report);
   return report;

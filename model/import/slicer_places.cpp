@@ -10,13 +10,10 @@ namespace sline::model {
 
 namespace fs = std::filesystem;
 
-namespace {
-bool inside(const fs::path& relative) {
+bool staysInside(const fs::path& relative) {
   const fs::path tidy = relative.lexically_normal();
   return !tidy.empty() && !tidy.is_absolute() && *tidy.begin() != "..";
 }
-
-}  // namespace
 
 std::optional<fs::path> fileOfSlicer(const fs::path& scene, const std::string& written,
                                      std::vector<ImportWarning>& warnings) {
@@ -26,9 +23,9 @@ std::optional<fs::path> fileOfSlicer(const fs::path& scene, const std::string& w
   const std::string decoded = percentDecoded(slashes);
   std::error_code fault;
   for (const std::string& name : {slashes, decoded})
-    if (inside(name) && fs::is_regular_file(folder / name, fault))
+    if (staysInside(name) && fs::is_regular_file(folder / name, fault))
       return folder / fs::path(name).lexically_normal();
-  const bool escapes = !inside(decoded) || (decoded.size() > 1 && decoded[1] == ':');
+  const bool escapes = !staysInside(decoded) || (decoded.size() > 1 && decoded[1] == ':');
   for (const std::string& name : {slashes, decoded}) {
     const fs::path base = fs::path(name).filename();
     if (!escapes || base.empty() || base == "..")

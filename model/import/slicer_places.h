@@ -15,6 +15,9 @@
 
 namespace sline::model {
 
+/// Whether the relative path stays in the folder that it is relative to.
+bool staysInside(const std::filesystem::path& relative);
+
 /// The file that a node of the scene calls `written`, if it is there and inside the scene's folder;
 /// else nothing, with a warning.
 std::optional<std::filesystem::path> fileOfSlicer(const std::filesystem::path& scene,

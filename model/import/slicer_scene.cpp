@@ -63,11 +63,6 @@ std::optional<int> slicerVersion(const XmlNode& scene) {
   return major * 100 + std::clamp(minor, 0, 99);
 }
 
-bool inside(const fs::path& relative) {
-  const fs::path tidy = relative.lexically_normal();
-  return !tidy.empty() && !tidy.is_absolute() && *tidy.begin() != "..";
-}
-
 class SceneReader {
  public:
   SceneReader(const fs::path& file, const XmlNode& scene)
@@ -194,7 +189,7 @@ void SceneReader::warnOfVolumes(SlicerScene& result) const {
   std::error_code fault;
   for (const XmlNode& node : m_scene.children("VolumeArchetypeStorage")) {
     const std::string name = percentDecoded(node.attribute("fileName").value());
-    if (name.empty() || (inside(name) && fs::exists(m_folder / name, fault)))
+    if (name.empty() || (staysInside(name) && fs::exists(m_folder / name, fault)))
       continue;
     absent += (count == 0 ? "" : ", ") + name;
     ++count;

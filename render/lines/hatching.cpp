@@ -19,7 +19,7 @@ namespace sline::render {
 namespace {
 // A stroke narrower than this half width (λ) ends rather than become a grey hair. Where all are to
 // be thinner than usual this one may be as much: hatching ends in the same places.
-constexpr float hair = 0.36f;
+constexpr float leastHalfWidth = 0.36f;
 constexpr float pen = 0.52f;  // half width at and above which it is drawn as it is
 // Of the space between strokes ink takes no more, however dark it is to be.
 constexpr float mostInk = 0.9f;
@@ -144,7 +144,7 @@ class Hatcher {
   /// The thinnest strokes taper off quickly instead of fading. `usual`: how much thinner or wider
   /// than usual all are.
   static float definite(float halfWidth, float usual) {
-    const float least = hair * usual;
+    const float least = leastHalfWidth * usual;
     const float whole = pen * usual;
     return halfWidth >= whole ? halfWidth
                               : std::max(halfWidth - least, 0.0f) * whole / (whole - least);

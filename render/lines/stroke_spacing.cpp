@@ -10,14 +10,14 @@
 namespace sline::render {
 
 namespace {
-constexpr float mostCells = 128.0f;  // each way
+constexpr float mostCellsASide = 128.0f;  // each way
 // Cosine between normals of one sheet.
 constexpr float sameSheet = 0.2f;
 }  // namespace
 
 StrokeSpacing::StrokeSpacing(float distance, const model::Box& box)
     : m_distance(distance), m_box(box) {
-  const glm::vec3 size = glm::clamp(glm::ceil(box.size() / distance), 1.0f, mostCells);
+  const glm::vec3 size = glm::clamp(glm::ceil(box.size() / distance), 1.0f, mostCellsASide);
   m_size = {int(size.x), int(size.y), int(size.z)};
   m_first.assign(std::size_t(m_size.x) * std::size_t(m_size.y) * std::size_t(m_size.z), -1);
 }

@@ -129,7 +129,7 @@ std::optional<double> share(double part, double whole) {
   return whole > 0.0 ? std::optional(part / whole) : std::nullopt;
 }
 
-std::string percent(double value) {
+std::string wholePercent(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.0f %%", 100.0 * value);
   return text.data();
@@ -203,13 +203,13 @@ std::vector<std::string> faults(const Steadiness& steadiness) {
     if (!flicker->anyHatching())
       found.push_back(std::string(name) + ": no hatching shows");
   if (const auto ratio = steadiness.inkRatio(); ratio && *ratio > flickerLimit)
-    found.push_back("strokes: change " + percent(*ratio) +
+    found.push_back("strokes: change " + wholePercent(*ratio) +
                     " as much as hatching as printed does for as much ink, not at most " +
-                    percent(flickerLimit));
+                    wholePercent(flickerLimit));
   if (const double middle = steadiness.strokes.midTonesInPrint; middle > midToneLimit)
-    found.push_back("strokes: " + percent(middle) +
+    found.push_back("strokes: " + wholePercent(middle) +
                     " of hatched pixels are mid-tones in print, not at most " +
-                    percent(midToneLimit));
+                    wholePercent(midToneLimit));
   return found;
 }
 

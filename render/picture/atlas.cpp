@@ -12,11 +12,11 @@ namespace {
 constexpr int usualWidth = 2048;
 constexpr int sizeStep = 256;
 
-int roundedUp(int value) {
-  return (value + sizeStep - 1) / sizeStep * sizeStep;
-}
-
 }  // namespace
+
+int roundedToStep(int pixels) {
+  return (pixels + sizeStep - 1) / sizeStep * sizeStep;
+}
 
 std::vector<gpu::Rect> Atlas::layOut(std::span<const gpu::TextureSize> sizes) {
   std::size_t area = 0;
@@ -27,7 +27,7 @@ std::vector<gpu::Rect> Atlas::layOut(std::span<const gpu::TextureSize> sizes) {
   }
   if (area > m_limits.pixels || widest > m_limits.side)
     return {};
-  const int width = std::min(m_limits.side, std::max(usualWidth, roundedUp(widest)));
+  const int width = std::min(m_limits.side, std::max(usualWidth, roundedToStep(widest)));
   const int height = int(std::min<std::size_t>(m_limits.side, m_limits.pixels / width));
   // Rows fill best from the tallest to the lowest; the order given decides between equals.
   std::vector<std::size_t> order(sizes.size());
@@ -44,7 +44,7 @@ std::vector<gpu::Rect> Atlas::layOut(std::span<const gpu::TextureSize> sizes) {
   }
   // Some room for layers that change their size while the view stays.
   m_wanted = {width,
-              std::min(height, roundedUp(packer.usedHeight() + packer.usedHeight() / 8 + 1))};
+              std::min(height, roundedToStep(packer.usedHeight() + packer.usedHeight() / 8 + 1))};
   m_packer = packer;
   m_packer.limitHeight(m_wanted.height);
   return places;

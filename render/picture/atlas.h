@@ -17,6 +17,9 @@ struct AtlasLimits {
   bool deep = false;       ///< colours of 16 bits a channel
 };
 
+/// Rounds a texture's width or height up to a multiple of 256, so that few sizes occur.
+int roundedToStep(int pixels);
+
 class Atlas {
  public:
   explicit Atlas(const AtlasLimits& limits) : m_limits(limits) {}

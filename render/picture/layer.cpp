@@ -18,10 +18,6 @@ constexpr float veilStrength = 0.6f;
 // Pixels that a fill reaches beyond its surface, soft edge included.
 constexpr int edgeMargin = 2;
 
-glm::vec3 rgb(const Colour& colour) {
-  return glm::vec3(float(colour.red), float(colour.green), float(colour.blue)) / 255.0f;
-}
-
 bool cullsBack(const Shown& shown, const PictureView& view) {
   return !needsTwoSides(shown.surface(), view.camera());
 }

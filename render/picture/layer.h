@@ -58,6 +58,10 @@ struct Layer {
   }
 };
 
+/// From 0 to 1 in each of red, green and blue, encoded as sRGB.
+inline glm::vec3 rgb(const Colour& colour) {
+  return glm::vec3(float(colour.red), float(colour.green), float(colour.blue)) / 255.0f;
+}
 /// sRGB, straight alpha.
 glm::vec4 backgroundColour(Background background);
 /// The pen's colour: the style's own, else black, on a dark background nearly white.

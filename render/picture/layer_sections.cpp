@@ -19,10 +19,6 @@ constexpr float strokeShade = 0.75f;
 constexpr float strokeSpacing = 9.0f;  // λ
 constexpr float strokeWidth = 1.2f;    // λ
 
-glm::vec3 rgb(const Colour& colour) {
-  return glm::vec3(float(colour.red), float(colour.green), float(colour.blue)) / 255.0f;
-}
-
 /// The corner that lies farthest in that direction.
 glm::vec3 cornerAlong(const model::Box& box, const glm::vec3& direction) {
   return glm::mix(box.low, box.high, glm::greaterThan(direction, glm::vec3(0.0f)));

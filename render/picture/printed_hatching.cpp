@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/picture/atlas.h"
 #include "render/picture/transitions.h"
 
 namespace sline::render {
@@ -14,15 +15,10 @@ namespace {
 constexpr float cellSize = 0.05f;  // c_s, of F
 // Depth may change by this many times a step's length on a slope without being a contour.
 constexpr float steepest = 8.0f;
-constexpr int sizeStep = 256;
 
 /// T_H as S eq. 7 prints it.
 float entered(Gamma gamma) {
   return std::clamp(gamma.value() - 2.0f, 0.0f, 1.0f);
-}
-
-int roundedUp(int value) {
-  return (value + sizeStep - 1) / sizeStep * sizeStep;
 }
 
 passes::HatchingDraw hatchingDraw(const Shown& shown, const PictureView& view,
@@ -65,7 +61,7 @@ Status PrintedHatching::prepare(const gpu::Device& device, gpu::TextureSize size
   m_target.reset();
   m_fields.reset();
   m_depths.reset();
-  const gpu::TextureSize rounded{roundedUp(size.width), roundedUp(size.height)};
+  const gpu::TextureSize rounded{roundedToStep(size.width), roundedToStep(size.height)};
   m_fields =
       std::make_unique<gpu::Texture>(gpu::TextureFormat::rgba32i, rounded, "hatching fields");
   m_depths =

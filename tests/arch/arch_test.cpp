@@ -6,6 +6,7 @@
 #include <QtTest>
 
 #include "tests/arch/rules.h"
+#include "tests/support/suite.h"
 
 using namespace sline::arch;
 
@@ -208,5 +209,5 @@ class ArchTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ArchTest)
+SLINE_TEST(ArchTest)
 #include "arch_test.moc"

@@ -9,6 +9,7 @@
 
 #include "tests/cli/sline_process.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -236,5 +237,5 @@ void AnnotateTest::kinds() {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::AnnotateTest)
+SLINE_TEST_WITH_EVENTS(sline::test::AnnotateTest)
 #include "annotate_test.moc"

@@ -3,6 +3,8 @@
 
 #include <QTest>
 
+#include "tests/support/suite.h"
+
 namespace sline::cli {
 
 class ArgumentsTest : public QObject {
@@ -66,5 +68,5 @@ void ArgumentsTest::inputsFirst() {
 
 }  // namespace sline::cli
 
-QTEST_APPLESS_MAIN(sline::cli::ArgumentsTest)
+SLINE_TEST(sline::cli::ArgumentsTest)
 #include "arguments_test.moc"

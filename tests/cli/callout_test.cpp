@@ -12,6 +12,7 @@
 #include <QTest>
 
 #include "tests/cli/sline_process.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -109,7 +110,7 @@ void CalloutTest::vectorsHaveStyles() {
 
 void CalloutTest::printHasTextInItsFonts() {
   if (QStandardPaths::findExecutable("pdftotext").isEmpty())
-    QSKIP("poppler-utils are not installed");
+    SLINE_ABSENT("poppler-utils are not installed");
   QVERIFY(!exported("figure.pdf", {"--labels", "on"}).isEmpty());
   const QString text = run("pdftotext", {path("figure.pdf"), "-"}).simplified();
   QVERIFY2(text.contains("Kidney & ren"), qPrintable(text));
@@ -132,7 +133,7 @@ void CalloutTest::keysAreWithoutMarkers() {
   QCOMPARE(render.code, 0);
   QVERIFY2(("\n" + render.out).contains(QByteArray("\n1\t") + plainWords + "\n"), render.out);
   if (QStandardPaths::findExecutable("pdftotext").isEmpty())
-    QSKIP("poppler-utils are not installed");
+    SLINE_ABSENT("poppler-utils are not installed");
   QVERIFY(!exported("sheet.pdf", {"--sheet", "teaching"}).isEmpty());
   const QString key = run("pdftotext", {"-f", "3", "-l", "3", path("sheet.pdf"), "-"}).simplified();
   QVERIFY2(key.contains("Kidney & ren • a hilum"), qPrintable(key));
@@ -184,5 +185,5 @@ void CalloutTest::cardsAndModels() {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::CalloutTest)
+SLINE_TEST_WITH_EVENTS(sline::test::CalloutTest)
 #include "callout_test.moc"

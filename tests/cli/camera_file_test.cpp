@@ -3,6 +3,8 @@
 
 #include <QTest>
 
+#include "tests/support/suite.h"
+
 namespace sline::cli {
 
 class CameraFileTest : public QObject {
@@ -78,5 +80,5 @@ void CameraFileTest::refuses() {
 
 }  // namespace sline::cli
 
-QTEST_APPLESS_MAIN(sline::cli::CameraFileTest)
+SLINE_TEST(sline::cli::CameraFileTest)
 #include "camera_file_test.moc"

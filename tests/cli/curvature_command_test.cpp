@@ -6,6 +6,7 @@
 
 #include "tests/cli/sline_process.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -62,5 +63,5 @@ void CurvatureCommandTest::sphere() {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::CurvatureCommandTest)
+SLINE_TEST_WITH_EVENTS(sline::test::CurvatureCommandTest)
 #include "curvature_command_test.moc"

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "tests/cli/sline_process.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 namespace {
@@ -186,5 +187,5 @@ void DemoTest::cacheIsMadeAndMended() {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::DemoTest)
+SLINE_TEST_WITH_EVENTS(sline::test::DemoTest)
 #include "demo_test.moc"

@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "tests/cli/sline_process.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -205,5 +206,5 @@ void ExitCodesTest::outputThatGoesNowhere() {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::ExitCodesTest)
+SLINE_TEST_WITH_EVENTS(sline::test::ExitCodesTest)
 #include "exit_codes_test.moc"

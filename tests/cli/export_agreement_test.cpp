@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "tests/cli/ink_agreement.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -37,7 +38,7 @@ class ExportAgreementTest : public QObject {
 void ExportAgreementTest::initTestCase() {
   m_rasteriser = QStandardPaths::findExecutable("rsvg-convert");
   if (m_rasteriser.isEmpty())
-    QSKIP("rsvg-convert is not installed");
+    SLINE_ABSENT("rsvg-convert is not installed");
   m_pdfRasteriser = QStandardPaths::findExecutable("pdftoppm");
   for (const char* name : {"kidney", "pelvis"})
     QCOMPARE(runSline({"demo", name, "-o", m_folder.filePath(QString(name) + ".sline")}).code, 0);
@@ -90,7 +91,7 @@ void ExportAgreementTest::inkLiesWhereOursDoes() {
   QFETCH(QString, scene);
   QFETCH(QStringList, flags);
   if (!QFileInfo::exists(scene))
-    QSKIP("there is no real anatomy to draw");
+    SLINE_ABSENT("there is no real anatomy to draw");
   const QString png = m_folder.filePath("ours.png");
   const QString theirs = m_folder.filePath("theirs.png");
   const QString size = QString("%1x%2").arg(width).arg(height);
@@ -129,7 +130,7 @@ void ExportAgreementTest::inkLiesWhereOursDoes() {
 void ExportAgreementTest::theShadedAbdomenStaysHandy() {
   const QString abdomen = SLINE_TEST_DATA "/abdomen/AbdominalAtlas-2015Sept-Slicer4-4Version.mrml";
   if (!QFileInfo::exists(abdomen))
-    QSKIP("there is no real anatomy to draw");
+    SLINE_ABSENT("there is no real anatomy to draw");
   const QString file = m_folder.filePath("open.svg");
   const Finished exported = runSline({"export", abdomen, "--svg", file, "--gamma", "3.5"});
   QVERIFY2(exported.code == 0, exported.err.constData());
@@ -140,5 +141,5 @@ void ExportAgreementTest::theShadedAbdomenStaysHandy() {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::ExportAgreementTest)
+SLINE_TEST_WITH_EVENTS(sline::test::ExportAgreementTest)
 #include "export_agreement_test.moc"

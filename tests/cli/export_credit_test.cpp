@@ -12,6 +12,7 @@
 #include "render/export/formats/export_formats.h"
 #include "tests/cli/sline_process.h"
 #include "tests/support/marker_scan.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -143,7 +144,7 @@ class ExportCreditTest : public QObject {
     QFETCH(QStringList, reader);
     QFETCH(QStringList, says);
     if (QStandardPaths::findExecutable(reader.front()).isEmpty())
-      QSKIP(qPrintable(reader.front() + " is not installed"));
+      SLINE_ABSENT(qPrintable(reader.front() + " is not installed"));
     const QStringList files = exported(kind, name, both());
     QCOMPARE(files.size(), 1);
     const QString text = told(reader.front(), reader.mid(1) + files);
@@ -190,5 +191,5 @@ class ExportCreditTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::ExportCreditTest)
+SLINE_TEST_WITH_EVENTS(sline::test::ExportCreditTest)
 #include "export_credit_test.moc"

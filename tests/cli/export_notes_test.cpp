@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "tests/cli/sline_process.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -140,5 +141,5 @@ class ExportNotesTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::ExportNotesTest)
+SLINE_TEST_WITH_EVENTS(sline::test::ExportNotesTest)
 #include "export_notes_test.moc"

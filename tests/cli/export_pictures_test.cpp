@@ -7,6 +7,7 @@
 
 #include "tests/cli/sline_process.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -156,5 +157,5 @@ void ExportPicturesTest::badTargets() {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::ExportPicturesTest)
+SLINE_TEST_WITH_EVENTS(sline::test::ExportPicturesTest)
 #include "export_pictures_test.moc"

@@ -17,6 +17,7 @@
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/marker_scan.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -200,5 +201,5 @@ class ExportPrivacyTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::ExportPrivacyTest)
+SLINE_TEST_WITH_EVENTS(sline::test::ExportPrivacyTest)
 #include "export_privacy_test.moc"

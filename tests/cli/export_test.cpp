@@ -8,6 +8,7 @@
 
 #include "tests/cli/sline_process.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -329,5 +330,5 @@ void ExportTest::surfacesAndCards() {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::ExportTest)
+SLINE_TEST_WITH_EVENTS(sline::test::ExportTest)
 #include "export_test.moc"

@@ -10,6 +10,7 @@
 
 #include "tests/cli/sline_process.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 namespace {
@@ -144,8 +145,8 @@ void ImportTest::planAsText() {
 void ImportTest::planAsJson() {
   const QJsonObject plan =
       objectOf({"import", m_meshes, "--plan", "--json", "--unit", "cm", "-o", at("never.sline")});
-  QCOMPARE(plan.keys(),
-           QStringList({"bounds_mm", "decimate_mm", "inputs", "left_out", "nodes", "notes"}));
+  QCOMPARE(plan.keys(), QStringList({"bounds_mm", "decimate_mm", "inputs", "left_out", "nodes",
+                                     "notes", "repaired"}));
   const QJsonArray nodes = plan["nodes"].toArray();
   QCOMPARE(nodes.size(), 5);
   QVERIFY(!nodes[0].toObject().contains("file"));
@@ -238,5 +239,5 @@ void ImportTest::fewerTriangles() {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::ImportTest)
+SLINE_TEST_WITH_EVENTS(sline::test::ImportTest)
 #include "import_test.moc"

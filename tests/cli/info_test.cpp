@@ -8,6 +8,7 @@
 
 #include "tests/cli/sline_process.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 namespace {
@@ -141,7 +142,7 @@ void InfoTest::abdomen() {
   const QString scene =
       QStringLiteral(SLINE_TEST_DATA "/abdomen/AbdominalAtlas-2015Sept-Slicer4-4Version.mrml");
   if (!QFile::exists(scene))
-    QSKIP("the abdomen is not there");
+    SLINE_ABSENT("the abdomen is not there");
   const QJsonObject root = info({scene});
   QCOMPARE(root["structures"].toArray().size(), 94);
   QVERIFY(!root["warnings"].toArray().isEmpty());  // the scene refers to files that are absent
@@ -149,5 +150,5 @@ void InfoTest::abdomen() {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::InfoTest)
+SLINE_TEST_WITH_EVENTS(sline::test::InfoTest)
 #include "info_test.moc"

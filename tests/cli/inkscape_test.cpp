@@ -12,6 +12,7 @@
 #include <map>
 
 #include "tests/cli/ink_agreement.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -108,7 +109,7 @@ class InkscapeTest : public QObject {
 void InkscapeTest::initTestCase() {
   m_program = QStandardPaths::findExecutable("inkscape");
   if (m_program.isEmpty())
-    QSKIP("inkscape is not installed: nobody looks at our drawings with it");
+    SLINE_ABSENT("inkscape is not installed: nobody looks at our drawings with it");
   const QString scene = at("pelvis.sline");
   QCOMPARE(runSline({"demo", "pelvis", "-o", scene}).code, 0);
   QStringList annotate{"annotate", scene};
@@ -222,7 +223,7 @@ void InkscapeTest::listsOurGroups() {
 void InkscapeTest::drawsWhatOthersDraw() {
   const QString rsvg = QStandardPaths::findExecutable("rsvg-convert");
   if (rsvg.isEmpty())
-    QSKIP("rsvg-convert is not installed");
+    SLINE_ABSENT("rsvg-convert is not installed");
   const QString width = "1440";
   const QString height = "810";
   inkscape({"--export-type=png", "--export-filename=" + at("theirs.png"), "-w", width, "-h", height,
@@ -256,5 +257,5 @@ void InkscapeTest::drawsWhatOthersDraw() {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::InkscapeTest)
+SLINE_TEST_WITH_EVENTS(sline::test::InkscapeTest)
 #include "inkscape_test.moc"

@@ -7,6 +7,7 @@
 
 #include "tests/cli/sline_process.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -103,5 +104,5 @@ class InputsStayTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::InputsStayTest)
+SLINE_TEST_WITH_EVENTS(sline::test::InputsStayTest)
 #include "inputs_stay_test.moc"

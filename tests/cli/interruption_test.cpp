@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include "tests/cli/sline_process.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -57,5 +58,5 @@ class InterruptionTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::InterruptionTest)
+SLINE_TEST_WITH_EVENTS(sline::test::InterruptionTest)
 #include "interruption_test.moc"

@@ -5,6 +5,7 @@
 
 #include "app/cli/job_list.h"
 #include "tests/support/mutator.h"
+#include "tests/support/suite.h"
 
 namespace sline::cli {
 
@@ -212,5 +213,5 @@ class JobListTest : public QObject {
 
 }  // namespace sline::cli
 
-QTEST_GUILESS_MAIN(sline::cli::JobListTest)
+SLINE_TEST_WITH_EVENTS(sline::cli::JobListTest)
 #include "job_list_test.moc"

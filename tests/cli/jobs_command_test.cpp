@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "tests/cli/sline_process.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -270,5 +271,5 @@ class JobsCommandTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::JobsCommandTest)
+SLINE_TEST_WITH_EVENTS(sline::test::JobsCommandTest)
 #include "jobs_command_test.moc"

@@ -9,6 +9,7 @@
 
 #include "tests/cli/sline_process.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 namespace {
@@ -322,5 +323,5 @@ void LinesCommandTest::hatchingEndsWithThePicture() {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::LinesCommandTest)
+SLINE_TEST_WITH_EVENTS(sline::test::LinesCommandTest)
 #include "lines_command_test.moc"

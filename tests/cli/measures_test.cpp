@@ -9,6 +9,7 @@
 
 #include "tests/cli/sline_process.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -201,5 +202,5 @@ void MeasuresTest::refusals() {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::MeasuresTest)
+SLINE_TEST_WITH_EVENTS(sline::test::MeasuresTest)
 #include "measures_test.moc"

@@ -3,6 +3,8 @@
 
 #include <QTest>
 
+#include "tests/support/suite.h"
+
 namespace sline::cli {
 
 class NamesTest : public QObject {
@@ -57,5 +59,5 @@ void NamesTest::unknownNamesTheNear() {
 
 }  // namespace sline::cli
 
-QTEST_APPLESS_MAIN(sline::cli::NamesTest)
+SLINE_TEST(sline::cli::NamesTest)
 #include "names_test.moc"

@@ -9,6 +9,7 @@
 
 #include "tests/cli/sline_process.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -123,5 +124,5 @@ void ProofTest::wrongUse() {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::ProofTest)
+SLINE_TEST_WITH_EVENTS(sline::test::ProofTest)
 #include "proof_test.moc"

@@ -9,6 +9,7 @@
 
 #include "tests/cli/sline_process.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 namespace {
@@ -160,5 +161,5 @@ void ReloadTest::savedViews() {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::ReloadTest)
+SLINE_TEST_WITH_EVENTS(sline::test::ReloadTest)
 #include "reload_test.moc"

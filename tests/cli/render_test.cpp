@@ -5,6 +5,7 @@
 
 #include "tests/cli/sline_process.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -316,5 +317,5 @@ void RenderTest::demo() {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::RenderTest)
+SLINE_TEST_WITH_EVENTS(sline::test::RenderTest)
 #include "render_test.moc"

@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::cli {
 
@@ -159,5 +160,5 @@ void SectionFlagsTest::flagsWithoutSectionAreRefused() {
 
 }  // namespace sline::cli
 
-QTEST_GUILESS_MAIN(sline::cli::SectionFlagsTest)
+SLINE_TEST_WITH_EVENTS(sline::cli::SectionFlagsTest)
 #include "section_flags_test.moc"

@@ -11,6 +11,7 @@
 
 #include "tests/cli/sline_process.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -47,7 +48,7 @@ class SheetTest : public QObject {
 void SheetTest::initTestCase() {
   for (const char* program : {"pdftotext", "pdffonts", "pdfinfo"})
     if (QStandardPaths::findExecutable(program).isEmpty())
-      QSKIP("poppler-utils are not installed");
+      SLINE_ABSENT("poppler-utils are not installed");
 }
 
 QString SheetTest::exported(const QStringList& inputAndFlags) {
@@ -322,5 +323,5 @@ void SheetTest::saysNothingElse() {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::SheetTest)
+SLINE_TEST_WITH_EVENTS(sline::test::SheetTest)
 #include "sheet_test.moc"

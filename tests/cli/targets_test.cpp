@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/support/suite.h"
+
 namespace sline::cli {
 
 namespace fs = std::filesystem;
@@ -110,5 +112,5 @@ class TargetsTest : public QObject {
 
 }  // namespace sline::cli
 
-QTEST_APPLESS_MAIN(sline::cli::TargetsTest)
+SLINE_TEST(sline::cli::TargetsTest)
 #include "targets_test.moc"

@@ -3,6 +3,8 @@
 
 #include <QTest>
 
+#include "tests/support/suite.h"
+
 namespace sline::cli {
 
 class ValuesTest : public QObject {
@@ -150,5 +152,5 @@ void ValuesTest::parses() {
 
 }  // namespace sline::cli
 
-QTEST_APPLESS_MAIN(sline::cli::ValuesTest)
+SLINE_TEST(sline::cli::ValuesTest)
 #include "values_test.moc"

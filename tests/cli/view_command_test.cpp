@@ -10,6 +10,7 @@
 #include "model/files/scene_file.h"
 #include "tests/cli/sline_process.h"
 #include "tests/model/files/sample_scene.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 namespace {
@@ -278,5 +279,5 @@ void ViewCommandTest::picturesOfViews() {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::ViewCommandTest)
+SLINE_TEST_WITH_EVENTS(sline::test::ViewCommandTest)
 #include "view_command_test.moc"

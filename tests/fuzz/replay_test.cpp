@@ -7,6 +7,7 @@
 
 #include "tests/fuzz/harnesses.h"
 #include "tests/support/process_memory.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 
@@ -54,5 +55,5 @@ class ReplayTest : public QObject {
   void memoryIsBounded() { QVERIFY(test::peakResidentMiB() < 2048); }
 };
 
-QTEST_GUILESS_MAIN(ReplayTest)
+SLINE_TEST_WITH_EVENTS(ReplayTest)
 #include "replay_test.moc"

@@ -9,6 +9,7 @@
 #include <QtTest>
 
 #include "tests/gui/window_fixture.h"
+#include "tests/support/suite.h"
 #include "widgets/focus/focus_context.h"
 #include "widgets/gamma/gamma_slider.h"
 #include "widgets/structure_tree/structure_tree_model.h"
@@ -192,7 +193,7 @@ class AcceptanceStoryTest : public QObject {
     if (!real)
       writeBody(body.path());
     else if (!copyCore(pelvis, body.path()))
-      QSKIP("no real anatomy here");
+      SLINE_ABSENT("no real anatomy here");
     const QString file = body.path() + QStringLiteral("/story.sline");
     Hands hands;
     model::Scene made;
@@ -232,5 +233,5 @@ class AcceptanceStoryTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::AcceptanceStoryTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::AcceptanceStoryTest)
 #include "acceptance_story_test.moc"

@@ -9,6 +9,7 @@
 #include "tests/gui/gated_painter.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 #include "widgets/structure_tree/structure_tree.h"
 #include "widgets/structure_tree/structure_tree_model.h"
 
@@ -116,7 +117,7 @@ class EventCostTest : public QObject {
     QFETCH(QString, scene);
     const bool file = scene.startsWith(QLatin1Char('/'));
     if (file && !QFileInfo::exists(scene))
-      QSKIP("no real anatomy here");
+      SLINE_ABSENT("no real anatomy here");
     WindowFixture f;
     Hands hands{f};
     watch().forget();
@@ -179,9 +180,5 @@ class EventCostTest : public QObject {
 
 }  // namespace sline::test
 
-int main(int argc, char** argv) {
-  const sline::test::WatchedApplication application(argc, argv);
-  sline::test::EventCostTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+SLINE_ENROL(sline::test::runSuiteIn<sline::test::EventCostTest, sline::test::WatchedApplication>)
 #include "event_cost_test.moc"

@@ -23,6 +23,7 @@
 
 #include "tests/gui/text_fit.h"
 #include "tests/gui/window_fixture.h"
+#include "tests/support/suite.h"
 #include "widgets/language/language_switch.h"
 #include "widgets/language/languages.h"
 #include "widgets/window/message_bar.h"
@@ -296,5 +297,5 @@ class EveryControlTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::EveryControlTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::EveryControlTest)
 #include "every_control_test.moc"

@@ -10,6 +10,7 @@
 #include "render/export/formats/export_formats.h"
 #include "tests/gui/export_desk.h"
 #include "tests/gui/text_fit.h"
+#include "tests/support/suite.h"
 #include "widgets/language/language_switch.h"
 #include "widgets/language/languages.h"
 
@@ -270,5 +271,5 @@ class ExportChoicesTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::ExportChoicesTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::ExportChoicesTest)
 #include "export_choices_test.moc"

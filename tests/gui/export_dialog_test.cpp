@@ -12,6 +12,7 @@
 #include "model/edit/visibility.h"
 #include "render/export/formats/export_formats.h"
 #include "tests/gui/export_desk.h"
+#include "tests/support/suite.h"
 #include "widgets/language/language_switch.h"
 
 namespace sline::test {
@@ -390,5 +391,5 @@ class ExportDialogTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::ExportDialogTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::ExportDialogTest)
 #include "export_dialog_test.moc"

@@ -10,6 +10,7 @@
 #include "model/files/scene_file.h"
 #include "tests/gui/foreign_window.h"
 #include "tests/gui/window_fixture.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -110,5 +111,5 @@ class FilesCrashTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::FilesCrashTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::FilesCrashTest)
 #include "files_crash_test.moc"

@@ -11,6 +11,7 @@
 #include "model/edit/emphasis.h"
 #include "model/files/scene_file.h"
 #include "tests/gui/window_fixture.h"
+#include "tests/support/suite.h"
 #include "widgets/window/file_actions.h"
 #include "widgets/window/message_bar.h"
 
@@ -347,5 +348,5 @@ class FilesTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::FilesTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::FilesTest)
 #include "files_test.moc"

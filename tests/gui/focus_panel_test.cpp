@@ -10,6 +10,7 @@
 
 #include "model/edit/visibility.h"
 #include "tests/gui/window_fixture.h"
+#include "tests/support/suite.h"
 #include "widgets/focus/amount_slider.h"
 #include "widgets/focus/focus_context.h"
 
@@ -214,5 +215,5 @@ class FocusPanelTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::FocusPanelTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::FocusPanelTest)
 #include "focus_panel_test.moc"

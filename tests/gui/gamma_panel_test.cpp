@@ -16,6 +16,7 @@
 #include "model/edit/look.h"
 #include "model/edit/visibility.h"
 #include "tests/gui/window_fixture.h"
+#include "tests/support/suite.h"
 #include "widgets/gamma/gamma_slider.h"
 #include "widgets/gamma/range_box.h"
 #include "widgets/gamma/stage_strip.h"
@@ -467,5 +468,5 @@ void GammaPanelTest::presetsOfAPerson() {
   QVERIFY(!f.presetEntry("managePresets").isEnabled());
 }
 
-QTEST_MAIN(GammaPanelTest)
+SLINE_TEST_WITH_WIDGETS(GammaPanelTest)
 #include "gamma_panel_test.moc"

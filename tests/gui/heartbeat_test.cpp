@@ -13,6 +13,7 @@
 #include "tests/gui/window_fixture.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 #include "widgets/import_dialog/import_dialog.h"
 #include "widgets/import_dialog/plan_tree.h"
 
@@ -128,7 +129,7 @@ class HeartbeatTest : public QObject {
   void importing() {
     QFETCH(QString, path);
     if (!path.isEmpty() && !QFileInfo::exists(path))
-      QSKIP("no real anatomy here");
+      SLINE_ABSENT("no real anatomy here");
     WindowFixture f;
     watch().forget();
     Heart heart;
@@ -142,7 +143,7 @@ class HeartbeatTest : public QObject {
   void choosing() {
     QFETCH(QString, path);
     if (!path.isEmpty() && !QFileInfo::exists(path))
-      QSKIP("no real anatomy here");
+      SLINE_ABSENT("no real anatomy here");
     WindowFixture f;
     QVERIFY(f.drop(QFileInfo(m_crowd.path()).filePath() + QStringLiteral("/Group 1")));
     QVERIFY(f.settled());
@@ -206,9 +207,5 @@ class HeartbeatTest : public QObject {
 
 }  // namespace sline::test
 
-int main(int argc, char** argv) {
-  const sline::test::WatchedApplication application(argc, argv);
-  sline::test::HeartbeatTest test;
-  return QTest::qExec(&test, argc, argv);
-}
+SLINE_ENROL(sline::test::runSuiteIn<sline::test::HeartbeatTest, sline::test::WatchedApplication>)
 #include "heartbeat_test.moc"

@@ -11,6 +11,7 @@
 #include <QtTest>
 
 #include "tests/gui/window_fixture.h"
+#include "tests/support/suite.h"
 #include "widgets/help/help_browser.h"
 #include "widgets/help/help_pages.h"
 #include "widgets/help/help_window.h"
@@ -164,5 +165,5 @@ class HelpTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::HelpTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::HelpTest)
 #include "help_test.moc"

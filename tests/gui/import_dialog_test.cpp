@@ -14,6 +14,7 @@
 
 #include "tests/gui/window_fixture.h"
 #include "tests/model/import/written_meshes.h"
+#include "tests/support/suite.h"
 #include "widgets/import_dialog/import_dialog.h"
 #include "widgets/import_dialog/plan_tree.h"
 #include "widgets/window/message_bar.h"
@@ -332,5 +333,5 @@ class ImportDialogTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::ImportDialogTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::ImportDialogTest)
 #include "import_dialog_test.moc"

@@ -13,6 +13,7 @@
 
 #include "model/edit/views.h"
 #include "tests/gui/labels_fixture.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -425,5 +426,5 @@ class LabelsPanelTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::LabelsPanelTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::LabelsPanelTest)
 #include "labels_panel_test.moc"

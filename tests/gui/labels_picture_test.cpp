@@ -5,6 +5,7 @@
 #include "model/edit/style.h"
 #include "model/edit/visibility.h"
 #include "tests/gui/labels_fixture.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -313,5 +314,5 @@ class LabelsPictureTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::LabelsPictureTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::LabelsPictureTest)
 #include "labels_picture_test.moc"

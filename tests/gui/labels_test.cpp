@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "tests/gui/labels_fixture.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -471,5 +472,5 @@ class LabelsTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::LabelsTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::LabelsTest)
 #include "labels_test.moc"

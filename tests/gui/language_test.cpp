@@ -14,6 +14,7 @@
 
 #include "model/edit/visibility.h"
 #include "tests/gui/window_fixture.h"
+#include "tests/support/suite.h"
 #include "widgets/language/language_switch.h"
 #include "widgets/language/languages.h"
 #include "widgets/structure_tree/structure_tree_model.h"
@@ -246,5 +247,5 @@ class LanguageTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::LanguageTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::LanguageTest)
 #include "language_test.moc"

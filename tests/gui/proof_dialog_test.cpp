@@ -10,6 +10,7 @@
 
 #include "tests/gui/window_fixture.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 #include "widgets/export/print_proof_dialog.h"
 
 namespace sline::test {
@@ -137,5 +138,5 @@ class ProofDialogTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::ProofDialogTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::ProofDialogTest)
 #include "proof_dialog_test.moc"

@@ -8,6 +8,7 @@
 #include "model/files/scene_file.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 #include "widgets/start/demo_pictures.h"
 #include "widgets/start/scene_thumbnails.h"
 
@@ -109,5 +110,5 @@ class StartPicturesTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::StartPicturesTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::StartPicturesTest)
 #include "start_pictures_test.moc"

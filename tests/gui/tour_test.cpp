@@ -7,6 +7,7 @@
 #include <QStatusBar>
 
 #include "tests/gui/views_fixture.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -249,5 +250,5 @@ void TourTest::presentationEndsWithTheDocument() {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::TourTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::TourTest)
 #include "tour_test.moc"

@@ -9,6 +9,7 @@
 #include "model/edit/tree.h"
 #include "model/edit/visibility.h"
 #include "tests/gui/made_body.h"
+#include "tests/support/suite.h"
 #include "widgets/structure_tree/structure_tree_model.h"
 
 namespace sline::test {
@@ -189,5 +190,5 @@ class TreeBodyTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::TreeBodyTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::TreeBodyTest)
 #include "tree_body_test.moc"

@@ -7,6 +7,7 @@
 
 #include "model/edit/locks.h"
 #include "tests/gui/made_body.h"
+#include "tests/support/suite.h"
 #include "widgets/structure_tree/structure_tree_model.h"
 
 namespace sline::test {
@@ -164,5 +165,5 @@ class TreeDragTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::TreeDragTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::TreeDragTest)
 #include "tree_drag_test.moc"

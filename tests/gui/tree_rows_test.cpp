@@ -10,6 +10,7 @@
 
 #include "model/edit/visibility.h"
 #include "tests/gui/made_body.h"
+#include "tests/support/suite.h"
 #include "widgets/structure_tree/structure_tree_model.h"
 
 namespace sline::test {
@@ -429,5 +430,5 @@ class TreeRowsTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::TreeRowsTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::TreeRowsTest)
 #include "tree_rows_test.moc"

@@ -16,6 +16,7 @@
 #include "model/focus/context.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 #include "widgets/focus/focus_context.h"
 
 namespace sline::test {
@@ -379,5 +380,5 @@ class UndoWalkTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::UndoWalkTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::UndoWalkTest)
 #include "undo_walk_test.moc"

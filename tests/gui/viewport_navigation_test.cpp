@@ -8,6 +8,7 @@
 
 #include "render/export/marks/orientation_letters.h"
 #include "tests/gui/window_fixture.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -286,5 +287,5 @@ class ViewportNavigationTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::ViewportNavigationTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::ViewportNavigationTest)
 #include "viewport_navigation_test.moc"

@@ -7,6 +7,7 @@
 #include "model/edit/emphasis.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -175,5 +176,5 @@ class ViewportPickTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::ViewportPickTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::ViewportPickTest)
 #include "viewport_pick_test.moc"

@@ -10,6 +10,7 @@
 #include <QtTest>
 
 #include "tests/gui/window_fixture.h"
+#include "tests/support/suite.h"
 #include "widgets/sections/section_position.h"
 #include "widgets/viewport/section_handles.h"
 
@@ -232,5 +233,5 @@ class ViewportSectionsTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::ViewportSectionsTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::ViewportSectionsTest)
 #include "viewport_sections_test.moc"

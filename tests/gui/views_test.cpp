@@ -5,6 +5,7 @@
 
 #include "model/edit/views.h"
 #include "tests/gui/views_fixture.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -307,5 +308,5 @@ void ViewsTest::hostileNames() {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::ViewsTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::ViewsTest)
 #include "views_test.moc"

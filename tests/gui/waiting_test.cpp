@@ -8,6 +8,7 @@
 #include "model/edit/emphasis.h"
 #include "tests/gui/gated_painter.h"
 #include "tests/gui/window_fixture.h"
+#include "tests/support/suite.h"
 #include "widgets/structure_tree/structure_tree_model.h"
 
 namespace sline::test {
@@ -234,5 +235,5 @@ class WaitingTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::WaitingTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::WaitingTest)
 #include "waiting_test.moc"

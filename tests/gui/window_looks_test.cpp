@@ -12,6 +12,7 @@
 #include <QtTest>
 
 #include "tests/gui/window_fixture.h"
+#include "tests/support/suite.h"
 #include "widgets/session/demo_scenes.h"
 #include "widgets/theme/theme.h"
 
@@ -149,5 +150,5 @@ class WindowLooksTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::WindowLooksTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::WindowLooksTest)
 #include "window_looks_test.moc"

@@ -9,6 +9,7 @@
 #include "tests/gui/window_fixture.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -111,5 +112,5 @@ class WindowSceneTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::WindowSceneTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::WindowSceneTest)
 #include "window_scene_test.moc"

@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "tests/gui/window_fixture.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -131,5 +132,5 @@ class WindowSectionsTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::WindowSectionsTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::WindowSectionsTest)
 #include "window_sections_test.moc"

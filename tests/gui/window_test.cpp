@@ -14,6 +14,7 @@
 #include "tests/gui/window_fixture.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 #include "widgets/gamma/gamma_slider.h"
 #include "widgets/structure_tree/structure_tree.h"
 #include "widgets/structure_tree/structure_tree_model.h"
@@ -59,7 +60,7 @@ class WindowTest : public QObject {
     QFETCH(QString, name);
     QFETCH(float, gamma);
     if (!QFileInfo::exists(folder))
-      QSKIP("no real anatomy here");
+      SLINE_ABSENT("no real anatomy here");
     WindowFixture f;
     QVERIFY(f.drop(folder));
     QVERIFY(f.settled());
@@ -402,5 +403,5 @@ class WindowTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_MAIN(sline::test::WindowTest)
+SLINE_TEST_WITH_WIDGETS(sline::test::WindowTest)
 #include "window_test.moc"

@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "tests/support/marker_scan.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -143,5 +144,5 @@ class MarkerScanTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_GUILESS_MAIN(sline::test::MarkerScanTest)
+SLINE_TEST_WITH_EVENTS(sline::test::MarkerScanTest)
 #include "marker_scan_test.moc"

@@ -146,3 +146,5 @@ bool AnnotationList::setData(const QModelIndex& index, const QVariant& value, in
 }
 
 }  // namespace sline::widgets
+
+#include "moc_annotation_list.cpp"

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/annotations/annotation_texts.h"
 
-#include <QCoreApplication>
 #include <glm/geometric.hpp>
 
 #include "model/scene/markup.h"
 #include "render/export/label_texts.h"
 #include "widgets/annotations/label_look.h"
+#include "widgets/text/tr.h"
 
 namespace sline::widgets {
 
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("sline::widgets", text);
-}
 
 std::optional<model::NodeId> structureAt(const model::Anchor& anchor) {
   const auto* point = std::get_if<model::SurfacePoint>(&anchor);

@@ -420,3 +420,5 @@ void AnnotationsPanel::showActive() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_annotations_panel.cpp"

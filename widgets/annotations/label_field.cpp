@@ -106,3 +106,5 @@ void LabelField::insertFromMimeData(const QMimeData* source) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_label_field.cpp"

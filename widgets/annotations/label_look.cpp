@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/annotations/label_look.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <array>
+
+#include "widgets/text/tr.h"
 
 namespace sline::widgets {
 
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("sline::widgets", text);
-}
 
 constexpr std::array<const char*, 4> modes{"off", "texts", "numbers", "blank"};
 

@@ -115,3 +115,5 @@ void LabelViews::fillTicks() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_label_views.cpp"

@@ -376,3 +376,5 @@ void ExportDialog::give() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_export_dialog.cpp"

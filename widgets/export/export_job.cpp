@@ -81,3 +81,5 @@ void ExportJob::finish(const std::optional<Error>& error) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_export_job.cpp"

@@ -11,7 +11,7 @@ namespace {
 
 /// Milliseconds after the last change: whoever types a number types all of it.
 constexpr int restAfter = 200;
-constexpr int samples = 2;
+constexpr int previewSamples = 2;
 constexpr int margin = 14;
 constexpr int leastPixels = 16;
 
@@ -70,15 +70,16 @@ void ExportPreview::draw(int number, const render::ExportOrder& order) {
   m_drawn = order;
   const QSize page = (QSizeF(pageRect().size()) * devicePixelRatioF()).toSize();
   PreviewRequest request{.previews = {}, .asker = PreviewsOf::exported};
-  request.previews.push_back({.id = number,
-                              .scene = order.scene,
-                              .camera = order.camera,
-                              .settings = {.width = samples * std::max(page.width(), leastPixels),
-                                           .height = samples * std::max(page.height(), leastPixels),
-                                           .background = order.look.background,
-                                           .light = order.look.light,
-                                           .keyLight = order.look.keyLight},
-                              .samples = samples});
+  request.previews.push_back(
+      {.id = number,
+       .scene = order.scene,
+       .camera = order.camera,
+       .settings = {.width = previewSamples * std::max(page.width(), leastPixels),
+                    .height = previewSamples * std::max(page.height(), leastPixels),
+                    .background = order.look.background,
+                    .light = order.look.light,
+                    .keyLight = order.look.keyLight},
+       .samples = previewSamples});
   m_viewport->askPreviews(std::move(request));
 }
 
@@ -138,3 +139,5 @@ void ExportPreview::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_export_preview.cpp"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/export/export_rows.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
 
 #include "widgets/export/export_draft.h"
 #include "widgets/export/kind_rows.h"
 #include "widgets/export/row_binding.h"
+#include "widgets/text/tr.h"
 
 namespace sline::widgets {
 
@@ -16,10 +16,6 @@ namespace {
 using render::Background;
 using render::ExportOrder;
 using render::LabelMode;
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("sline::widgets", text);
-}
 
 RowChoice choice(std::initializer_list<RowChoice::Entry> entries) {
   return {entries};

@@ -8,6 +8,7 @@
 
 #include "widgets/export/export_rows.h"
 #include "widgets/export/note_texts.h"
+#include "widgets/text/tr.h"
 
 namespace sline::widgets {
 
@@ -59,10 +60,6 @@ namespace {
         "Cards that ask for the labels of the picture: a package for Anki (.apkg), or "
         "text and pictures in a ZIP (.zip) or a new folder"),
 };
-
-QString tr(const char* text, const char* = nullptr, int n = -1) {
-  return QCoreApplication::translate("sline::widgets", text, nullptr, n);
-}
 
 QString numberText(qlonglong number) {
   return QLocale().toString(number);

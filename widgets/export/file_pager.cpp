@@ -69,3 +69,5 @@ void FilePager::showIndex() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_file_pager.cpp"

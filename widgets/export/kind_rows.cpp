@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/export/kind_rows.h"
 
-#include <QCoreApplication>
-
 #include "render/export/formats/export_formats.h"
 #include "widgets/export/row_binding.h"
+#include "widgets/text/tr.h"
 
 namespace sline::widgets {
 
@@ -13,10 +12,6 @@ namespace {
 using render::Motion;
 using render::Paper;
 using render::SheetKind;
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("sline::widgets", text);
-}
 
 QStringList films() {
   return {QStringLiteral("mp4"), QStringLiteral("webp"), QStringLiteral("gif"),

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/export/note_texts.h"
 
-#include <QCoreApplication>
 #include <QLocale>
+
+#include "widgets/text/tr.h"
 
 namespace sline::widgets {
 
 namespace {
-
-QString tr(const char* text, const char* = nullptr, int n = -1) {
-  return QCoreApplication::translate("sline::widgets", text, nullptr, n);
-}
 
 /// A mark's name is the renderer's.
 QString markName(const QString& name) {

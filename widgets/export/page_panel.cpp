@@ -167,3 +167,5 @@ void PagePanel::refresh() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_page_panel.cpp"

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/export/page_presets.h"
 
-#include <QCoreApplication>
 #include <cmath>
+
+#include "widgets/text/tr.h"
 
 namespace sline::widgets {
 
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("sline::widgets", text);
-}
 
 bool alike(const glm::vec2& a, const glm::vec2& b) {
   constexpr float nearly = 0.1f;

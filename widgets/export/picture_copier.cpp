@@ -9,9 +9,9 @@
 namespace sline::widgets {
 
 namespace {
-constexpr int finer = 2;      // than on screen
-constexpr int samples = 2;    // of which each pixel is averaged
-constexpr float dpi = 96.0f;  // what a screen is taken to have, so that letters are as large
+constexpr int finer = 2;        // than on screen
+constexpr int copySamples = 2;  // of which each pixel is averaged
+constexpr float dpi = 96.0f;    // what a screen is taken to have, so that letters are as large
 }  // namespace
 
 PictureCopier::PictureCopier(Viewport& viewport, QObject* parent)
@@ -32,11 +32,11 @@ void PictureCopier::copy(const ExportSource& source, const render::ExportOrder& 
   request.previews.push_back({.id = --m_wanted,
                               .scene = m_order.scene,
                               .camera = m_order.camera,
-                              .settings = {.width = samples * size.width(),
-                                           .height = samples * size.height(),
+                              .settings = {.width = copySamples * size.width(),
+                                           .height = copySamples * size.height(),
                                            .background = m_order.look.background,
                                            .keyLight = m_order.look.keyLight},
-                              .samples = samples});
+                              .samples = copySamples});
   m_viewport.askPreviews(std::move(request));
 }
 
@@ -52,3 +52,5 @@ void PictureCopier::took(PreviewsOf asker, int number, const QImage& image) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_picture_copier.cpp"

@@ -18,7 +18,7 @@ namespace sline::widgets {
 namespace {
 
 constexpr int pictureWidth = 460;
-constexpr int samples = 2;
+constexpr int proofSamples = 2;
 
 render::ProofSettings settingsOf(bool all) {
   return {.all = all};
@@ -268,12 +268,12 @@ void PrintProofDialog::askPictures() {
         {.id = 2 * m_asked + changed,
          .scene = changed == 1 ? m_proof->proposed : m_order.scene,
          .camera = m_order.camera,
-         .settings = {.width = samples * std::max(width, 16),
-                      .height = samples * std::max(int(float(width) / aspect), 16),
+         .settings = {.width = proofSamples * std::max(width, 16),
+                      .height = proofSamples * std::max(int(float(width) / aspect), 16),
                       .background = m_order.look.background,
                       .light = m_order.look.light,
                       .keyLight = m_order.look.keyLight},
-         .samples = samples});
+         .samples = proofSamples});
   if (m_viewport)
     m_viewport->askPreviews(std::move(request));
 }
@@ -291,3 +291,5 @@ void PrintProofDialog::showPicture() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_print_proof_dialog.cpp"

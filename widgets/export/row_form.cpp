@@ -115,3 +115,5 @@ void RowForm::take(const ExportRow& row, const QVariant& value) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_row_form.cpp"

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/export/target_problems.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
+
+#include "widgets/text/tr.h"
 
 namespace sline::widgets {
 
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("sline::widgets", text);
-}
 
 QFileInfo infoOf(const std::filesystem::path& path) {
   return QFileInfo(QString::fromStdString(path.string()));

@@ -91,3 +91,5 @@ void AmountSlider::keyPressEvent(QKeyEvent* event) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_amount_slider.cpp"

@@ -207,3 +207,5 @@ void FocusContext::documentChange(const Document& before, const Document& now) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_focus_context.cpp"

@@ -268,3 +268,5 @@ void FocusPanel::showHidden() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_focus_panel.cpp"

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/focus/role_texts.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <cmath>
+
+#include "widgets/text/tr.h"
 
 namespace sline::widgets {
 
@@ -11,10 +12,6 @@ namespace {
 
 using model::ContextRole;
 using model::RoleReason;
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("sline::widgets", text);
-}
 
 QString nameOf(Session& session, model::NodeId id) {
   const model::Node* node = session.scene().find(id);

@@ -96,3 +96,5 @@ void DragSlider::paintHandle(QPainter& painter, const QPointF& at, bool own) con
 }
 
 }  // namespace sline::widgets
+
+#include "moc_drag_slider.cpp"

@@ -283,3 +283,5 @@ void GammaPanel::showFill() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_gamma_panel.cpp"

@@ -12,7 +12,7 @@ namespace sline::widgets {
 namespace {
 
 constexpr int unitsPerGamma = 100;
-constexpr double margin = 33.0;  // above and below the groove: half a stage's picture
+constexpr double grooveMargin = 33.0;  // above and below the groove: half a stage's picture
 constexpr double grooveX = 16.0;
 constexpr int wide = 40;
 
@@ -45,8 +45,8 @@ QSize GammaSlider::minimumSizeHint() const {
 }
 
 QPointF GammaSlider::pointOf(Gamma gamma) const {
-  const double length = height() - 2.0 * margin;
-  return {grooveX, margin + length * (1.0 - double(gamma.value()) / 5.0)};
+  const double length = height() - 2.0 * grooveMargin;
+  return {grooveX, grooveMargin + length * (1.0 - double(gamma.value()) / 5.0)};
 }
 
 Gamma GammaSlider::gammaOf(int position) {
@@ -54,8 +54,8 @@ Gamma GammaSlider::gammaOf(int position) {
 }
 
 int GammaSlider::positionAt(const QPointF& point) const {
-  const double length = std::max(1.0, height() - 2.0 * margin);
-  const double share = 1.0 - (point.y() - margin) / length;
+  const double length = std::max(1.0, height() - 2.0 * grooveMargin);
+  const double share = 1.0 - (point.y() - grooveMargin) / length;
   return std::clamp(int(std::lround(share * maximum())), minimum(), maximum());
 }
 
@@ -87,3 +87,5 @@ void GammaSlider::paintGroove(QPainter& painter) const {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_gamma_slider.cpp"

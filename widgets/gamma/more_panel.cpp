@@ -57,3 +57,5 @@ void MorePanel::showSelection() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_more_panel.cpp"

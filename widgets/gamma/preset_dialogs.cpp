@@ -127,3 +127,5 @@ void ManagePresetsDialog::renamed() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_preset_dialogs.cpp"

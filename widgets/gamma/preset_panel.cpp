@@ -101,3 +101,5 @@ void PresetPanel::askForName() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_preset_panel.cpp"

@@ -157,3 +157,5 @@ void PresetStore::write(std::vector<model::StylePreset> presets) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_preset_store.cpp"

@@ -60,3 +60,5 @@ void RangeBox::finish() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_range_box.cpp"

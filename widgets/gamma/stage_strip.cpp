@@ -163,3 +163,5 @@ void StageStrip::place() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_stage_strip.cpp"

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/gamma/stages.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 
-namespace sline::widgets {
+#include "widgets/text/tr.h"
 
-namespace {
-QString tr(const char* text) {
-  return QCoreApplication::translate("sline::widgets", text);
-}
-}  // namespace
+namespace sline::widgets {
 
 std::vector<Stage> gammaStages() {
   return {{0.0f, tr("Silhouette"), tr("The outer edge alone")},

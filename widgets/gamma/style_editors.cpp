@@ -220,3 +220,5 @@ void StyleColourEditor::choose() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_style_editors.cpp"

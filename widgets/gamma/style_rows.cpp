@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/gamma/style_rows.h"
 
-#include <QCoreApplication>
+#include "widgets/text/tr.h"
 
 namespace sline::widgets {
 
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("sline::widgets", text);
-}
 
 float number(float value) {
   return value;

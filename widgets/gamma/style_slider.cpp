@@ -10,7 +10,7 @@ namespace sline::widgets {
 
 namespace {
 constexpr int positions = 1000;
-constexpr double margin = 11.0;  // half a handle
+constexpr double handleMargin = 11.0;  // half a handle
 }  // namespace
 
 StyleSlider::StyleSlider(double high, double step, double power, QWidget* parent)
@@ -32,11 +32,12 @@ int StyleSlider::positionOf(double value) const {
 }
 
 QPointF StyleSlider::pointOf(double value) const {
-  return {margin + (width() - 2.0 * margin) * positionOf(value) / positions, 0.5 * height()};
+  return {handleMargin + (width() - 2.0 * handleMargin) * positionOf(value) / positions,
+          0.5 * height()};
 }
 
 int StyleSlider::positionAt(const QPointF& point) const {
-  const double share = (point.x() - margin) / std::max(1.0, width() - 2.0 * margin);
+  const double share = (point.x() - handleMargin) / std::max(1.0, width() - 2.0 * handleMargin);
   return int(std::lround(positions * std::clamp(share, 0.0, 1.0)));
 }
 
@@ -74,3 +75,5 @@ void StyleSlider::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_style_slider.cpp"

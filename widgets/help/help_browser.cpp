@@ -104,3 +104,5 @@ void HelpBrowser::fitPictures() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_help_browser.cpp"

@@ -39,3 +39,5 @@ bool HelpKey::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_help_key.cpp"

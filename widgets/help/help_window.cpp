@@ -159,3 +159,5 @@ void HelpWindow::askBeforeLeaving(const QUrl& address) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_help_window.cpp"

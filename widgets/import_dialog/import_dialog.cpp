@@ -218,14 +218,16 @@ void ImportDialog::showPlan() {
 void ImportDialog::showLeftOut() {
   const model::ImportReport& report = m_draft.plan().report;
   m_leftOut->setRowCount(0);
-  m_leftOut->setRowCount(int(report.warnings.size() + report.notes.size()));
+  m_leftOut->setRowCount(
+      int(report.warnings.size() + report.notes.size() + report.repairs.surfaces.size()));
   int row = 0;
   for (const model::ImportWarning& warning : report.warnings) {
     m_leftOut->setItem(row, 0, cell(warning.file));
     m_leftOut->setItem(row++, 1, cell(warning.reason));
   }
-  for (const std::string& note : report.notes)
-    m_leftOut->setItem(row++, 1, cell(note));
+  for (const std::vector<std::string>* notes : {&report.notes, &report.repairs.surfaces})
+    for (const std::string& note : *notes)
+      m_leftOut->setItem(row++, 1, cell(note));
   fitRows();
   m_tabs->setTabText(1, row == 0 ? tr("Left out or mended")
                                  : tr("Left out or mended (%1)").arg(QLocale().toString(row)));
@@ -244,3 +246,5 @@ void ImportDialog::give(void (ImportDialog::*wanted)(const model::ImportPlan&)) 
 }
 
 }  // namespace sline::widgets
+
+#include "moc_import_dialog.cpp"

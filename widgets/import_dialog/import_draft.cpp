@@ -108,3 +108,5 @@ void ImportDraft::take(Planned result) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_import_draft.cpp"

@@ -144,3 +144,5 @@ void OptionsPanel::refresh() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_options_panel.cpp"

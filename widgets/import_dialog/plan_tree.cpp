@@ -95,3 +95,5 @@ void PlanTree::keyPressEvent(QKeyEvent* event) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_plan_tree.cpp"

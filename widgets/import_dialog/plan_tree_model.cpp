@@ -263,3 +263,5 @@ Qt::ItemFlags PlanTreeModel::flags(const QModelIndex& index) const {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_plan_tree_model.cpp"

@@ -193,3 +193,5 @@ void SelectionPanel::chooseColour() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_selection_panel.cpp"

@@ -44,3 +44,5 @@ void LanguageSwitch::follow(Preferences& preferences) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_language_switch.cpp"

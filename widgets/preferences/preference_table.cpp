@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <QCoreApplication>
 
 #include "widgets/preferences/preferences.h"
+
+#include "widgets/text/tr.h"
 
 namespace sline::widgets {
 
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("sline::widgets", text);
-}
 
 std::vector<PreferenceRow> appearanceRows() {
   const QString page = tr("Appearance");

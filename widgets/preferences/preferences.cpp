@@ -82,3 +82,5 @@ void Preferences::restoreStandards() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_preferences.cpp"

@@ -98,3 +98,5 @@ QWidget* PreferencesDialog::control(const PreferenceRow& row, const WholeNumber&
 }
 
 }  // namespace sline::widgets
+
+#include "moc_preferences_dialog.cpp"

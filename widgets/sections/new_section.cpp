@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/sections/new_section.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
 
+#include "widgets/text/tr.h"
+
 namespace sline::widgets {
 
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("sline::widgets", text);
-}
 
 QString kindName(SectionKind kind) {
   switch (kind) {

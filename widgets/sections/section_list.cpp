@@ -108,3 +108,5 @@ bool SectionList::setData(const QModelIndex& index, const QVariant& value, int r
 }
 
 }  // namespace sline::widgets
+
+#include "moc_section_list.cpp"

@@ -218,3 +218,5 @@ void SectionsPanel::showActive() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_sections_panel.cpp"

@@ -112,3 +112,5 @@ void Autosaver::finish(const Status& status) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_autosaver.cpp"

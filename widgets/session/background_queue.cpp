@@ -60,3 +60,5 @@ void BackgroundQueue::finish(const Sequel& sequel) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_background_queue.cpp"

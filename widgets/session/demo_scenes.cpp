@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/session/demo_scenes.h"
 
-#include <QCoreApplication>
-
 #include "model/demo/demo.h"
 #include "model/files/cache_folder.h"
+#include "widgets/text/tr.h"
 
 namespace sline::widgets {
 
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("sline::widgets", text);
-}
 
 DemoScene demoScene(const QString& title, model::DemoName name, model::Sex sex) {
   const std::string_view id = model::demoNames[std::size_t(name)];

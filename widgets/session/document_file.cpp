@@ -3,18 +3,15 @@
 
 #include <unistd.h>
 
-#include <QCoreApplication>
 #include <system_error>
+
+#include "widgets/text/tr.h"
 
 namespace sline::widgets {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("sline::widgets", text);
-}
 
 std::shared_ptr<const std::string> textOrNone(std::string text) {
   return text.empty() ? nullptr : std::make_shared<const std::string>(std::move(text));

@@ -44,3 +44,5 @@ void RecentFiles::set(const QStringList& paths) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_recent_files.cpp"

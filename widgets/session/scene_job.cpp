@@ -73,3 +73,5 @@ void SceneJob::finish(const std::shared_ptr<Result<Loaded>>& result) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_scene_job.cpp"

@@ -132,3 +132,5 @@ void SceneSaver::finish(const Order& order, const Outcome& outcome) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_scene_saver.cpp"

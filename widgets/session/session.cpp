@@ -52,6 +52,8 @@ QStringList remarksOf(const model::ImportReport& report) {
                                                            : warning.file + ": " + warning.reason);
   for (const std::string& note : report.notes)
     remarks << QString::fromStdString(note);
+  if (!report.repairs.summary.empty())
+    remarks << QString::fromStdString(report.repairs.summary);
   return remarks;
 }
 
@@ -446,3 +448,5 @@ void Session::endJob() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_session.cpp"

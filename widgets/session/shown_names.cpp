@@ -41,3 +41,5 @@ QStringList ShownNames::alsoCalled(const QString& name) const {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_shown_names.cpp"

@@ -9,7 +9,7 @@ namespace sline::widgets {
 
 namespace {
 constexpr int gap = 16;
-constexpr int largestWidth = 240;
+constexpr int largestCardWidth = 240;
 }  // namespace
 
 CardGrid::CardGrid(QWidget* parent) : QWidget(parent) {
@@ -43,7 +43,7 @@ CardGrid::Places CardGrid::placesFor(int width) const {
   Places places;
   places.columns = std::max(1, (width + gap) / (ThumbnailCard::smallestWidth + gap));
   const int each = std::clamp((width - gap * (places.columns - 1)) / places.columns,
-                              std::min(width, ThumbnailCard::smallestWidth), largestWidth);
+                              std::min(width, ThumbnailCard::smallestWidth), largestCardWidth);
   int height = 0;
   for (const ThumbnailCard* card : m_cards)
     height = std::max(height, card->heightForWidth(each));
@@ -87,3 +87,5 @@ void CardGrid::place() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_card_grid.cpp"

@@ -110,3 +110,5 @@ void DemoPictures::draw(const DemoScene& demo) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_demo_pictures.cpp"

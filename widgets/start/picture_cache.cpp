@@ -10,7 +10,7 @@
 namespace sline::widgets {
 
 namespace {
-constexpr std::size_t largestFile = std::size_t(16) << 20;
+constexpr std::size_t largestPictureFile = std::size_t(16) << 20;
 constexpr int largestSide = 4096;
 
 std::filesystem::path fileOf(const std::filesystem::path& folder, const QString& name) {
@@ -33,7 +33,7 @@ QImage PictureCache::find(const QString& name) const {
   const std::filesystem::path file = fileOf(m_folder, name);
   if (m_folder.empty() || !std::filesystem::exists(file, fault))
     return {};
-  const Result<std::string> bytes = model::readText(file, largestFile);
+  const Result<std::string> bytes = model::readText(file, largestPictureFile);
   return bytes.ok() ? smallPicture(QByteArray::fromStdString(*bytes)) : QImage();
 }
 

@@ -37,3 +37,5 @@ void RecoveryDialog::setFound(const std::vector<model::Recoverable>& found) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_recovery_dialog.cpp"

@@ -105,3 +105,5 @@ void RecoveryList::askToForget(const model::Recoverable& found) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_recovery_list.cpp"

@@ -12,10 +12,10 @@ namespace sline::widgets {
 
 namespace {
 
-constexpr std::size_t largestFile = std::size_t(4) << 30;
+constexpr std::size_t largestSceneFile = std::size_t(4) << 30;
 
 QImage pictureIn(const QString& file) {
-  const Result<std::string> bytes = model::readText(file.toStdString(), largestFile);
+  const Result<std::string> bytes = model::readText(file.toStdString(), largestSceneFile);
   if (!bytes.ok())
     return {};
   const Result<model::ZipReader> zip = model::ZipReader::open(*bytes);
@@ -56,3 +56,5 @@ void SceneThumbnails::ask(const QString& file) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_scene_thumbnails.cpp"

@@ -25,7 +25,7 @@ namespace sline::widgets {
 namespace {
 
 constexpr int margin = 32;
-constexpr int largestWidth = 1240;
+constexpr int largestPageWidth = 1240;
 
 QLabel* text(const QString& words, double size, QFont::Weight weight) {
   auto* label = new QLabel(words);
@@ -64,7 +64,7 @@ StartPage::StartPage(QMainWindow& window, RecentFiles& recent, const std::filesy
   setAccessibleName(tr("Start"));
   setAutoFillBackground(true);
   auto* content = new QWidget;
-  content->setMaximumWidth(largestWidth);
+  content->setMaximumWidth(largestPageWidth);
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(margin, 24, margin, 24);
   column->setSpacing(10);
@@ -269,3 +269,5 @@ bool StartPage::focusNextPrevChild(bool next) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_start_page.cpp"

@@ -131,3 +131,5 @@ void ThumbnailCard::leaveEvent(QEvent* event) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_thumbnail_card.cpp"

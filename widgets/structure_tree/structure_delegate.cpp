@@ -85,3 +85,5 @@ QSize StructureDelegate::sizeHint(const QStyleOptionViewItem& option,
 }
 
 }  // namespace sline::widgets
+
+#include "moc_structure_delegate.cpp"

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/structure_tree/structure_edits.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 
 #include "model/edit/locks.h"
 #include "model/edit/tree.h"
 #include "model/edit/visibility.h"
+#include "widgets/text/tr.h"
 
 namespace sline::widgets {
 
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("sline::widgets", text);
-}
 
 // lupdate does not know where tr() belongs in functions that return a qualified type.
 QString groupText() {

@@ -17,14 +17,11 @@
 
 #include "model/scene/resolved_styles.h"
 #include "widgets/gamma/stages.h"
+#include "widgets/text/tr.h"
 
 namespace sline::widgets {
 
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("sline::widgets", text);
-}
 
 QString number(double value, int digits = 1) {
   return QLocale().toString(value, 'f', digits);
@@ -242,3 +239,5 @@ void StructureProperties::copy() const {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_structure_properties.cpp"

@@ -120,3 +120,5 @@ void StructureTree::showProperties(const NodeIds& ids) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_structure_tree.cpp"

@@ -377,3 +377,5 @@ QMimeData* StructureTreeModel::mimeData(const QModelIndexList& indexes) const {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_structure_tree_model.cpp"

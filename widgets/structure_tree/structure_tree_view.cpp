@@ -418,3 +418,5 @@ void StructureTreeView::fromSession() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_structure_tree_view.cpp"

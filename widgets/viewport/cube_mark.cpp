@@ -5,15 +5,13 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include "widgets/viewport/points.h"
+
 namespace sline::widgets {
 
 namespace {
 
 constexpr int side = 92;  ///< of the widget; the cube's diagonals fit
-
-QPointF point(const glm::vec2& p) {
-  return {double(p.x), double(p.y)};
-}
 
 QPolygonF polygon(const std::array<glm::vec2, 4>& corners) {
   return QPolygonF({point(corners[0]), point(corners[1]), point(corners[2]), point(corners[3])});
@@ -185,3 +183,5 @@ void CubeMark::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_cube_mark.cpp"

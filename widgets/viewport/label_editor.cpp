@@ -93,3 +93,5 @@ void LabelEditor::focusOutEvent(QFocusEvent* event) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_label_editor.cpp"

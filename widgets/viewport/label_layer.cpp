@@ -4,16 +4,14 @@
 #include <QPainter>
 #include <glm/geometric.hpp>
 
+#include "widgets/viewport/points.h"
+
 namespace sline::widgets {
 
 namespace {
 
 constexpr float placeReach = 7.0f;  ///< pixels by which a hand may miss a place
 constexpr float boxReach = 2.0f;    ///< and a text
-
-QPointF point(const glm::vec2& p) {
-  return {qreal(p.x), qreal(p.y)};
-}
 
 }  // namespace
 
@@ -114,3 +112,5 @@ void LabelLayer::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_label_layer.cpp"

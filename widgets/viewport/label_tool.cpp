@@ -112,3 +112,5 @@ void LabelTool::cancel() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_label_tool.cpp"

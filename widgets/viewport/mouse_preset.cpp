@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/viewport/mouse_preset.h"
 
-#include <QCoreApplication>
 #include <QKeySequence>
 #include <QLocale>
 #include <algorithm>
 #include <array>
+
+#include "widgets/text/tr.h"
 
 namespace sline::widgets {
 
@@ -37,10 +38,6 @@ constexpr std::array blenderRows{
     MouseRow{Qt::MiddleButton, Qt::ControlModifier, Kind::zoom},
     MouseRow{Qt::LeftButton, Qt::AltModifier | Qt::ControlModifier, Kind::zoom},
     MouseRow{Qt::MiddleButton, Qt::ControlModifier | Qt::ShiftModifier, Kind::roll}};
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("sline::widgets", text);
-}
 
 QString buttonText(Qt::MouseButton button) {
   switch (button) {

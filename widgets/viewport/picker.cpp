@@ -83,3 +83,5 @@ void Picker::askLatest(Question question, Answer answer) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_picker.cpp"

@@ -10,6 +10,7 @@
 #include "render/export/order/label_style.h"
 #include "widgets/annotations/annotation_texts.h"
 #include "widgets/viewport/navigation.h"
+#include "widgets/viewport/points.h"
 #include "widgets/viewport/presented_letters.h"
 
 namespace sline::widgets {
@@ -18,10 +19,6 @@ namespace {
 
 /// Letters of 10 pt are a line's share of its height.
 constexpr float presentedPageMm = float(presentedLines) * 10.0f * render::millimetresPerPoint;
-
-glm::vec2 vec(const QPointF& p) {
-  return {float(p.x()), float(p.y())};
-}
 
 QString stepOf(model::AnnotationKind kind) {
   switch (kind) {
@@ -349,3 +346,5 @@ void PictureLabels::documentChange(const Document& before, const Document& now) 
 }
 
 }  // namespace sline::widgets
+
+#include "moc_picture_labels.cpp"

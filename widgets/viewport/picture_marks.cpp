@@ -14,7 +14,7 @@ namespace sline::widgets {
 
 namespace {
 
-constexpr int margin = 10;
+constexpr int marksMargin = 10;
 
 QLabel* label(QWidget& picture, const char* name) {
   auto* made = new QLabel(&picture);
@@ -79,7 +79,8 @@ void PictureMarks::dress() {
 
 QRect PictureMarks::cornerBox(const QSize& size, Qt::Corner corner) const {
   QRect box(QPoint(), size);
-  const QRect room = m_picture.rect().adjusted(margin, m_headroom + margin, -margin, -margin);
+  const QRect room =
+      m_picture.rect().adjusted(marksMargin, m_headroom + marksMargin, -marksMargin, -marksMargin);
   if (corner == Qt::TopRightCorner)
     box.moveTopRight(room.topRight());
   else if (corner == Qt::BottomRightCorner)
@@ -126,13 +127,13 @@ std::vector<QRectF> PictureMarks::places() const {
 
 void PictureMarks::placeAtEdge(QRect& box, std::size_t edge) const {
   if (edge == 0)
-    box.moveLeft(margin);
+    box.moveLeft(marksMargin);
   else if (edge == 1)
-    box.moveRight(m_picture.width() - margin);
+    box.moveRight(m_picture.width() - marksMargin);
   else if (edge == 2)
-    box.moveTop(m_headroom + margin);
+    box.moveTop(m_headroom + marksMargin);
   else
-    box.moveBottom(m_picture.height() - margin);
+    box.moveBottom(m_picture.height() - marksMargin);
 }
 
 void PictureMarks::place(const model::Camera& camera, const glm::vec3& pivot, bool scene) {
@@ -200,3 +201,5 @@ void PictureMarks::hideName() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_picture_marks.cpp"

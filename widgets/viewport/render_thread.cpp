@@ -234,3 +234,5 @@ void RenderThread::run() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_render_thread.cpp"

@@ -8,8 +8,8 @@
 namespace sline::widgets {
 
 namespace {
-constexpr int margin = 3;  ///< around the bar, so that nothing is cut off
-constexpr int tick = 7;    ///< height of the bar's ends
+constexpr int barMargin = 3;  ///< around the bar, so that nothing is cut off
+constexpr int tick = 7;       ///< height of the bar's ends
 }  // namespace
 
 ScaleBarMark::ScaleBarMark(QWidget* parent) : QWidget(parent) {
@@ -30,7 +30,7 @@ void ScaleBarMark::setInk(const QColor& ink) {
 }
 
 QSize ScaleBarMark::sizeHint() const {
-  return {most + 2 * margin, fontMetrics().height() + tick + 2 * margin};
+  return {most + 2 * barMargin, fontMetrics().height() + tick + 2 * barMargin};
 }
 
 void ScaleBarMark::paintEvent(QPaintEvent*) {
@@ -38,9 +38,9 @@ void ScaleBarMark::paintEvent(QPaintEvent*) {
     return;
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const double left = margin + 0.5;
+  const double left = barMargin + 0.5;
   const double right = left + m_bar->drawn;
-  const double foot = height() - margin - 0.5;
+  const double foot = height() - barMargin - 0.5;
   QPainterPath path(QPointF(left, foot - tick));
   path.lineTo(left, foot);
   path.lineTo(right, foot);
@@ -52,3 +52,5 @@ void ScaleBarMark::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_scale_bar.cpp"

@@ -18,7 +18,7 @@ namespace {
 constexpr float arrowLength = 40.0f;  ///< pixels
 constexpr float reach = 11.0f;        ///< pixels: as far as a press may miss a grip
 constexpr float border = 14.0f;       ///< pixels: grips nearer to the picture's edge are moved in
-constexpr float margin = 1.06f;       ///< of the rectangle around what is cut
+constexpr float frameMargin = 1.06f;  ///< of the rectangle around what is cut
 /// Seen along a direction by less than its sine, it is too short on screen to drag along.
 constexpr float endOnSine = 0.26f;
 
@@ -123,8 +123,8 @@ SectionFrame sectionFrame(const model::Plane& plane, const model::Box& bounds) {
   const glm::vec3 centre = bounds.empty() ? glm::vec3(0.0f) : bounds.centre();
   const auto extent = [&](const glm::vec3& d) { return glm::dot(glm::abs(d), half); };
   frame.centre = centre - float(plane.distance(centre)) * plane.normal;
-  frame.halfU = margin * extent(frame.u);
-  frame.halfV = margin * extent(frame.v);
+  frame.halfU = frameMargin * extent(frame.u);
+  frame.halfV = frameMargin * extent(frame.v);
   const float along = glm::dot(plane.normal, centre);
   frame.lowest = along - extent(plane.normal);
   frame.highest = along + extent(plane.normal);

@@ -6,13 +6,11 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "widgets/viewport/points.h"
+
 namespace sline::widgets {
 
 namespace {
-
-QPointF point(const glm::vec2& p) {
-  return {double(p.x), double(p.y)};
-}
 
 constexpr double thin = 1.3;       ///< pixels: the outline
 constexpr double haloWidth = 2.4;  ///< pixels around each line, so that it stands off the drawing
@@ -134,3 +132,5 @@ void SectionMark::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_section_mark.cpp"

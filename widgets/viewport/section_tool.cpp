@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/viewport/section_tool.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <glm/geometric.hpp>
 
 #include "model/edit/sections.h"
 #include "widgets/sections/section_position.h"
+#include "widgets/text/tr.h"
 
 namespace sline::widgets {
 
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("sline::widgets", text);
-}
 
 bool turns(SectionGrip grip) {
   return grip == SectionGrip::turnAboutU || grip == SectionGrip::turnAboutV;

@@ -11,7 +11,7 @@ namespace sline::widgets {
 namespace {
 
 /// Milliseconds after the last change: while something moves, small pictures can wait.
-constexpr int restAfter = 300;
+constexpr int previewsRestAfter = 300;
 // Of structures that are shown together.
 constexpr std::size_t mostTriangles = 250'000;
 constexpr std::size_t mostStructures = 24;
@@ -112,7 +112,7 @@ bool StagePreviews::Key::operator==(const Key& other) const {
 StagePreviews::StagePreviews(Session& session, Viewport& viewport, QObject* parent)
     : QObject(parent), m_session(session), m_viewport(viewport) {
   m_rest.setSingleShot(true);
-  m_rest.setInterval(restAfter);
+  m_rest.setInterval(previewsRestAfter);
   connect(&m_rest, &QTimer::timeout, this, &StagePreviews::ask);
   connect(&session, &Session::selectionChanged, this, &StagePreviews::restart);
   connect(&session, &Session::documentChanged, this, &StagePreviews::restart);
@@ -177,3 +177,5 @@ void StagePreviews::ask() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_stage_previews.cpp"

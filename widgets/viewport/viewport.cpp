@@ -474,3 +474,5 @@ void Viewport::showSection() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_viewport.cpp"

@@ -11,13 +11,11 @@
 #include "widgets/viewport/framing.h"
 #include "widgets/viewport/viewport.h"
 
+#include "widgets/viewport/points.h"
+
 namespace sline::widgets {
 
 namespace {
-
-glm::vec2 vec(const QPointF& p) {
-  return {float(p.x()), float(p.y())};
-}
 
 constexpr float perNotch = 1.15f;    ///< of a wheel, or a key
 constexpr float keyDegrees = 5.0f;   ///< by an arrow key

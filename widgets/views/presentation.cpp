@@ -213,3 +213,5 @@ void Presentation::documentChange() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_presentation.cpp"

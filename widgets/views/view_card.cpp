@@ -116,3 +116,5 @@ void ViewCard::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem&
 }
 
 }  // namespace sline::widgets
+
+#include "moc_view_card.cpp"

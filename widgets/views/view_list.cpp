@@ -197,3 +197,5 @@ void ViewList::setPicture(int row, const QImage& picture) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_view_list.cpp"

@@ -140,3 +140,5 @@ void ViewPictures::took(PreviewsOf asker, int id, const QImage& image) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_view_pictures.cpp"

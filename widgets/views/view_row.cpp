@@ -119,3 +119,5 @@ void ViewRow::paintEvent(QPaintEvent* event) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_view_row.cpp"

@@ -81,3 +81,5 @@ void ViewTour::move(int index, int to) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_view_tour.cpp"

@@ -105,3 +105,5 @@ void ViewsPanel::showState() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_views_panel.cpp"

@@ -57,3 +57,5 @@ AboutDialog::AboutDialog(const QString& driver, QWidget* parent) : QDialog(paren
 }
 
 }  // namespace sline::widgets
+
+#include "moc_about_dialog.cpp"

@@ -97,3 +97,5 @@ void ControlsDialog::filter(const QString& text) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_controls_dialog.cpp"

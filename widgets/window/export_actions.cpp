@@ -22,6 +22,7 @@
 #include "widgets/export/page_presets.h"
 #include "widgets/export/picture_copier.h"
 #include "widgets/export/print_proof_dialog.h"
+#include "widgets/text/path_text.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/window/message_bar.h"
 #include "widgets/window/window_actions.h"
@@ -30,12 +31,8 @@ namespace sline::widgets {
 
 namespace {
 
-constexpr const char* folderKey = "export/folder";
+constexpr const char* exportFolderKey = "export/folder";
 constexpr const char* widthKey = "export/width";
-
-QString textOf(const std::filesystem::path& path) {
-  return QString::fromStdString(path.string());
-}
 
 QString nameOf(const ExportFile& file) {
   return textOf(file.target.filename());
@@ -135,7 +132,7 @@ void ExportActions::prepareDraft() {
     m_draft.order.page.sizeMm =
         turnedAs(a4->sizeMm, {float(m_viewport.width()), float(m_viewport.height())});
   }
-  QString folder = m_settings.value(QLatin1String(folderKey)).toString();
+  QString folder = m_settings.value(QLatin1String(exportFolderKey)).toString();
   const std::filesystem::path& file = m_session.file().path;
   if (folder.isEmpty() || !QFileInfo(folder).isDir())
     folder = file.empty() ? QDir::homePath() : textOf(file.parent_path());
@@ -277,3 +274,5 @@ void ExportActions::tellDone(const std::vector<ExportFile>& files,
 }
 
 }  // namespace sline::widgets
+
+#include "moc_export_actions.cpp"

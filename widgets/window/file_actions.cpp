@@ -13,6 +13,7 @@
 #include "widgets/preferences/preferences.h"
 #include "widgets/session/demo_scenes.h"
 #include "widgets/start/recovery_dialog.h"
+#include "widgets/text/path_text.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/window/file_dialogs.h"
 #include "widgets/window/message_bar.h"
@@ -23,16 +24,7 @@ namespace sline::widgets {
 
 namespace {
 
-constexpr const char* folderKey = "files/folder";
 constexpr const char* autosaveKey = "files/autosaveSeconds";
-
-std::filesystem::path pathOf(const QString& text) {
-  return text.toStdString();
-}
-
-QString textOf(const std::filesystem::path& path) {
-  return QString::fromStdString(path.string());
-}
 
 }  // namespace
 
@@ -152,7 +144,7 @@ void FileActions::dropped(const QStringList& paths) {
 void FileActions::open(const QStringList& paths) {
   if (paths.isEmpty())
     return;
-  m_settings.setValue(QLatin1String(folderKey), QFileInfo(paths.front()).absolutePath());
+  m_settings.setValue(QLatin1String(lastFolderKey), QFileInfo(paths.front()).absolutePath());
   whenSafe([this, paths] {
     std::vector<std::filesystem::path> files;
     for (const QString& path : paths)
@@ -240,7 +232,7 @@ void FileActions::saveAs(SceneSaver::As as) {
 }
 
 void FileActions::saveTo(const QString& path, SceneSaver::As as) {
-  m_settings.setValue(QLatin1String(folderKey), QFileInfo(path).absolutePath());
+  m_settings.setValue(QLatin1String(lastFolderKey), QFileInfo(path).absolutePath());
   m_saver.save(pathOf(path), as,
                {.picture = m_viewport.grabFramebuffer(), .member = memberFor(m_viewport.camera())});
 }
@@ -285,7 +277,7 @@ void FileActions::fillRecent(QMenu& menu) {
 }
 
 QString FileActions::lastFolder() const {
-  return m_settings.value(QLatin1String(folderKey)).toString();
+  return m_settings.value(QLatin1String(lastFolderKey)).toString();
 }
 
 QString FileActions::suggestedPath() const {
@@ -313,3 +305,5 @@ void FileActions::letGo() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_file_actions.cpp"

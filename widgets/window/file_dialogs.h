@@ -9,6 +9,9 @@ class QWidget;
 
 namespace sline::widgets {
 
+/// The setting that keeps the folder files were last chosen from.
+inline constexpr const char* lastFolderKey = "files/folder";
+
 using PathsChosen = std::function<void(const QStringList&)>;
 
 void chooseFiles(QWidget& window, const QString& folder, const PathsChosen& chosen);

@@ -16,7 +16,6 @@ namespace sline::widgets {
 
 namespace {
 
-constexpr const char* folderKey = "files/folder";
 constexpr const char* alwaysKey = "files/importOptions";
 
 std::vector<std::filesystem::path> pathsOf(const QStringList& texts) {
@@ -73,15 +72,15 @@ bool ImportActions::asksFor(const QStringList& paths, Qt::KeyboardModifiers keys
       keys.testFlag(Qt::ShiftModifier) || m_preferences.isOn(QLatin1String(alwaysKey));
   if (!wanted || inputs.empty() || onlyScenes(inputs))
     return false;
-  m_settings.setValue(QLatin1String(folderKey), QFileInfo(paths.front()).absolutePath());
+  m_settings.setValue(QLatin1String(lastFolderKey), QFileInfo(paths.front()).absolutePath());
   show(inputs);
   return true;
 }
 
 void ImportActions::choose(bool folder) {
-  const QString start = m_settings.value(QLatin1String(folderKey)).toString();
+  const QString start = m_settings.value(QLatin1String(lastFolderKey)).toString();
   const auto showThese = [this](const QStringList& paths) {
-    m_settings.setValue(QLatin1String(folderKey), QFileInfo(paths.front()).absolutePath());
+    m_settings.setValue(QLatin1String(lastFolderKey), QFileInfo(paths.front()).absolutePath());
     show(pathsOf(paths));
   };
   if (folder)
@@ -116,3 +115,5 @@ void ImportActions::carryOut(const model::ImportPlan& plan, bool intoScene) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_import_actions.cpp"

@@ -261,3 +261,5 @@ QString LabelActions::notInAllViews() const {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_label_actions.cpp"

@@ -495,3 +495,5 @@ void MainWindow::updateActions() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_main_window.cpp"

@@ -2,22 +2,18 @@
 #include "widgets/window/menu_table.h"
 
 #include <QAction>
-#include <QCoreApplication>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
 #include <QToolBar>
 #include <set>
 
+#include "widgets/text/tr.h"
 #include "widgets/window/window_actions.h"
 
 namespace sline::widgets {
 
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("sline::widgets", text);
-}
 
 std::vector<QString> ids(std::initializer_list<const char*> words) {
   std::vector<QString> ids;

@@ -194,3 +194,5 @@ void MessageBar::showDetails() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_message_bar.cpp"

@@ -86,3 +86,5 @@ void PictureHabits::follow() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_picture_habits.cpp"

@@ -66,3 +66,5 @@ void PictureMenu::popUp(const QPoint& onScreen, const std::optional<Pick>& pick)
 }
 
 }  // namespace sline::widgets
+
+#include "moc_picture_menu.cpp"

@@ -143,3 +143,5 @@ void SectionActions::showState() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_section_actions.cpp"

@@ -106,3 +106,5 @@ void StructureActions::showState() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_structure_actions.cpp"

@@ -80,3 +80,5 @@ void TourActions::showState() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_tour_actions.cpp"

@@ -60,3 +60,5 @@ void ViewActions::documentChange(const Document& before, const Document& now) {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_view_actions.cpp"

@@ -2,18 +2,14 @@
 #include "widgets/window/window_actions.h"
 
 #include <QAction>
-#include <QCoreApplication>
 #include <QWidget>
 
+#include "widgets/text/tr.h"
 #include "widgets/theme/icons.h"
 
 namespace sline::widgets {
 
 namespace {
-
-QString tr(const char* text) {
-  return QCoreApplication::translate("sline::widgets", text);
-}
 
 QList<QKeySequence> key(const QKeySequence& keys) {
   return {keys};

@@ -22,10 +22,6 @@ constexpr Tag sequenceEnd{delimiters, 0xe0dd};
 constexpr bool swapped = std::endian::native != std::endian::little;
 constexpr const char* sendAgain = "Copy or export the file again; it is incomplete or damaged";
 
-bool isUpper(char c) {
-  return c >= 'A' && c <= 'Z';
-}
-
 /// VRs whose length takes four bytes (PS3.5 table 7.1-1).
 bool isLong(std::string_view vr) {
   constexpr std::array<std::string_view, 13> names{"OB", "OD", "OF", "OL", "OV", "OW", "SQ",
@@ -53,11 +49,11 @@ class Cursor {
     return true;
   }
 
-  Result<Element> next() {
+  Result<DataElement> next() {
     const char* start = m_at;
     if (left() < 8)
       return m_bytes.at(start, "the file ends within an element's head", sendAgain);
-    Element element{.tag = tagHere(), .explicitVr = m_explicit};
+    DataElement element{.tag = tagHere(), .explicitVr = m_explicit};
     if (element.tag.group == delimiters)
       return m_bytes.at(start, "an item or delimiter stands where an element should", sendAgain);
     std::uint32_t length = 0;
@@ -101,7 +97,7 @@ class Cursor {
       const char* end = m_at;
       if (skipDelimiter(itemEnd))
         return std::string_view(begin, std::size_t(end - begin));
-      if (Result<Element> element = next(); !element)
+      if (Result<DataElement> element = next(); !element)
         return element.error();
     }
   }
@@ -112,7 +108,7 @@ class Cursor {
     return {loadAs<std::uint16_t>(m_at, swapped), loadAs<std::uint16_t>(m_at + 2, swapped)};
   }
 
-  std::optional<Error> explicitHead(Element& element, std::uint32_t& length) {
+  std::optional<Error> explicitHead(DataElement& element, std::uint32_t& length) {
     const std::string_view vr(m_at + 4, 2);
     if (!isUpper(vr[0]) || !isUpper(vr[1]))
       return m_bytes.at(m_at, "the element " + shown(element.tag) + " has no value representation",
@@ -132,7 +128,7 @@ class Cursor {
     return std::nullopt;
   }
 
-  Result<Element> open(Element element) {
+  Result<DataElement> open(DataElement element) {
     element.undefined = true;
     if (m_depth >= deepest)
       return m_bytes.at(m_at, "sequences are nested more than 16 deep", sendAgain);
@@ -216,7 +212,7 @@ Result<DataSet> DataSet::parse(const DicomBytes& bytes, std::string_view text, b
   set.m_bytes = &bytes;
   Cursor cursor(bytes, text, explicitVr, 0);
   while (!cursor.atEnd()) {
-    Result<Element> element = cursor.next();
+    Result<DataElement> element = cursor.next();
     if (!element)
       return element.error();
     set.m_elements.push_back(*element);
@@ -224,15 +220,15 @@ Result<DataSet> DataSet::parse(const DicomBytes& bytes, std::string_view text, b
   return set;
 }
 
-const Element* DataSet::find(Tag tag) const {
+const DataElement* DataSet::find(Tag tag) const {
   const auto found = std::find_if(m_elements.begin(), m_elements.end(),
-                                  [&](const Element& element) { return element.tag == tag; });
+                                  [&](const DataElement& element) { return element.tag == tag; });
   return found == m_elements.end() ? nullptr : &*found;
 }
 
 Result<std::vector<DataSet>> DataSet::items(Tag tag) const {
   std::vector<DataSet> sets;
-  const Element* element = find(tag);
+  const DataElement* element = find(tag);
   if (!element)
     return sets;
   Cursor cursor(*m_bytes, element->value, element->explicitVr, 0);
@@ -249,7 +245,7 @@ Result<std::vector<DataSet>> DataSet::items(Tag tag) const {
 }
 
 Result<std::optional<DataSet>> DataSet::item(Tag tag) const {
-  const Element* element = find(tag);
+  const DataElement* element = find(tag);
   if (!element || element->value.empty())
     return std::optional<DataSet>();
   Cursor cursor(*m_bytes, element->value, element->explicitVr, 0);
@@ -263,7 +259,7 @@ Result<std::optional<DataSet>> DataSet::item(Tag tag) const {
 }
 
 std::string_view DataSet::text(Tag tag) const {
-  const Element* element = find(tag);
+  const DataElement* element = find(tag);
   return element ? trimmed(element->value) : std::string_view();
 }
 
@@ -292,7 +288,7 @@ std::optional<std::int64_t> DataSet::integer(Tag tag) const {
 }
 
 std::optional<std::uint32_t> DataSet::number(Tag tag) const {
-  const Element* element = find(tag);
+  const DataElement* element = find(tag);
   if (!element || element->value.size() < 2)
     return std::nullopt;
   if (element->value.size() == 2)
@@ -303,12 +299,12 @@ std::optional<std::uint32_t> DataSet::number(Tag tag) const {
 }
 
 std::vector<std::uint16_t> DataSet::shorts(Tag tag) const {
-  const Element* element = find(tag);
+  const DataElement* element = find(tag);
   return element ? loadAll<std::uint16_t>(element->value) : std::vector<std::uint16_t>();
 }
 
 std::vector<std::uint32_t> DataSet::longs(Tag tag) const {
-  const Element* element = find(tag);
+  const DataElement* element = find(tag);
   return element ? loadAll<std::uint32_t>(element->value) : std::vector<std::uint32_t>();
 }
 
@@ -316,7 +312,7 @@ std::string_view firstTextIn(std::string_view text, Tag wanted, bool explicitVr)
   const DicomBytes bytes{nullptr, text};
   Cursor cursor(bytes, text, explicitVr, 0);
   while (!cursor.atEnd()) {
-    const Result<Element> element = cursor.next();
+    const Result<DataElement> element = cursor.next();
     if (!element)
       return {};
     if (element->tag == wanted)
@@ -325,7 +321,8 @@ std::string_view firstTextIn(std::string_view text, Tag wanted, bool explicitVr)
   return {};
 }
 
-Result<std::vector<std::string_view>> fragmentsOf(const DicomBytes& bytes, const Element& element) {
+Result<std::vector<std::string_view>> fragmentsOf(const DicomBytes& bytes,
+                                                  const DataElement& element) {
   std::vector<std::string_view> fragments;
   Cursor cursor(bytes, element.value, element.explicitVr, 0);
   while (!cursor.atEnd()) {

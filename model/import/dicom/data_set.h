@@ -34,7 +34,12 @@ struct DicomBytes {
   Error at(const char* place, std::string reason, std::string remedy = {}) const;
 };
 
-struct Element {
+/// Whether the character may stand in a value representation, such as "UI".
+constexpr bool isUpper(char c) {
+  return c >= 'A' && c <= 'Z';
+}
+
+struct DataElement {
   Tag tag;
   std::string_view value;   ///< of a sequence: its items, without the delimiter behind them
   bool undefined = false;   ///< the file left the length open
@@ -47,8 +52,8 @@ class DataSet {
   /// The elements in `text`, which lies in `bytes`.
   static Result<DataSet> parse(const DicomBytes& bytes, std::string_view text, bool explicitVr);
 
-  const Element* find(Tag tag) const;
-  const std::vector<Element>& elements() const { return m_elements; }
+  const DataElement* find(Tag tag) const;
+  const std::vector<DataElement>& elements() const { return m_elements; }
   const DicomBytes& bytes() const { return *m_bytes; }
   /// The items of a sequence, none where it is absent.
   Result<std::vector<DataSet>> items(Tag tag) const;
@@ -70,7 +75,7 @@ class DataSet {
 
  private:
   const DicomBytes* m_bytes = nullptr;
-  std::vector<Element> m_elements;
+  std::vector<DataElement> m_elements;
 };
 
 /// The text of the first such element at the top level of what may be cut off somewhere behind it;
@@ -78,6 +83,7 @@ class DataSet {
 std::string_view firstTextIn(std::string_view text, Tag wanted, bool explicitVr);
 
 /// The fragments of encapsulated pixel data (PS3.5 §A.4), the offset table first.
-Result<std::vector<std::string_view>> fragmentsOf(const DicomBytes& bytes, const Element& element);
+Result<std::vector<std::string_view>> fragmentsOf(const DicomBytes& bytes,
+                                                  const DataElement& element);
 
 }  // namespace sline::model

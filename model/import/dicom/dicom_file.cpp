@@ -73,10 +73,6 @@ const ObjectClass* classOf(std::string_view uid) {
   return best;
 }
 
-bool isUpper(char c) {
-  return c >= 'A' && c <= 'Z';
-}
-
 /// Without a preamble a file begins with its first element, of group 2 (a meta header) or 8.
 bool beginsWithElement(std::string_view text) {
   return text.size() >= 16 && (text[0] == 2 || text[0] == 8) && text[1] == 0 && text[3] == 0 &&

@@ -42,7 +42,7 @@ Result<SegmentPixels> SegmentPixels::open(const DicomFile& file) {
   SegmentPixels pixels(file);
   if (const std::optional<Error> error = pixels.readSizes())
     return *error;
-  const Element* data = file.data().find(pixelData);
+  const DataElement* data = file.data().find(pixelData);
   if (!data)
     return file.source().whole("the segmentation has no pixel data", "Export it again");
   if (file.pixelCoding() == PixelCoding::other)
@@ -92,7 +92,7 @@ std::optional<Error> SegmentPixels::readSizes() {
   return std::nullopt;
 }
 
-std::optional<Error> SegmentPixels::readCoded(const Element& data) {
+std::optional<Error> SegmentPixels::readCoded(const DataElement& data) {
   Result<std::vector<std::string_view>> fragments = fragmentsOf(m_file->data().bytes(), data);
   if (!fragments)
     return fragments.error();

@@ -30,7 +30,7 @@ class SegmentPixels {
  private:
   explicit SegmentPixels(const DicomFile& file) : m_file(&file) {}
   std::optional<Error> readSizes();
-  std::optional<Error> readCoded(const Element& data);
+  std::optional<Error> readCoded(const DataElement& data);
   Result<std::string> unpacked(std::string_view fragment) const;
 
   const DicomFile* m_file;

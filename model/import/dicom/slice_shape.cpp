@@ -13,9 +13,9 @@ namespace {
 constexpr std::uint32_t noSegment = 0xffffffffu;
 constexpr float farAway = std::numeric_limits<float>::max();
 
-using Segment = std::array<glm::dvec2, 2>;
+using OutlineEdge = std::array<glm::dvec2, 2>;
 
-float squaredDistance(const Segment& segment, const glm::dvec2& p) {
+float squaredDistance(const OutlineEdge& segment, const glm::dvec2& p) {
   const glm::dvec2 way = segment[1] - segment[0];
   const double length = glm::dot(way, way);
   const double t =
@@ -27,14 +27,14 @@ float squaredDistance(const Segment& segment, const glm::dvec2& p) {
 /// The nearest segment of each sample, found from samples beside segments outwards.
 class NearestSegments {
  public:
-  NearestSegments(const std::vector<Segment>& segments, const PlaneGrid& grid)
+  NearestSegments(const std::vector<OutlineEdge>& segments, const PlaneGrid& grid)
       : m_segments(segments), m_grid(grid), m_squared(grid.size(), farAway) {
     m_nearest.assign(grid.size(), noSegment);
   }
 
   /// Offers the segment to the samples around it.
   void seed(std::uint32_t index) {
-    const Segment& segment = m_segments[index];
+    const OutlineEdge& segment = m_segments[index];
     const double length = glm::length(segment[1] - segment[0]);
     const int steps = int(length / m_grid.cell) + 1;
     for (int i = 0; i <= steps; ++i) {
@@ -86,7 +86,7 @@ class NearestSegments {
       offer(x, y, m_nearest[at(x + 1, y)]);
   }
 
-  const std::vector<Segment>& m_segments;
+  const std::vector<OutlineEdge>& m_segments;
   PlaneGrid m_grid;
   std::vector<float> m_squared;
   std::vector<std::uint32_t> m_nearest;
@@ -141,7 +141,7 @@ std::vector<float> SliceShape::distancesTo(const std::vector<char>& chosen,
 /// that rows through corners count each outline once.
 void SliceShape::fill() {
   std::vector<std::vector<float>> crossings(std::size_t(m_grid.rows));
-  for (const Segment& segment : m_outline->edges) {
+  for (const OutlineEdge& segment : m_outline->edges) {
     glm::dvec2 a = (segment[0] - m_grid.origin) / m_grid.cell;
     glm::dvec2 b = (segment[1] - m_grid.origin) / m_grid.cell;
     if (a.y > b.y)

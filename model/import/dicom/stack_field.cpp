@@ -108,11 +108,11 @@ double fewestFor(const ContourStack& stack) {
   return fewestSamples + 64.0 * double(stack.slices.size());  // 36 each at the coarsest
 }
 
-struct Span {
+struct SliceSpan {
   double low = 0.0;
   double height = 0.0;
 };
-Span spanOf(const ContourStack& stack) {
+SliceSpan spanOf(const ContourStack& stack) {
   const double low = stack.slices.front().offset - stack.spacing;
   return {low, stack.slices.back().offset + stack.spacing - low};
 }

@@ -29,14 +29,14 @@ constexpr Tag referencedRoi{0x3006, 0x0084};
 constexpr Tag interpretedType{0x3006, 0x00a4};
 
 /// Nobody is drawn farther from the scanner's origin, mm.
-constexpr double farthest = 1e5;
+constexpr double farthestPoint = 1e5;
 /// Where neither neighbours nor the file tell how thick a single slice is, mm.
 constexpr double assumedSpacing = 1.0;
 /// Of all regions together: what an RT workstation exports needs about a third of it.
-constexpr double mostSamples = 1.2e7;
+constexpr double mostSamplesOfAll = 1.2e7;
 constexpr const char* enclosesNothing = "its contours enclose nothing; left out";
 
-struct Region {
+struct RegionOfInterest {
   std::int64_t number = 0;
   std::string name;
   std::vector<std::string> groups;
@@ -110,13 +110,13 @@ class StructureSetReader {
       return status.error();
     const double spacing = commonSpacing();
     double samples = 0.0;
-    for (Region& region : m_regions) {
+    for (RegionOfInterest& region : m_regions) {
       stack(region, spacing);
       for (const ContourStack& part : region.stacks.stacks)
         samples += samplesFor(part);
     }
-    const double share = std::min(1.0, mostSamples / std::max(samples, 1.0));
-    for (Region& region : m_regions) {
+    const double share = std::min(1.0, mostSamplesOfAll / std::max(samples, 1.0));
+    for (RegionOfInterest& region : m_regions) {
       if (const Status status = addSurface(region, share); !status)
         return status.error();
       region.stacks = {};
@@ -134,7 +134,7 @@ class StructureSetReader {
            counted(m_regions.size(), "region of interest", "regions of interest") +
            " has closed planar contours that enclose anything";
   }
-  void warn(const Region& region, const std::string& reason) {
+  void warn(const RegionOfInterest& region, const std::string& reason) {
     m_result.warnings.push_back(m_file.source().warning("\"" + region.name + "\": " + reason));
   }
 
@@ -146,7 +146,7 @@ class StructureSetReader {
       const std::optional<std::int64_t> number = item.integer(roiNumber);
       if (!number || m_byNumber.contains(*number))
         continue;
-      Region region;
+      RegionOfInterest region;
       region.number = *number;
       region.name = m_file.utf8(item.text(roiName));
       if (region.name.empty())
@@ -157,7 +157,7 @@ class StructureSetReader {
     return Unit{};
   }
 
-  Region* regionOf(const DataSet& item) {
+  RegionOfInterest* regionOf(const DataSet& item) {
     const std::optional<std::int64_t> number = item.integer(referencedRoi);
     const auto found = number ? m_byNumber.find(*number) : m_byNumber.end();
     return found == m_byNumber.end() ? nullptr : &m_regions[found->second];
@@ -168,7 +168,7 @@ class StructureSetReader {
     if (!items)
       return items.error();
     for (const DataSet& item : *items)
-      if (Region* region = regionOf(item))
+      if (RegionOfInterest* region = regionOf(item))
         if (std::string group = groupOf(item.text(interpretedType)); !group.empty())
           region->groups = {std::move(group)};
     return Unit{};
@@ -179,7 +179,7 @@ class StructureSetReader {
     if (!items)
       return items.error();
     for (const DataSet& item : *items) {
-      Region* region = regionOf(item);
+      RegionOfInterest* region = regionOf(item);
       if (!region)
         continue;
       region->colour = colourIn(item);
@@ -192,7 +192,7 @@ class StructureSetReader {
     return Unit{};
   }
 
-  static void addContour(Region& region, const DataSet& item) {
+  static void addContour(RegionOfInterest& region, const DataSet& item) {
     const std::string_view type = item.text(geometricType);
     if (type != "CLOSED_PLANAR" && type != "CLOSEDPLANAR_XOR") {
       ++region.notClosed;
@@ -203,7 +203,7 @@ class StructureSetReader {
     const auto numbers = item.decimals(contourData);
     const bool sound = numbers && numbers->size() >= 9 && numbers->size() % 3 == 0 &&
                        std::all_of(numbers->begin(), numbers->end(),
-                                   [](double x) { return std::abs(x) <= farthest; });
+                                   [](double x) { return std::abs(x) <= farthestPoint; });
     if (!sound) {
       ++region.broken;
       return;
@@ -217,13 +217,14 @@ class StructureSetReader {
 
   /// Of the region with the most contours: the slices of one image series lie alike.
   double commonSpacing() const {
-    const auto most = std::max_element(
-        m_regions.begin(), m_regions.end(),
-        [](const Region& a, const Region& b) { return a.contours.size() < b.contours.size(); });
+    const auto most = std::max_element(m_regions.begin(), m_regions.end(),
+                                       [](const RegionOfInterest& a, const RegionOfInterest& b) {
+                                         return a.contours.size() < b.contours.size();
+                                       });
     return most == m_regions.end() ? 0.0 : usualSpacing(most->contours);
   }
 
-  void stack(Region& region, double spacing) {
+  void stack(RegionOfInterest& region, double spacing) {
     if (region.broken > 0)
       warn(region, counted(region.broken, "contour has", "contours have") +
                        " no three points or numbers that are none; left out");
@@ -243,7 +244,7 @@ class StructureSetReader {
       warn(region, enclosesNothing);
   }
 
-  Status addSurface(const Region& region, double share) {
+  Status addSurface(const RegionOfInterest& region, double share) {
     if (region.stacks.stacks.empty())
       return Unit{};
     RawMesh mesh;
@@ -268,7 +269,7 @@ class StructureSetReader {
     return Unit{};
   }
 
-  void tellOf(const Region& region, const ContourStacks& stacks) {
+  void tellOf(const RegionOfInterest& region, const ContourStacks& stacks) {
     if (stacks.outOfPlane > 0)
       warn(region, counted(stacks.outOfPlane, "contour lies", "contours lie") +
                        " in another plane than most; left out");
@@ -298,7 +299,7 @@ class StructureSetReader {
 
   const DicomFile& m_file;
   const ReadOptions& m_options;
-  std::vector<Region> m_regions;
+  std::vector<RegionOfInterest> m_regions;
   std::map<std::int64_t, std::size_t> m_byNumber;
   RawMeshes m_result;
 };

@@ -47,7 +47,7 @@ double insideStick(const Stick& stick, const glm::dvec3& p) {
   return -(outside + std::min(std::max(across, beyond), 0.0));
 }
 
-struct Ball {
+struct DrawnBall {
   glm::dvec3 centre;
   double radius;
 };
@@ -55,12 +55,12 @@ struct Ball {
 /// Balls and sticks that flow into each other where they meet.
 class Skeleton : public ImplicitSolid {
  public:
-  std::vector<Ball> balls;
+  std::vector<DrawnBall> balls;
   std::vector<Stick> sticks;
 
   std::vector<Box> boxes() const override {
     std::vector<Box> boxes;
-    for (const Ball& ball : balls)
+    for (const DrawnBall& ball : balls)
       boxes.push_back(around(ball.centre, ball.centre, ball.radius));
     for (const Stick& stick : sticks)
       boxes.push_back(around(stick.from, stick.to, double(stickRadius)));
@@ -77,7 +77,7 @@ class Skeleton : public ImplicitSolid {
 
 class SkeletonField : public LocalField {
  public:
-  std::vector<Ball> balls;
+  std::vector<DrawnBall> balls;
   std::vector<Stick> sticks;
 
   FieldPoint at(const glm::dvec3& p) const override {
@@ -104,7 +104,7 @@ class SkeletonField : public LocalField {
       next = std::max(next, std::min(most, inside));
       most = std::max(most, inside);
     };
-    for (const Ball& ball : balls)
+    for (const DrawnBall& ball : balls)
       add(ball.radius - glm::length(p - ball.centre));
     for (const Stick& stick : sticks)
       add(insideStick(stick, p));
@@ -135,7 +135,7 @@ std::unique_ptr<LocalField> Skeleton::within(const Box& box, double step) const 
     return true;
   };
   auto field = std::make_unique<SkeletonField>();
-  for (const Ball& ball : balls)
+  for (const DrawnBall& ball : balls)
     if (meets(around(ball.centre, ball.centre, ball.radius)))
       field->balls.push_back(ball);
   for (const Stick& stick : sticks)
@@ -216,7 +216,7 @@ TriangleMesh tube(const Stick& stick) {
 TriangleMesh roughMesh(const Skeleton& skeleton) {
   TriangleMesh mesh;
   const TriangleMesh unit = unitBall(divisionsFor(skeleton.balls.size()));
-  for (const Ball& ball : skeleton.balls) {
+  for (const DrawnBall& ball : skeleton.balls) {
     TriangleMesh placed = unit;
     for (glm::vec3& p : placed.positions)
       p = glm::vec3(ball.centre + ball.radius * glm::dvec3(p));

@@ -6,13 +6,15 @@
 
 #include "model/import/readers/gltf_document.h"
 
+#include "model/import/readers/values.h"
+
 namespace sline::model {
 
 namespace {
-constexpr std::size_t deepest = 256;
+constexpr std::size_t deepestNode = 256;
 
 /// A node that is waiting to be visited and what it inherits.
-struct Visit {
+struct NodeVisit {
   std::uint64_t node = 0;
   std::size_t depth = 0;
   std::vector<std::string> groups;
@@ -35,14 +37,6 @@ glm::dmat4 localTransform(const Json& node) {
     for (int axis = 0; axis < 3; ++axis)
       local[axis] *= s[std::size_t(axis)];
   return local;
-}
-
-bool isFinite(const glm::dmat4& m) {
-  for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 4; ++row)
-      if (!std::isfinite(m[column][row]))
-        return false;
-  return true;
 }
 
 std::vector<std::uint64_t> indicesIn(const Json* list) {
@@ -77,11 +71,11 @@ Result<std::vector<GltfInstance>> meshInstances(const GltfDocument& document) {
   const Source& source = document.source;
   const Json* nodes = member(document.root, "nodes");
   std::vector<bool> visited(nodes && nodes->is_array() ? nodes->size() : 0, false);
-  std::vector<Visit> waiting;
+  std::vector<NodeVisit> waiting;
   // Every node below carries the names above it: a short file could make much of long ones.
   std::uint64_t nameBytes = 0;
   // The last one pushed is visited first.
-  const auto push = [&](std::vector<std::uint64_t> list, const Visit& parent) {
+  const auto push = [&](std::vector<std::uint64_t> list, const NodeVisit& parent) {
     std::reverse(list.begin(), list.end());
     std::uint64_t bytes = 0;
     for (const std::string& group : parent.groups)
@@ -96,7 +90,7 @@ Result<std::vector<GltfInstance>> meshInstances(const GltfDocument& document) {
   push(rootNodes(document.root), {});
   std::vector<GltfInstance> instances;
   while (!waiting.empty()) {
-    Visit visit = std::move(waiting.back());
+    NodeVisit visit = std::move(waiting.back());
     waiting.pop_back();
     const std::string place = placeOf("nodes", visit.node);
     const Json* node = element(document.root, "nodes", visit.node);
@@ -104,7 +98,7 @@ Result<std::vector<GltfInstance>> meshInstances(const GltfDocument& document) {
       return source.at(place, "does not exist");
     if (visited[std::size_t(visit.node)])
       return source.at(place, "is reached twice: it has two parents or is its own ancestor");
-    if (visit.depth > deepest)
+    if (visit.depth > deepestNode)
       return source.at(place, "lies more than 256 levels deep");
     visited[std::size_t(visit.node)] = true;
     visit.toScene = visit.toScene * localTransform(*node);

@@ -8,10 +8,6 @@
 namespace sline::model {
 
 namespace {
-bool isFinite(const glm::vec3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
 std::string countOf(std::size_t some, std::size_t all, const char* what) {
   return std::to_string(some) + " of " + std::to_string(all) + " " + what;
 }

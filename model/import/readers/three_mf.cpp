@@ -13,19 +13,20 @@
 #include "model/import/readers/surface_assembly.h"
 #include "model/import/readers/text_cursor.h"
 #include "model/import/readers/three_mf_document.h"
+#include "model/import/readers/values.h"
 
 namespace sline::model {
 
 namespace {
 
-constexpr std::size_t deepest = 64;
+constexpr std::size_t deepestObject = 64;
 constexpr std::size_t mostVisits = 100'000;
 /// What instances may make of a file beyond its own meshes.
 constexpr std::uint64_t alwaysAllowed = std::uint64_t(64) << 20;
 constexpr std::uint64_t bytesPerByte = 16;
 
 /// An object that is to be put somewhere.
-struct Visit {
+struct ObjectVisit {
   ThreeMfPart* part = nullptr;
   std::string object;
   glm::dmat4 toModel{1.0};
@@ -50,14 +51,6 @@ std::optional<glm::dmat4> transformIn(std::string_view text) {
   if (!cursor.atEnd())
     return std::nullopt;
   return matrix;
-}
-
-bool isFinite(const glm::dmat4& m) {
-  for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 4; ++row)
-      if (!std::isfinite(m[column][row]))
-        return false;
-  return true;
 }
 
 bool numberIn(const XmlNode& node, const char* attribute, float& value) {
@@ -140,8 +133,8 @@ class ThreeMfReader {
   }
 
   /// An <item> or <component>, inside what `above` has put somewhere.
-  Status place(const XmlNode& node, const Visit& above, std::size_t depth) {
-    Visit visiting = above;
+  Status place(const XmlNode& node, const ObjectVisit& above, std::size_t depth) {
+    ObjectVisit visiting = above;
     visiting.object = node.attribute("objectid").value();
     if (const std::string_view path = localAttribute(node, "path"); !path.empty()) {
       const Result<ThreeMfPart*> part = m_document.part(path);
@@ -159,13 +152,13 @@ class ThreeMfReader {
     return visit(visiting, depth);
   }
 
-  Status visit(const Visit& visiting, std::size_t depth) {
+  Status visit(const ObjectVisit& visiting, std::size_t depth) {
     const std::string where = "object " + inQuotes(visiting.object);
     const auto found = visiting.part->objects.find(visiting.object);
     if (found == visiting.part->objects.end())
       return m_source.at(where, "does not exist");
-    if (depth > deepest)
-      return m_source.at(where, "objects lie more than " + std::to_string(deepest) +
+    if (depth > deepestObject)
+      return m_source.at(where, "objects lie more than " + std::to_string(deepestObject) +
                                     " levels deep in each other, or in a circle");
     if (++m_visits > mostVisits)
       return tooMany(where);
@@ -182,7 +175,7 @@ class ThreeMfReader {
       names += group.size();
     if (!granted(names))
       return tooMany(where);
-    Visit inside = visiting;
+    ObjectVisit inside = visiting;
     if (const std::string name = object.attribute("name").value(); !name.empty())
       inside.groups.push_back(name);
     for (const XmlNode& component : localChild(object, "components").children())
@@ -204,7 +197,7 @@ class ThreeMfReader {
                        "Reduce the number of instances");
   }
 
-  Status addMesh(const XmlNode& object, const XmlNode& mesh, const Visit& visiting) {
+  Status addMesh(const XmlNode& object, const XmlNode& mesh, const ObjectVisit& visiting) {
     const std::string where = "object " + inQuotes(visiting.object);
     auto& known = m_meshes[object.internal_object()];
     if (!known) {

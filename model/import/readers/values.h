@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
 #include <limits>
 
 #include "model/import/readers/text_cursor.h"
@@ -26,6 +28,20 @@ enum class ScalarType : std::uint8_t {
   float32,
   float64
 };
+
+/// Whether no coordinate of the point is infinite or not a number.
+inline bool isFinite(const glm::vec3& p) {
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+/// Whether no entry of the matrix is infinite or not a number.
+inline bool isFinite(const glm::dmat4& matrix) {
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row)
+      if (!std::isfinite(matrix[column][row]))
+        return false;
+  return true;
+}
 
 constexpr std::size_t sizeOf(ScalarType type) {
   switch (type) {

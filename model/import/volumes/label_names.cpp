@@ -25,7 +25,7 @@ constexpr std::size_t mostNames = 65'536;
 constexpr std::size_t longestName = 256;
 constexpr std::uint64_t largestTable = std::uint64_t(8) << 20;
 
-std::string_view trimmed(std::string_view text) {
+std::string_view unquoted(std::string_view text) {
   constexpr std::string_view around = " \t\r\n\"'";
   const std::size_t begin = text.find_first_not_of(around);
   if (begin == std::string_view::npos)
@@ -35,7 +35,7 @@ std::string_view trimmed(std::string_view text) {
 
 std::optional<std::int64_t> whole(std::string_view text) {
   std::int64_t value = 0;
-  text = trimmed(text);
+  text = unquoted(text);
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (fault != std::errc() || end != text.data() + text.size())
     return std::nullopt;
@@ -43,7 +43,7 @@ std::optional<std::int64_t> whole(std::string_view text) {
 }
 
 std::optional<double> real(std::string_view text) {
-  text = trimmed(text);
+  text = unquoted(text);
   TextCursor at(text);
   double value = 0.0;
   if (!at.number(value) || !at.atEnd() || !std::isfinite(value))
@@ -66,7 +66,7 @@ std::optional<Colour> colourFrom(const std::array<std::optional<double>, 3>& cha
 }
 
 std::optional<Colour> hexColour(std::string_view text) {
-  text = trimmed(text);
+  text = unquoted(text);
   unsigned value = 0;
   if (text.size() != 7 || text[0] != '#')
     return std::nullopt;
@@ -78,7 +78,7 @@ std::optional<Colour> hexColour(std::string_view text) {
 
 void add(LabelNames& names, std::int64_t value, std::string_view name,
          std::optional<Colour> colour) {
-  if (name = trimmed(name); !name.empty() && names.size() < mostNames)
+  if (name = unquoted(name); !name.empty() && names.size() < mostNames)
     names.emplace(value, Label{value, std::string(name.substr(0, longestName)), colour, {}});
 }
 
@@ -93,7 +93,7 @@ Fields fieldsOf(std::string_view line, char separator) {
   }
 }
 
-Fields wordsOf(std::string_view line) {
+Fields columnsOf(std::string_view line) {
   Fields words;
   TextCursor at(line);
   for (at.skipSpace(); !at.atEnd(); at.skipSpace())
@@ -112,7 +112,7 @@ struct Columns {
     for (std::size_t i = 0; i < headings.size(); ++i) {
       const auto is = [&](std::initializer_list<std::string_view> known) {
         return std::any_of(known.begin(), known.end(), [&](std::string_view heading) {
-          return equalsIgnoringCase(trimmed(headings[i]), heading);
+          return equalsIgnoringCase(unquoted(headings[i]), heading);
         });
       };
       const auto take = [i](std::optional<std::size_t>& column) {
@@ -153,7 +153,7 @@ void addRow(LabelNames& names, const Fields& fields, const Columns& columns) {
 
 /// A line without headings: number, then name and perhaps colour, or colour and name in quotes.
 void addLine(LabelNames& names, std::string_view line, char separator) {
-  const Fields words = separator == ' ' ? wordsOf(line) : fieldsOf(line, separator);
+  const Fields words = separator == ' ' ? columnsOf(line) : fieldsOf(line, separator);
   std::string_view first = words.front();
   if (first.ends_with(':') || first.ends_with('='))
     first.remove_suffix(1);

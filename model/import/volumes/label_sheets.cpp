@@ -10,7 +10,7 @@ namespace sline::model {
 
 namespace {
 
-constexpr std::size_t grain = 8192;
+constexpr std::size_t quadGrain = 8192;
 
 /// A cell's corners and the labels that stand there.
 struct CellLabels {
@@ -54,9 +54,9 @@ struct CellLabels {
   }
 };
 
-class Builder {
+class SheetBuilder {
  public:
-  Builder(const VoxelBox& box, const SurfaceNet& net) : m_box(box), m_net(net) {}
+  SheetBuilder(const VoxelBox& box, const SurfaceNet& net) : m_box(box), m_net(net) {}
 
   LabelSheets build(std::size_t labels, std::uint64_t mostQuads) {
     countFaces(labels);
@@ -101,7 +101,7 @@ class Builder {
     const std::size_t count = m_net.cells.size();
     m_firstNode.assign(count + 1, 0);
     m_firstPoint.assign(count + 1, 0);
-    parallelFor(count, grain, [this](std::size_t i) {
+    parallelFor(count, quadGrain, [this](std::size_t i) {
       const SurfaceNet::Cell& cell = m_net.cells[i];
       if (cell.junction) {
         const CellLabels labels(m_box, cell);
@@ -121,7 +121,7 @@ class Builder {
     }
     m_sheets.cellOf.resize(m_firstPoint[count]);
     m_sheets.pointOf.resize(m_firstNode[count]);
-    parallelFor(count, grain, [this](std::size_t i) {
+    parallelFor(count, quadGrain, [this](std::size_t i) {
       const std::uint32_t points = m_firstPoint[i + 1] - m_firstPoint[i];
       for (std::uint32_t k = 0; k < points; ++k)
         m_sheets.cellOf[m_firstPoint[i] + k] = std::uint32_t(i);
@@ -158,7 +158,7 @@ class Builder {
       m_labels[first[label]] = label;
       m_sheets.quads[first[label]++].face = face;
     });
-    parallelFor(m_sheets.quads.size(), grain, [this](std::size_t i) {
+    parallelFor(m_sheets.quads.size(), quadGrain, [this](std::size_t i) {
       LabelSheets::Quad& quad = m_sheets.quads[i];
       quad.nodes = nodesAround(quad.face, m_labels[i]);
     });
@@ -214,7 +214,7 @@ class Builder {
 
 LabelSheets labelSheets(const VoxelBox& box, const SurfaceNet& net, std::size_t labels,
                         std::uint64_t mostQuads) {
-  return Builder(box, net).build(labels, mostQuads);
+  return SheetBuilder(box, net).build(labels, mostQuads);
 }
 
 }  // namespace sline::model

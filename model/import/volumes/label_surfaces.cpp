@@ -18,12 +18,12 @@ namespace sline::model {
 
 namespace {
 
-Error fault(std::string reason, std::string remedy) {
+Error surfaceFault(std::string reason, std::string remedy) {
   return Error{{}, {}, std::move(reason), std::move(remedy)};
 }
 
 Error cancelled() {
-  return fault("the import was cancelled", "Import it again");
+  return surfaceFault("the import was cancelled", "Import it again");
 }
 
 /// The finest voxels are an electron microscope's; and what is computed in single precision must
@@ -51,23 +51,24 @@ class Surfacer {
 
   Result<RawMeshes> run() {
     if (m_box.empty())
-      return fault("the volume holds nothing but background", "Choose a volume with structures");
+      return surfaceFault("the volume holds nothing but background",
+                          "Choose a volume with structures");
     const std::optional<SurfaceNet> net =
         surfaceNet(m_box, m_options.limits.vertices, m_options.goesOn);
     if (!net)
       return m_options.goesOn()
-                 ? fault("the borders of its structures have more than " +
-                             std::to_string(m_options.limits.vertices) + " vertices",
-                         "Check that it is a label volume, or export it with larger voxels")
+                 ? surfaceFault("the borders of its structures have more than " +
+                                    std::to_string(m_options.limits.vertices) + " vertices",
+                                "Check that it is a label volume, or export it with larger voxels")
                  : cancelled();
     for (int axis = 0; axis < 3; ++axis)
       m_spacing[axis] = float(glm::length(glm::dvec3(m_volume.toLps[axis])));
     const LabelSheets sheets =
         labelSheets(m_box, *net, m_volume.labels.size(), m_options.limits.triangles / 2);
     if (sheets.quads.empty())
-      return fault("its structures have more than " + std::to_string(m_options.limits.triangles) +
-                       " triangles",
-                   "Check that it is a label volume, or export it with larger voxels");
+      return surfaceFault("its structures have more than " +
+                              std::to_string(m_options.limits.triangles) + " triangles",
+                          "Check that it is a label volume, or export it with larger voxels");
     const std::vector<glm::vec3> at =
         relaxed(*net, sheets, m_spacing, relaxation(sheets.cellOf.size()), m_options.goesOn);
     if (at.empty())
@@ -154,9 +155,9 @@ Result<RawMeshes> labelSurfaces(const LabelVolume& volume, const ReadOptions& op
       size.z <= longestSide &&
       volume.voxels.size() == std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
   if (!fits)
-    return fault("the volume's size is not one of voxels", "Export the volume again");
+    return surfaceFault("the volume's size is not one of voxels", "Export the volume again");
   if (!isUsable(volume.toLps))
-    return fault(
+    return surfaceFault(
         "the sides of its voxels do not span space, or are too small, too large or too "
         "unlike to be computed with",
         "Export the volume again with its directions and spacings");

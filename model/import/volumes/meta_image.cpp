@@ -17,7 +17,7 @@ namespace sline::model {
 
 namespace {
 
-std::optional<ScalarType> typeCalled(std::string_view name) {
+std::optional<ScalarType> metaType(std::string_view name) {
   static constexpr std::pair<std::string_view, ScalarType> rows[] = {
       {"met_char", ScalarType::int8},       {"met_uchar", ScalarType::uint8},
       {"met_short", ScalarType::int16},     {"met_ushort", ScalarType::uint16},
@@ -139,7 +139,7 @@ class MetaImageReader {
     std::int64_t channels = 1;
     TextCursor(value("ElementNumberOfChannels")).integer(channels);
     const std::string_view name = value("ElementType");
-    const std::optional<ScalarType> type = typeCalled(name);
+    const std::optional<ScalarType> type = metaType(name);
     if (!type || channels != 1)
       return m_source.at("ElementType",
                          "its voxels are " + inQuotes(name) + " × " + std::to_string(channels) +

@@ -13,7 +13,7 @@ namespace sline::model {
 
 namespace {
 
-constexpr std::size_t grain = 4096;
+constexpr std::size_t pointGrain = 4096;
 /// Of a voxel: vertices of neighbouring cells stay apart, so that no face loses its area.
 constexpr float mostShift = 0.48f;
 constexpr float mostLooseShift = 0.98f;
@@ -32,7 +32,7 @@ class Relaxer {
   Relaxer(const SurfaceNet& net, const LabelSheets& sheets, const glm::vec3& spacing)
       : m_net(net), m_sheets(sheets), m_spacing(spacing) {
     m_at.resize(sheets.cellOf.size());
-    parallelFor(m_at.size(), grain, [this](std::size_t i) { m_at[i] = centre(i); });
+    parallelFor(m_at.size(), pointGrain, [this](std::size_t i) { m_at[i] = centre(i); });
   }
 
   bool run(const Relaxation& relaxation, const std::function<bool()>& goesOn) {
@@ -92,7 +92,7 @@ class Relaxer {
         m_firstPull[point + 1] += std::uint32_t(m_sheets.sidesOf(node).size());
     }
     m_pulls.resize(m_firstPull.back());
-    parallelFor(m_at.size(), grain, [&](std::size_t point) {
+    parallelFor(m_at.size(), pointGrain, [&](std::size_t point) {
       std::uint32_t to = m_firstPull[point];
       for (const std::uint32_t node : pulling(point))
         for (const LabelSheets::Side& side : m_sheets.sidesOf(node))
@@ -117,15 +117,15 @@ class Relaxer {
   /// followed: `m_target`.
   void measureCurvature(bool afresh) {
     const float share = afresh ? 1.0f : newShare;
-    parallelFor(m_normals.size(), grain, [this, share](std::size_t i) {
+    parallelFor(m_normals.size(), pointGrain, [this, share](std::size_t i) {
       m_curvature[i] += share * (curvature(i) - m_curvature[i]);
     });
     for (int k = 0; k < (afresh ? freshReach : stepsPerMeasure); ++k) {
-      parallelFor(m_curvature.size(), grain,
+      parallelFor(m_curvature.size(), pointGrain,
                   [this](std::size_t i) { m_averaged[i] = averaged(i); });
       std::swap(m_averaged, m_curvature);
     }
-    parallelFor(m_at.size(), grain, [this](std::size_t point) {
+    parallelFor(m_at.size(), pointGrain, [this](std::size_t point) {
       glm::vec3 sum(0.0f);
       for (std::uint32_t k = m_firstNode[point]; k < m_firstNode[point + 1]; ++k)
         sum += wanted(m_nodes[k]) * m_normals[m_nodes[k]];
@@ -173,7 +173,7 @@ class Relaxer {
   /// without which a step twenty voxels long would take hundreds.
   void move(const Stride& stride) {
     const glm::vec3 most = stride.mostShift * m_spacing;
-    parallelFor(m_at.size(), grain, [&](std::size_t i) {
+    parallelFor(m_at.size(), pointGrain, [&](std::size_t i) {
       glm::vec3 mean(0.0f);
       for (std::uint32_t k = m_firstPull[i]; k < m_firstPull[i + 1]; ++k)
         mean += m_ahead[m_pulls[k]];

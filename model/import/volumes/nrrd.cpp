@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* threeAxes = "Export a label volume with three axes in space";
 
-std::optional<ScalarType> typeCalled(std::string_view name) {
+std::optional<ScalarType> nrrdType(std::string_view name) {
   struct Row {
     ScalarType type;
     std::initializer_list<std::string_view> names;
@@ -210,7 +210,7 @@ class NrrdReader {
 
   Status readType() {
     const std::string_view name = m_header.field("type");
-    const std::optional<ScalarType> type = typeCalled(name);
+    const std::optional<ScalarType> type = nrrdType(name);
     if (!type)
       return m_source.at("field type", "its type " + inQuotes(name) + " is not one of numbers",
                          "Export it as unsigned short");

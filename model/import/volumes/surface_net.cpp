@@ -56,9 +56,9 @@ SurfaceNet::Cell cellWith(int x, int y, int z, const Corners& c) {
   return cell;
 }
 
-class Builder {
+class NetBuilder {
  public:
-  Builder(const VoxelBox& box, const std::function<bool()>& goesOn)
+  NetBuilder(const VoxelBox& box, const std::function<bool()>& goesOn)
       : m_box(box), m_goesOn(goesOn), m_size(box.cells()) {}
 
   std::optional<SurfaceNet> build(std::uint64_t mostCells) {
@@ -173,7 +173,7 @@ VoxelBox::VoxelBox(const LabelVolume& volume) : m_volume(volume) {
 
 std::optional<SurfaceNet> surfaceNet(const VoxelBox& box, std::uint64_t mostCells,
                                      const std::function<bool()>& goesOn) {
-  return Builder(box, goesOn).build(mostCells);
+  return NetBuilder(box, goesOn).build(mostCells);
 }
 
 }  // namespace sline::model

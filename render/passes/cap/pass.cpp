@@ -7,7 +7,7 @@ namespace sline::render::passes {
 
 namespace {
 
-gpu::ProgramRecipe recipe() {
+gpu::ProgramRecipe capRecipe() {
   using gpu::UniformType;
   return {.name = "cut face",
           .vertexFile = "cap.vert.glsl",
@@ -38,7 +38,7 @@ CapGeometry::CapGeometry(std::span<const glm::vec3> points)
 }
 
 Result<std::unique_ptr<CapPass>> CapPass::create(gpu::Dialect dialect) {
-  auto program = gpu::Program::create(shaderFiles(), dialect, recipe());
+  auto program = gpu::Program::create(shaderFiles(), dialect, capRecipe());
   if (!program)
     return program.error();
   std::unique_ptr<CapPass> pass(new CapPass);

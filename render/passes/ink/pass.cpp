@@ -9,7 +9,7 @@ namespace sline::render::passes {
 
 namespace {
 
-gpu::ProgramRecipe recipe(InkKind kind) {
+gpu::ProgramRecipe inkRecipe(InkKind kind) {
   using gpu::UniformType;
   gpu::ProgramRecipe recipe{.name = "lines on surfaces",
                             .vertexFile = "ink.vert.glsl",
@@ -56,7 +56,7 @@ InkPass::InkPass()
 Result<std::unique_ptr<InkPass>> InkPass::create(gpu::Dialect dialect) {
   std::unique_ptr<InkPass> pass(new InkPass);
   for (const InkKind kind : {InkKind::surfaceLines, InkKind::contours, InkKind::edges}) {
-    auto program = gpu::Program::create(shaderFiles(), dialect, recipe(kind));
+    auto program = gpu::Program::create(shaderFiles(), dialect, inkRecipe(kind));
     if (!program)
       return program.error();
     pass->m_programs[std::size_t(kind)] = std::move(*program);

@@ -20,7 +20,7 @@ std::int32_t pair(int low, int high) {
   return std::int32_t(std::uint32_t(low) | std::uint32_t(high) << 16);
 }
 
-gpu::ProgramRecipe recipe() {
+gpu::ProgramRecipe resolveRecipe() {
   using gpu::UniformType;
   return {.name = "resolve",
           .vertexFile = "resolve.vert.glsl",
@@ -54,7 +54,7 @@ ResolvePass::ResolvePass()
                  nullptr, "tiles") {}
 
 Result<std::unique_ptr<ResolvePass>> ResolvePass::create(gpu::Dialect dialect) {
-  auto program = gpu::Program::create(shaderFiles(), dialect, recipe());
+  auto program = gpu::Program::create(shaderFiles(), dialect, resolveRecipe());
   if (!program)
     return program.error();
   std::unique_ptr<ResolvePass> pass(new ResolvePass);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "model/anatomy/anatomical_names.h"
+#include "tests/support/suite.h"
 
 using namespace sline::model;
 
@@ -193,7 +194,7 @@ void AnatomicalNamesTest::search() {
 void AnatomicalNamesTest::knowsWhatSegmentationNames() {
   QFile table(QStringLiteral(SLINE_TEST_DATA "/terminology/totalsegmentator/class_names.tsv"));
   if (!table.open(QIODevice::ReadOnly))
-    QSKIP("no real names here");
+    SLINE_ABSENT("no real names here");
   table.readLine();
   int seen = 0;
   while (!table.atEnd()) {
@@ -207,7 +208,7 @@ void AnatomicalNamesTest::knowsWhatSegmentationNames() {
 void AnatomicalNamesTest::knowsTheAtlas() {
   QFile table(QStringLiteral(SLINE_TEST_DATA "/abdomen/MANIFEST.tsv"));
   if (!table.open(QIODevice::ReadOnly))
-    QSKIP("no real names here");
+    SLINE_ABSENT("no real names here");
   table.readLine();
   QStringList unknown;
   while (!table.atEnd()) {
@@ -224,7 +225,7 @@ void AnatomicalNamesTest::knowsThePelvis() {
   QDir folder(QStringLiteral(SLINE_TEST_DATA "/pelvis/bodyparts3d"));
   const QStringList files = folder.entryList({QStringLiteral("*.obj")});
   if (files.isEmpty())
-    QSKIP("no real names here");
+    SLINE_ABSENT("no real names here");
   for (const QString& file : files) {
     // FJ2571_FMA14544_rectum.obj
     const QString name = file.section('_', 2).section(".obj", 0, 0);
@@ -327,5 +328,5 @@ void AnatomicalNamesTest::knowsTheDemos() {
   QTEST(knows(QTest::currentDataTag()), "known");
 }
 
-QTEST_APPLESS_MAIN(AnatomicalNamesTest)
+SLINE_TEST(AnatomicalNamesTest)
 #include "anatomical_names_test.moc"

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "model/anatomy/anatomical_names.h"
+#include "tests/support/suite.h"
 
 using namespace sline::model;
 
@@ -184,5 +185,5 @@ void NamesTableTest::sides() {
   QCOMPARE(said(Side::none, NameLanguage::latin), QStringLiteral("x"));
 }
 
-QTEST_APPLESS_MAIN(NamesTableTest)
+SLINE_TEST(NamesTableTest)
 #include "names_table_test.moc"

@@ -17,6 +17,7 @@
 #include "model/geometry/spatial_order.h"
 #include "model/geometry/topology.h"
 #include "tests/model/demo/demo_measures.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using test::inside;
@@ -353,5 +354,5 @@ void AbdomenTest::badCachesAreRemade() {
   compareScenes(scene, model::demo(model::DemoName::kidney, model::Sex::female, {}));
 }
 
-QTEST_APPLESS_MAIN(AbdomenTest)
+SLINE_TEST(AbdomenTest)
 #include "abdomen_test.moc"

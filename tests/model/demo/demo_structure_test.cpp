@@ -11,6 +11,7 @@
 #include "model/geometry/surface.h"
 #include "model/geometry/topology.h"
 #include "tests/model/demo/demo_measures.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using model::Box;
@@ -271,5 +272,5 @@ class DemoStructureTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(DemoStructureTest)
+SLINE_TEST(DemoStructureTest)
 #include "demo_structure_test.moc"

@@ -12,6 +12,7 @@
 #include "model/geometry/surface.h"
 #include "model/geometry/topology.h"
 #include "tests/model/demo/demo_measures.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using test::inside;
@@ -82,5 +83,5 @@ class KidneyTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(KidneyTest)
+SLINE_TEST(KidneyTest)
 #include "kidney_test.moc"

@@ -15,6 +15,7 @@
 #include "model/geometry/surface.h"
 #include "model/geometry/topology.h"
 #include "tests/model/demo/demo_measures.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using test::inside;
@@ -117,7 +118,7 @@ class PelvisBonesTest : public QObject {
     const QDir folder(QString(SLINE_TEST_DATA) + "/pelvis/bodyparts3d");
     const QStringList found = folder.entryList({file});
     if (found.isEmpty())
-      QSKIP("the folder pelvis/bodyparts3d of the test data is absent");
+      SLINE_ABSENT("the folder pelvis/bodyparts3d of the test data is absent");
     const model::Box made = meshOf(m_male, name.toUtf8().constData())->bounds();
     model::Box real =
         test::boundsOfObj(folder.filePath(found.front()).toStdString(), cut ? made.low.z : -1e9f);
@@ -185,5 +186,5 @@ class PelvisBonesTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PelvisBonesTest)
+SLINE_TEST(PelvisBonesTest)
 #include "pelvis_bones_test.moc"

@@ -13,6 +13,7 @@
 #include "model/demo/pelvis_bones.h"
 #include "model/geometry/topology.h"
 #include "tests/model/demo/demo_measures.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using model::Box;
@@ -221,7 +222,7 @@ class PelvisTest : public QObject {
     QFETCH(const QString, name);
     const Box data = measured(name.toStdString());
     if (data.empty())
-      QSKIP("needs the measured pelvis");
+      SLINE_ABSENT("needs the measured pelvis");
     const Mesh* mesh = meshNamed(pelvis(Sex::male), name.toStdString());
     QVERIFY(mesh);
     const glm::vec3 size = mesh->bounds().size() / data.size() - 1.0f;
@@ -239,7 +240,7 @@ class PelvisTest : public QObject {
     for (const char* name : {"left ureter", "right ureter"}) {
       const Box data = measured(name);
       if (data.empty())
-        QSKIP("needs the measured pelvis");
+        SLINE_ABSENT("needs the measured pelvis");
       const Box own = meshNamed(pelvis(Sex::male), name)->bounds();
       QVERIFY(std::abs(own.low.z - data.low.z) < 15.0f);
       QVERIFY(std::abs(own.low.y - data.low.y) < 10.0f);
@@ -294,5 +295,5 @@ class PelvisTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PelvisTest)
+SLINE_TEST(PelvisTest)
 #include "pelvis_test.moc"

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/demo/sampled_field.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 
@@ -104,5 +105,5 @@ class SculptureTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SculptureTest)
+SLINE_TEST(SculptureTest)
 #include "sculpture_test.moc"

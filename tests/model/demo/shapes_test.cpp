@@ -7,6 +7,7 @@
 
 #include "model/demo/implicit.h"
 #include "model/demo/lamina.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using model::Field;
@@ -137,5 +138,5 @@ class ShapesTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ShapesTest)
+SLINE_TEST(ShapesTest)
 #include "shapes_test.moc"

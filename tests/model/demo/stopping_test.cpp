@@ -8,6 +8,7 @@
 #include "model/demo/demo.h"
 #include "model/demo/sculpture.h"
 #include "model/demo/stopping.h"
+#include "tests/support/suite.h"
 
 namespace sline::model {
 
@@ -94,5 +95,5 @@ class StoppingTest : public QObject {
 
 }  // namespace sline::model
 
-QTEST_APPLESS_MAIN(sline::model::StoppingTest)
+SLINE_TEST(sline::model::StoppingTest)
 #include "stopping_test.moc"

@@ -13,6 +13,7 @@
 #include "model/demo/tube_mesh.h"
 #include "model/geometry/topology.h"
 #include "tests/model/demo/demo_measures.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using model::Swept;
@@ -134,5 +135,5 @@ class SweptTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SweptTest)
+SLINE_TEST(SweptTest)
 #include "swept_test.moc"

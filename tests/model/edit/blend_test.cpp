@@ -7,6 +7,7 @@
 
 #include "model/edit/style.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -132,5 +133,5 @@ void BlendTest::newStructuresAreThereAtOnce() {
   QCOMPARE(early.resolve(more), p.to.resolve(more));
 }
 
-QTEST_APPLESS_MAIN(BlendTest)
+SLINE_TEST(BlendTest)
 #include "blend_test.moc"

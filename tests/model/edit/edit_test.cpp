@@ -4,6 +4,7 @@
 #include "model/edit/style.h"
 #include "model/edit/tree.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::model {
 namespace {
@@ -294,5 +295,5 @@ void EditTest::inkAlone() {
 
 }  // namespace sline::model
 
-QTEST_APPLESS_MAIN(sline::model::EditTest)
+SLINE_TEST(sline::model::EditTest)
 #include "edit_test.moc"

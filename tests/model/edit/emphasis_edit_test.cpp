@@ -4,6 +4,7 @@
 
 #include "model/edit/emphasis.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::model {
 
@@ -130,5 +131,5 @@ class EmphasisEditTest : public QObject {
 
 }  // namespace sline::model
 
-QTEST_APPLESS_MAIN(sline::model::EmphasisEditTest)
+SLINE_TEST(sline::model::EmphasisEditTest)
 #include "emphasis_edit_test.moc"

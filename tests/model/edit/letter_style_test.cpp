@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "tests/support/mutator.h"
+#include "tests/support/suite.h"
 
 using namespace sline::model;
 
@@ -116,5 +117,5 @@ class LetterStyleTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(LetterStyleTest)
+SLINE_TEST(LetterStyleTest)
 #include "letter_style_test.moc"

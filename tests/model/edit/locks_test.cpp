@@ -9,6 +9,7 @@
 #include "model/edit/tree.h"
 #include "model/edit/visibility.h"
 #include "tests/model/edit/written_tree.h"
+#include "tests/support/suite.h"
 
 namespace sline::model {
 
@@ -123,5 +124,5 @@ class LocksTest : public QObject {
 
 }  // namespace sline::model
 
-QTEST_APPLESS_MAIN(sline::model::LocksTest)
+SLINE_TEST(sline::model::LocksTest)
 #include "locks_test.moc"

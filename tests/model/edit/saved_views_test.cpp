@@ -6,6 +6,7 @@
 #include "model/edit/style.h"
 #include "model/edit/views.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -184,5 +185,5 @@ void SavedViewsTest::absentOnesAreCounted() {
   QCOMPARE(absentFrom(scene, {.name = "only a camera"}), std::size_t(0));
 }
 
-QTEST_APPLESS_MAIN(SavedViewsTest)
+SLINE_TEST(SavedViewsTest)
 #include "saved_views_test.moc"

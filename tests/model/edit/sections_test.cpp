@@ -5,6 +5,7 @@
 
 #include "model/edit/tree.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::model {
 namespace {
@@ -209,5 +210,5 @@ void SectionsTest::belongToViews() {
 
 }  // namespace sline::model
 
-QTEST_GUILESS_MAIN(sline::model::SectionsTest)
+SLINE_TEST_WITH_EVENTS(sline::model::SectionsTest)
 #include "sections_test.moc"

@@ -4,6 +4,7 @@
 
 #include "model/edit/tree.h"
 #include "tests/model/edit/written_tree.h"
+#include "tests/support/suite.h"
 
 namespace sline::model {
 
@@ -171,5 +172,5 @@ class TreeEditTest : public QObject {
 
 }  // namespace sline::model
 
-QTEST_APPLESS_MAIN(sline::model::TreeEditTest)
+SLINE_TEST(sline::model::TreeEditTest)
 #include "tree_edit_test.moc"

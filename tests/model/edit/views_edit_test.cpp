@@ -10,6 +10,7 @@
 #include "model/edit/annotations.h"
 #include "model/edit/tree.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -273,5 +274,5 @@ void ViewsEditTest::keyLight() {
   QVERIFY(!withKeyLight(s.scene, KeyLight{.towards = {NAN, 0, 1}}).changed);
 }
 
-QTEST_APPLESS_MAIN(ViewsEditTest)
+SLINE_TEST(ViewsEditTest)
 #include "views_edit_test.moc"

@@ -4,6 +4,7 @@
 
 #include "model/edit/visibility.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::model {
 namespace {
@@ -185,5 +186,5 @@ class VisibilityEditTest : public QObject {
 
 }  // namespace sline::model
 
-QTEST_APPLESS_MAIN(sline::model::VisibilityEditTest)
+SLINE_TEST(sline::model::VisibilityEditTest)
 #include "visibility_edit_test.moc"

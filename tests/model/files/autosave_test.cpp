@@ -13,6 +13,7 @@
 
 #include "model/files/whole_file.h"
 #include "tests/model/files/sample_scene.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -192,5 +193,5 @@ void AutosaveTest::killedAtAnyMoment() {
   QVERIFY(duringSave > 0 && duringCopy > 0 && recoveries > 0);
 }
 
-QTEST_GUILESS_MAIN(AutosaveTest)
+SLINE_TEST_WITH_EVENTS(AutosaveTest)
 #include "autosave_test.moc"

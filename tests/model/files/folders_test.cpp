@@ -10,6 +10,7 @@
 #include "model/files/ply_writer.h"
 #include "model/files/whole_folder.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 
@@ -85,5 +86,5 @@ void FoldersTest::whatWasLeftIsNotTaken() {
            std::ptrdiff_t(2));
 }
 
-QTEST_APPLESS_MAIN(FoldersTest)
+SLINE_TEST(FoldersTest)
 #include "folders_test.moc"

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -127,5 +128,5 @@ void MeshCodecTest::layoutIsAsDescribed() {
   QCOMPARE(QByteArray::fromStdString(bytes).toHex(), expected.toHex());
 }
 
-QTEST_APPLESS_MAIN(MeshCodecTest)
+SLINE_TEST(MeshCodecTest)
 #include "mesh_codec_test.moc"

@@ -11,6 +11,7 @@
 #include "model/files/scene_json.h"
 #include "model/files/whole_file.h"
 #include "tests/model/files/sample_scene.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -210,5 +211,5 @@ void SceneFileTest::extensions() {
   QVERIFY(!isSceneFile("sline") && !isSceneFile("a.sline.ply") && !isSceneFile(""));
 }
 
-QTEST_APPLESS_MAIN(SceneFileTest)
+SLINE_TEST(SceneFileTest)
 #include "scene_file_test.moc"

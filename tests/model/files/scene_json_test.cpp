@@ -10,6 +10,7 @@
 
 #include "model/files/scene_migration.h"
 #include "tests/model/files/sample_scene.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -421,5 +422,5 @@ void SceneJsonTest::namesThatAreNoUtf8() {
   QCOMPARE(again->nodes()[0].name, std::string("M\xef\xbf\xbdller"));
 }
 
-QTEST_APPLESS_MAIN(SceneJsonTest)
+SLINE_TEST(SceneJsonTest)
 #include "scene_json_test.moc"

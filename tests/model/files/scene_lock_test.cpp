@@ -13,6 +13,7 @@
 #include "model/files/scene_file.h"
 #include "model/files/whole_file.h"
 #include "tests/model/files/sample_scene.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -161,5 +162,5 @@ void SceneLockTest::rightsAndLinksStay() {
   QCOMPARE(readSceneFile(file)->scene.nodes().size(), test::sampleScene().nodes().size());
 }
 
-QTEST_APPLESS_MAIN(SceneLockTest)
+SLINE_TEST(SceneLockTest)
 #include "scene_lock_test.moc"

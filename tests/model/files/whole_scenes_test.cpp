@@ -8,6 +8,7 @@
 #include "model/files/scene_file.h"
 #include "model/import/import.h"
 #include "tests/model/files/sample_scene.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -63,11 +64,11 @@ void WholeScenesTest::atlas() {
   const QString file =
       QString(SLINE_TEST_DATA) + "/abdomen/AbdominalAtlas-2015Sept-Slicer4-4Version.mrml";
   if (!QFileInfo::exists(file))
-    QSKIP("no abdomen scene among the test data");
+    SLINE_ABSENT("no abdomen scene among the test data");
   const auto imported = importInputs(std::array{std::filesystem::path(file.toStdString())}, {});
   QVERIFY(imported.ok());
   roundsOf(imported->scene);
 }
 
-QTEST_APPLESS_MAIN(WholeScenesTest)
+SLINE_TEST(WholeScenesTest)
 #include "whole_scenes_test.moc"

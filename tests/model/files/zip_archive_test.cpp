@@ -3,6 +3,8 @@
 
 #include <QtTest>
 
+#include "tests/support/suite.h"
+
 using namespace sline;
 using namespace sline::model;
 
@@ -161,5 +163,5 @@ void ZipArchiveTest::damageIsFound() {
   }
 }
 
-QTEST_APPLESS_MAIN(ZipArchiveTest)
+SLINE_TEST(ZipArchiveTest)
 #include "zip_archive_test.moc"

@@ -9,6 +9,7 @@
 
 #include "model/focus/analysis.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::model {
 
@@ -211,5 +212,5 @@ class FocusAnalysisTest : public QObject {
 
 }  // namespace sline::model
 
-QTEST_APPLESS_MAIN(sline::model::FocusAnalysisTest)
+SLINE_TEST(sline::model::FocusAnalysisTest)
 #include "focus_analysis_test.moc"

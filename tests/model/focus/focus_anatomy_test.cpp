@@ -6,6 +6,7 @@
 
 #include "model/focus/context.h"
 #include "model/import/import.h"
+#include "tests/support/suite.h"
 
 namespace sline::model {
 
@@ -88,7 +89,7 @@ class FocusAnatomyTest : public QObject {
     QFETCH(QStringList, shells);
     Body* known = body(path);
     if (!known)
-      QSKIP("no real anatomy here");
+      SLINE_ABSENT("no real anatomy here");
     const std::vector<NodeId> targets = known->scene.named(target.toStdString());
     const auto analysis = analysed(known->scene, {targets, std::nullopt}, known->forms);
     QVERIFY(analysis);
@@ -117,5 +118,5 @@ class FocusAnatomyTest : public QObject {
 
 }  // namespace sline::model
 
-QTEST_APPLESS_MAIN(sline::model::FocusAnatomyTest)
+SLINE_TEST(sline::model::FocusAnatomyTest)
 #include "focus_anatomy_test.moc"

@@ -7,6 +7,7 @@
 #include "model/edit/visibility.h"
 #include "model/focus/context.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::model {
 
@@ -189,5 +190,5 @@ class FocusContextTest : public QObject {
 
 }  // namespace sline::model
 
-QTEST_APPLESS_MAIN(sline::model::FocusContextTest)
+SLINE_TEST(sline::model::FocusContextTest)
 #include "focus_context_test.moc"

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "tests/support/suite.h"
+
 using namespace sline::model;
 
 class BoundingSphereTest : public QObject {
@@ -55,5 +57,5 @@ class BoundingSphereTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(BoundingSphereTest)
+SLINE_TEST(BoundingSphereTest)
 #include "bounding_sphere_test.moc"

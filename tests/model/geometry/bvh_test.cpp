@@ -8,6 +8,7 @@
 
 #include "model/geometry/spatial_order.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 
@@ -106,5 +107,5 @@ class BvhTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(BvhTest)
+SLINE_TEST(BvhTest)
 #include "bvh_test.moc"

@@ -8,6 +8,7 @@
 
 #include "model/geometry/surface.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 
@@ -90,5 +91,5 @@ class ClustersTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ClustersTest)
+SLINE_TEST(ClustersTest)
 #include "clusters_test.moc"

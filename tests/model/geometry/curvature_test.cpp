@@ -9,6 +9,7 @@
 
 #include "model/geometry/normals.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 
@@ -209,5 +210,5 @@ class CurvatureTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(CurvatureTest)
+SLINE_TEST(CurvatureTest)
 #include "curvature_test.moc"

@@ -4,6 +4,8 @@
 #include <QtTest>
 #include <limits>
 
+#include "tests/support/suite.h"
+
 using namespace sline::model;
 
 class MeshTest : public QObject {
@@ -38,5 +40,5 @@ class MeshTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MeshTest)
+SLINE_TEST(MeshTest)
 #include "mesh_test.moc"

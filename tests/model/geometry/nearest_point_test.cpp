@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -73,5 +74,5 @@ void NearestPointTest::ofNothing() {
   QVERIFY(found && glm::length(found->place - glm::vec3(6, 0, 0)) < 1e-5f);
 }
 
-QTEST_APPLESS_MAIN(NearestPointTest)
+SLINE_TEST(NearestPointTest)
 #include "nearest_point_test.moc"

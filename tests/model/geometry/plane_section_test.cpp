@@ -9,6 +9,7 @@
 
 #include "model/geometry/odd_even_fill.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 Q_DECLARE_METATYPE(sline::model::MeshPtr)
 
@@ -308,5 +309,5 @@ void PlaneSectionTest::keptPointsAreKept() {
 
 }  // namespace sline::model
 
-QTEST_GUILESS_MAIN(sline::model::PlaneSectionTest)
+SLINE_TEST_WITH_EVENTS(sline::model::PlaneSectionTest)
 #include "plane_section_test.moc"

@@ -8,6 +8,7 @@
 
 #include "model/geometry/topology.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using model::MeshPtr;
@@ -203,5 +204,5 @@ class SimplificationTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SimplificationTest)
+SLINE_TEST(SimplificationTest)
 #include "simplification_test.moc"

@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 
@@ -66,5 +67,5 @@ class TopologyTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TopologyTest)
+SLINE_TEST(TopologyTest)
 #include "topology_test.moc"

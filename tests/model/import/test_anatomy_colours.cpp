@@ -10,6 +10,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "model/import/anatomy_names.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -126,5 +127,5 @@ void AnatomyColoursTest::apart() {
     }
 }
 
-QTEST_APPLESS_MAIN(AnatomyColoursTest)
+SLINE_TEST(AnatomyColoursTest)
 #include "test_anatomy_colours.moc"

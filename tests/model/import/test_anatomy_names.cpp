@@ -2,6 +2,7 @@
 #include <QtTest>
 
 #include "model/import/anatomy_names.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -115,5 +116,5 @@ void AnatomyNamesTest::edits() {
   QVERIFY(!table.match("whole thing"));
 }
 
-QTEST_APPLESS_MAIN(AnatomyNamesTest)
+SLINE_TEST(AnatomyNamesTest)
 #include "test_anatomy_names.moc"

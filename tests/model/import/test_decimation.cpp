@@ -11,6 +11,7 @@
 #include "model/import/import.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -70,7 +71,7 @@ class DecimationTest : public QObject {
   void liverOfTheAtlas() {
     const QString file = QStringLiteral(SLINE_TEST_DATA "/abdomen/Data/Model_3_liver.vtk");
     if (!QFileInfo::exists(file))
-      QSKIP("the abdomen of the test data is absent");
+      SLINE_ABSENT("the abdomen of the test data is absent");
     const auto whole = import(file, 0.0f);
     const auto fewer = import(file, 0.3f);
     QVERIFY(whole.ok() && fewer.ok());
@@ -88,5 +89,5 @@ class DecimationTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(DecimationTest)
+SLINE_TEST_WITH_EVENTS(DecimationTest)
 #include "test_decimation.moc"

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "model/import/import.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 
@@ -184,7 +185,7 @@ class EveryFormatTest : public QObject {
   void formats() {
     const QString name = QTest::currentDataTag();
     if (!collection().exists())
-      QSKIP("the folder formats of the test data is absent");
+      SLINE_ABSENT("the folder formats of the test data is absent");
     QFETCH(int, structures);
     QFETCH(int, triangles);
     QFETCH(int, annotations);
@@ -221,5 +222,5 @@ class EveryFormatTest : public QObject {
   QSet<QString> m_there;
 };
 
-QTEST_GUILESS_MAIN(EveryFormatTest)
+SLINE_TEST_WITH_EVENTS(EveryFormatTest)
 #include "test_every_format.moc"

@@ -6,6 +6,7 @@
 #include "model/import/import.h"
 #include "model/import/part_of_table.h"
 #include "tests/model/import/written_meshes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -223,5 +224,5 @@ void FolderTreeTest::otherFilesAreIgnored() {
   QCOMPARE(imported->scene.nodes().size(), std::size_t(1));
 }
 
-QTEST_APPLESS_MAIN(FolderTreeTest)
+SLINE_TEST(FolderTreeTest)
 #include "test_folder_tree.moc"

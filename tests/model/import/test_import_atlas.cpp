@@ -9,6 +9,7 @@
 #include "model/import/import.h"
 #include "model/import/names.h"
 #include "tests/model/import/written_meshes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -70,7 +71,7 @@ class ImportAtlasTest : public QObject {
 
 void ImportAtlasTest::abdomenScene() {
   if (absent(abdomen))
-    QSKIP("the folder of real data is absent");
+    SLINE_ABSENT("the folder of real data is absent");
   const auto imported = import(abdomen);
   QVERIFY(imported.ok());
   const Scene& scene = imported->scene;
@@ -91,7 +92,7 @@ void ImportAtlasTest::abdomenScene() {
 
 void ImportAtlasTest::abdomenAsItIs() {
   if (absent(abdomen))
-    QSKIP("the folder of real data is absent");
+    SLINE_ABSENT("the folder of real data is absent");
   ImportOptions options;
   options.smoothing.mode = Smoothing::Mode::off;
   const auto imported = import(abdomen, options);
@@ -105,7 +106,7 @@ void ImportAtlasTest::abdomenAsItIs() {
 
 void ImportAtlasTest::abdomenFolderVotes() {
   if (absent("abdomen/Data"))
-    QSKIP("the folder of real data is absent");
+    SLINE_ABSENT("the folder of real data is absent");
   ImportOptions options;
   options.smoothing.mode = Smoothing::Mode::off;
   const auto imported = import("abdomen/Data", options);
@@ -120,7 +121,7 @@ void ImportAtlasTest::abdomenFolderVotes() {
 
 void ImportAtlasTest::pelvis() {
   if (absent("pelvis/bodyparts3d"))
-    QSKIP("the folder of real data is absent");
+    SLINE_ABSENT("the folder of real data is absent");
   const auto imported = import("pelvis/bodyparts3d");
   QVERIFY(imported.ok());
   const Scene& scene = imported->scene;
@@ -139,7 +140,7 @@ void ImportAtlasTest::pelvis() {
 
 void ImportAtlasTest::pelvisInGltf() {
   if (absent("pelvis/hra_vh_male"))
-    QSKIP("the folder of real data is absent");
+    SLINE_ABSENT("the folder of real data is absent");
   ImportOptions options;
   options.smoothing.mode = Smoothing::Mode::off;
   const auto imported = import("pelvis/hra_vh_male", options);
@@ -158,7 +159,7 @@ void ImportAtlasTest::pelvisInGltf() {
 
 void ImportAtlasTest::largeLiver() {
   if (absent("large"))
-    QSKIP("the folder of real data is absent");
+    SLINE_ABSENT("the folder of real data is absent");
   const auto imported = import("large");
   QVERIFY(imported.ok());
   const Node& node = imported->scene.nodes().front();
@@ -166,5 +167,5 @@ void ImportAtlasTest::largeLiver() {
   QCOMPARE(node.provenance.smoothingSteps + node.provenance.refinementSteps, 0);
 }
 
-QTEST_APPLESS_MAIN(ImportAtlasTest)
+SLINE_TEST(ImportAtlasTest)
 #include "test_import_atlas.moc"

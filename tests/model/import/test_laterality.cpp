@@ -7,6 +7,7 @@
 #include "model/import/import.h"
 #include "model/import/laterality.h"
 #include "tests/model/import/written_meshes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -168,5 +169,5 @@ void LateralityTest::contradictionIsTold() {
   QCOMPARE(imported->report.frame, Frame::lps);
 }
 
-QTEST_APPLESS_MAIN(LateralityTest)
+SLINE_TEST(LateralityTest)
 #include "test_laterality.moc"

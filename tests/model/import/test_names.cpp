@@ -2,6 +2,7 @@
 #include <QtTest>
 
 #include "model/import/names.h"
+#include "tests/support/suite.h"
 
 using namespace sline::model;
 
@@ -134,5 +135,5 @@ void NamesTest::unique() {
   QCOMPARE(names, (std::vector<std::string>{"rib", "Rib 3", "rib 2", "aorta", "rib 4"}));
 }
 
-QTEST_APPLESS_MAIN(NamesTest)
+SLINE_TEST(NamesTest)
 #include "test_names.moc"

@@ -9,6 +9,7 @@
 #include "tests/model/files/sample_scene.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -77,7 +78,7 @@ void PlanTest::unchangedPlanIsThePlainImport() {
   QFETCH(float, decimate);
   const Body body;
   if (!input.isEmpty() && !QFileInfo::exists(input))
-    QSKIP("no real anatomy here");
+    SLINE_ABSENT("no real anatomy here");
   const std::array inputs{input.isEmpty() ? body.path() : Path(input.toStdString())};
   const ImportOptions options{.decimateMm = decimate};
   const auto plain = importInputs(inputs, options);
@@ -206,7 +207,7 @@ void PlanTest::volumeIsReadAgainWhereSmoothedOtherwise() {
   const QString volume =
       QStringLiteral(SLINE_TEST_DATA "/labelmap/totalsegmentator/ct_total_labels_3mm.nii.gz");
   if (!QFileInfo::exists(volume))
-    QSKIP("no real anatomy here");
+    SLINE_ABSENT("no real anatomy here");
   auto plan = planImport(std::array{Path(volume.toStdString())}, {});
   QVERIFY(plan.ok());
   const std::vector<NodeId> all = plan->scene.structuresBelow(rootId);
@@ -285,5 +286,5 @@ void PlanTest::cancelled() {
   QVERIFY(!carriedOut(body.plan(), stop).ok());
 }
 
-QTEST_APPLESS_MAIN(PlanTest)
+SLINE_TEST(PlanTest)
 #include "test_plan.moc"

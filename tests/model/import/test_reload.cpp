@@ -8,6 +8,7 @@
 
 #include "model/files/fingerprint.h"
 #include "tests/model/import/written_meshes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -266,5 +267,5 @@ void ReloadTest::whatCannotBeRead() {
   QVERIFY(reload(made, std::array{path(folder)}).files.empty());
 }
 
-QTEST_APPLESS_MAIN(ReloadTest)
+SLINE_TEST(ReloadTest)
 #include "test_reload.moc"

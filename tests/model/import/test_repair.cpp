@@ -6,6 +6,7 @@
 #include "model/import/half_edges.h"
 #include "model/import/repair.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -235,5 +236,5 @@ void RepairTest::nothing() {
   QCOMPARE(repaired(s).faces(), 0);
 }
 
-QTEST_APPLESS_MAIN(RepairTest)
+SLINE_TEST(RepairTest)
 #include "test_repair.moc"

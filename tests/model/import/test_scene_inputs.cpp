@@ -9,6 +9,7 @@
 #include "tests/model/files/sample_scene.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -168,5 +169,5 @@ void SceneInputsTest::planTellsWhatWouldBe() {
   QVERIFY(turned.mesh->bounds().centre().x < -20.0f);
 }
 
-QTEST_APPLESS_MAIN(SceneInputsTest)
+SLINE_TEST(SceneInputsTest)
 #include "test_scene_inputs.moc"

@@ -7,6 +7,7 @@
 #include "model/import/import.h"
 #include "model/import/slicer_scene.h"
 #include "tests/model/import/written_meshes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -324,7 +325,7 @@ void SlicerSceneTest::entityBombStaysSmall() {
 void SlicerSceneTest::formatSamples() {
   const QDir folder(QString(SLINE_TEST_DATA) + "/formats/slicer");
   if (!folder.exists())
-    QSKIP("the folder of real data is absent");
+    SLINE_ABSENT("the folder of real data is absent");
   const auto import = [&](const char* name) {
     return importInputs(std::array{std::filesystem::path(folder.filePath(name).toStdString())}, {});
   };
@@ -339,5 +340,5 @@ void SlicerSceneTest::formatSamples() {
     QVERIFY2(!import(name).ok(), name);
 }
 
-QTEST_APPLESS_MAIN(SlicerSceneTest)
+SLINE_TEST(SlicerSceneTest)
 #include "test_slicer_scene.moc"

@@ -11,6 +11,7 @@
 #include "model/import/fiducials.h"
 #include "model/import/import.h"
 #include "tests/model/import/written_meshes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -419,7 +420,7 @@ void SlicerViewsTest::abdomenViews() {
   const QString file =
       QString(SLINE_TEST_DATA) + "/abdomen/AbdominalAtlas-2015Sept-Slicer4-4Version.mrml";
   if (!QFileInfo::exists(file))
-    QSKIP("the folder of real data is absent");
+    SLINE_ABSENT("the folder of real data is absent");
   ImportOptions options;
   options.smoothing.mode = Smoothing::Mode::off;
   const auto imported =
@@ -451,7 +452,7 @@ void SlicerViewsTest::abdomenViews() {
 void SlicerViewsTest::samples() {
   const QDir folder(QString(SLINE_TEST_DATA) + "/formats/slicer");
   if (!folder.exists())
-    QSKIP("the folder of real data is absent");
+    SLINE_ABSENT("the folder of real data is absent");
   const auto import = [&](const char* name) {
     return importInputs(std::array{std::filesystem::path(folder.filePath(name).toStdString())}, {});
   };
@@ -469,5 +470,5 @@ void SlicerViewsTest::samples() {
   QCOMPARE(old->scene.annotations()[5].text, std::string("M"));
 }
 
-QTEST_APPLESS_MAIN(SlicerViewsTest)
+SLINE_TEST(SlicerViewsTest)
 #include "test_slicer_views.moc"

@@ -9,6 +9,7 @@
 #include "model/import/windowed_sinc.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -314,5 +315,5 @@ void SmoothingTest::nonManifoldSurvives() {
     QVERIFY(std::isfinite(p.x + p.y + p.z));
 }
 
-QTEST_APPLESS_MAIN(SmoothingTest)
+SLINE_TEST(SmoothingTest)
 #include "test_smoothing.moc"

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "model/scene/free_sides.h"
+#include "tests/support/suite.h"
 
 namespace sline::model {
 namespace {
@@ -392,5 +393,5 @@ void CameraTest::directionTowardsEye() {
 
 }  // namespace sline::model
 
-QTEST_APPLESS_MAIN(sline::model::CameraTest)
+SLINE_TEST(sline::model::CameraTest)
 #include "camera_test.moc"

@@ -5,6 +5,7 @@
 #include <QtTest>
 
 #include "tests/support/mutator.h"
+#include "tests/support/suite.h"
 
 using namespace sline::model;
 
@@ -165,5 +166,5 @@ class MarkupTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MarkupTest)
+SLINE_TEST(MarkupTest)
 #include "markup_test.moc"

@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::model {
 namespace {
@@ -185,5 +186,5 @@ void SceneTest::idsAreNeverReused() {
 
 }  // namespace sline::model
 
-QTEST_APPLESS_MAIN(sline::model::SceneTest)
+SLINE_TEST(sline::model::SceneTest)
 #include "scene_test.moc"

@@ -4,6 +4,7 @@
 
 #include "render/gpu/device.h"
 #include "render/gpu/headless/context.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::render::gpu;
@@ -204,5 +205,5 @@ void DeviceTest::copiesDepth() {
   QCOMPARE(to.pixel(*m_device, 2, 1)[0], 255);
 }
 
-QTEST_GUILESS_MAIN(DeviceTest)
+SLINE_TEST_WITH_EVENTS(DeviceTest)
 #include "device_test.moc"

@@ -5,6 +5,7 @@
 #include "render/gpu/device.h"
 #include "render/gpu/handoff.h"
 #include "render/gpu/headless/context.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::render::gpu;
@@ -92,5 +93,5 @@ class HandoffTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(HandoffTest)
+SLINE_TEST_WITH_EVENTS(HandoffTest)
 #include "handoff_test.moc"

@@ -10,6 +10,7 @@
 #include "render/passes/plain_phong/pass.h"
 #include "render/passes/resolve/pass.h"
 #include "render/passes/surface/pass.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::render;
@@ -295,5 +296,5 @@ void PassesTest::jointsDoNotDarken() {
   QCOMPARE(inked(pieces), many);
 }
 
-QTEST_GUILESS_MAIN(PassesTest)
+SLINE_TEST_WITH_EVENTS(PassesTest)
 #include "passes_test.moc"

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "render/gpu/shader_source.h"
+#include "tests/support/suite.h"
 
 using namespace sline::render::gpu;
 
@@ -60,5 +61,5 @@ void ShaderSourceTest::namesWhatIsAbsent() {
   QVERIFY(source.error().reason.find("absent.glsl") != std::string::npos);
 }
 
-QTEST_APPLESS_MAIN(ShaderSourceTest)
+SLINE_TEST(ShaderSourceTest)
 #include "shader_source_test.moc"

@@ -6,6 +6,7 @@
 #include "render/labels/anchors.h"
 #include "render/labels/best_place.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::render;
@@ -268,5 +269,5 @@ class LabelAnchorsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(LabelAnchorsTest)
+SLINE_TEST(LabelAnchorsTest)
 #include "label_anchors_test.moc"

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "render/labels/layout.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::render;
@@ -460,5 +461,5 @@ class LabelLayoutTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(LabelLayoutTest)
+SLINE_TEST(LabelLayoutTest)
 #include "label_layout_test.moc"

@@ -14,6 +14,7 @@
 #include "model/import/import.h"
 #include "render/labels/anchors.h"
 #include "render/labels/best_place.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::render;
@@ -163,7 +164,7 @@ class LabelSteadinessTest : public QObject {
     const QString file =
         QStringLiteral(SLINE_TEST_DATA "/abdomen/AbdominalAtlas-2015Sept-Slicer4-4Version.mrml");
     if (!QFile::exists(file))
-      QSKIP("no abdomen atlas here");
+      SLINE_ABSENT("no abdomen atlas here");
     const std::vector<std::filesystem::path> inputs{file.toStdString()};
     auto imported = model::importInputs(inputs, {.smoothing = model::Smoothing{}},
                                         [](double, const std::string&) { return true; });
@@ -195,5 +196,5 @@ class LabelSteadinessTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(LabelSteadinessTest)
+SLINE_TEST(LabelSteadinessTest)
 #include "label_steadiness_test.moc"

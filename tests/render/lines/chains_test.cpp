@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 
@@ -103,5 +104,5 @@ class ChainsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ChainsTest)
+SLINE_TEST(ChainsTest)
 #include "chains_test.moc"

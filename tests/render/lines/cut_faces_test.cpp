@@ -8,6 +8,7 @@
 #include "render/lines/clipping.h"
 #include "render/lines/visibility.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::render {
 namespace {
@@ -237,5 +238,5 @@ void CutFacesTest::whatIsTakenAwayHidesNothing() {
 
 }  // namespace sline::render
 
-QTEST_GUILESS_MAIN(sline::render::CutFacesTest)
+SLINE_TEST_WITH_EVENTS(sline::render::CutFacesTest)
 #include "cut_faces_test.moc"

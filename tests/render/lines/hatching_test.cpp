@@ -15,6 +15,7 @@
 #include "render/lines/view_fields.h"
 #include "render/lines/view_scale.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 #include "tests/support/torus.h"
 
 using namespace sline;
@@ -442,5 +443,5 @@ class HatchingTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(HatchingTest)
+SLINE_TEST(HatchingTest)
 #include "hatching_test.moc"

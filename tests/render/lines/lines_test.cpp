@@ -9,6 +9,7 @@
 
 #include "render/lines/view_fields.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 #include "tests/support/torus.h"
 
 using namespace sline;
@@ -271,5 +272,5 @@ class LinesTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(LinesTest)
+SLINE_TEST(LinesTest)
 #include "lines_test.moc"

@@ -8,6 +8,7 @@
 
 #include "model/geometry/surface.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 #include "tests/support/torus.h"
 
 using namespace sline;
@@ -101,5 +102,5 @@ class ViewFieldsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ViewFieldsTest)
+SLINE_TEST(ViewFieldsTest)
 #include "view_fields_test.moc"

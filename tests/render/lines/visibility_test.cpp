@@ -6,6 +6,7 @@
 
 #include "model/geometry/spatial_order.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 
@@ -78,5 +79,5 @@ class VisibilityTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(VisibilityTest)
+SLINE_TEST(VisibilityTest)
 #include "visibility_test.moc"

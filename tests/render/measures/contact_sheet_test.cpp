@@ -5,6 +5,7 @@
 #include <array>
 
 #include "tests/render/measures/pictures.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -96,5 +97,5 @@ void ContactSheetTest::stackedKeepsBoth() {
   QCOMPARE(count(image, 255, 255, 255), 20);
 }
 
-QTEST_GUILESS_MAIN(ContactSheetTest)
+SLINE_TEST_WITH_EVENTS(ContactSheetTest)
 #include "contact_sheet_test.moc"

@@ -11,6 +11,7 @@
 #include "render/measures/ramp.h"
 #include "render/measures/steadiness.h"
 #include "render/measures/subject.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 
@@ -137,7 +138,7 @@ void OrgansTest::rampIsSeamless() {
   QFETCH(QString, name);
   const std::optional<render::Subject> subject = subjectOf(name, rampHeight);
   if (!subject)
-    QSKIP("there is no such anatomy here");
+    SLINE_ABSENT("there is no such anatomy here");
   const auto ramp = render::measureRamp(render::rampPictures(*m_picture, *subject));
   QVERIFY2(ramp.ok(), ramp.ok() ? "" : ramp.error().text().c_str());
   const std::vector<std::string> faults = render::faults(*ramp);
@@ -167,7 +168,7 @@ void OrgansTest::strokesStayOnTheSurface() {
   QFETCH(QString, name);
   const render::Steadiness* steadiness = steadinessOf(name);
   if (!steadiness)
-    QSKIP("there is no such anatomy here");
+    SLINE_ABSENT("there is no such anatomy here");
   const std::optional<double> ratio = steadiness->inkRatio();
   QVERIFY2(ratio, "it shows no hatching");
   QVERIFY2(*ratio <= render::flickerLimit, qPrintable(QString::number(*ratio)));
@@ -181,11 +182,11 @@ void OrgansTest::strokesHaveDefiniteEdges() {
   QFETCH(QString, name);
   const render::Steadiness* steadiness = steadinessOf(name);
   if (!steadiness)
-    QSKIP("there is no such anatomy here");
+    SLINE_ABSENT("there is no such anatomy here");
   QVERIFY2(steadiness->strokes.anyHatching(), "it shows no hatching");
   const double middle = steadiness->strokes.midTonesInPrint;
   QVERIFY2(middle <= render::midToneLimit, qPrintable(QString::number(middle)));
 }
 
-QTEST_GUILESS_MAIN(OrgansTest)
+SLINE_TEST_WITH_EVENTS(OrgansTest)
 #include "organs_test.moc"

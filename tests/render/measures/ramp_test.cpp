@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "tests/render/measures/pictures.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -286,5 +287,5 @@ void RampTest::errorsAreHandedOn() {
   QCOMPARE(failed.error().reason, std::string("the driver is gone"));
 }
 
-QTEST_GUILESS_MAIN(RampTest)
+SLINE_TEST_WITH_EVENTS(RampTest)
 #include "ramp_test.moc"

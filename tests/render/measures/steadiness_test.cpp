@@ -11,6 +11,7 @@
 #include "render/measures/warp.h"
 #include "tests/render/measures/pictures.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -400,5 +401,5 @@ void SteadinessTest::refusesWhatShowsNothing() {
   QVERIFY(flickers.error().reason.find("no surface in common") != std::string::npos);
 }
 
-QTEST_GUILESS_MAIN(SteadinessTest)
+SLINE_TEST_WITH_EVENTS(SteadinessTest)
 #include "steadiness_test.moc"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/render/measures/pictures.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -116,5 +117,5 @@ void ToneTest::blurTurnsStrokesIntoTone() {
       QVERIFY(std::abs(blurred.at(x, y) - 0.75f) < 0.02f);
 }
 
-QTEST_GUILESS_MAIN(ToneTest)
+SLINE_TEST_WITH_EVENTS(ToneTest)
 #include "tone_test.moc"

@@ -2,6 +2,7 @@
 // Lines enter evenly (METHOD §7): as much is in at any time as that time says, and none stands
 // still.
 #include "render/picture/entrance.h"
+#include "tests/support/suite.h"
 
 #include <QtTest>
 #include <cmath>
@@ -56,5 +57,5 @@ void EntranceTest::theFirstAreAhead() {
   }
 }
 
-QTEST_GUILESS_MAIN(EntranceTest)
+SLINE_TEST_WITH_EVENTS(EntranceTest)
 #include "entrance_test.moc"

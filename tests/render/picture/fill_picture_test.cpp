@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/render/picture/scenes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -268,5 +269,5 @@ void FillPictureTest::closesWithoutTurningBack() {
   QVERIFY2(turned <= 5, qPrintable(QString("by %1 of 255").arg(turned)));
 }
 
-QTEST_GUILESS_MAIN(FillPictureTest)
+SLINE_TEST_WITH_EVENTS(FillPictureTest)
 #include "fill_picture_test.moc"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/render/picture/scenes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 
@@ -136,5 +137,5 @@ class HatchingPictureTest : public QObject {
   test::Studio m_studio;
 };
 
-QTEST_APPLESS_MAIN(HatchingPictureTest)
+SLINE_TEST(HatchingPictureTest)
 #include "hatching_picture_test.moc"

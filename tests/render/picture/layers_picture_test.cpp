@@ -7,6 +7,7 @@
 
 #include "render/gpu/device.h"
 #include "tests/render/picture/scenes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -395,5 +396,5 @@ void LayersPictureTest::refusesBadRequests() {
   QCOMPARE(image.error().where, std::string("camera"));
 }
 
-QTEST_GUILESS_MAIN(LayersPictureTest)
+SLINE_TEST_WITH_EVENTS(LayersPictureTest)
 #include "layers_picture_test.moc"

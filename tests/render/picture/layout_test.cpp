@@ -8,6 +8,7 @@
 #include "render/picture/shelf_packer.h"
 #include "render/picture/tile_lists.h"
 #include "render/picture/transitions.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::render;
@@ -150,5 +151,5 @@ void LayoutTest::averagesWeighAlpha() {
   QCOMPARE(averaged(nothing, 2).rgba, std::vector<std::uint8_t>(4, 0));
 }
 
-QTEST_APPLESS_MAIN(LayoutTest)
+SLINE_TEST(LayoutTest)
 #include "layout_test.moc"

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "tests/render/picture/scenes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -371,5 +372,5 @@ void LinesPictureTest::refinedSurfacesKeepTheirNoiseToThemselves() {
   QVERIFY2(refined < 0.3f * asGiven, qPrintable(QString::number(double(refined))));
 }
 
-QTEST_GUILESS_MAIN(LinesPictureTest)
+SLINE_TEST_WITH_EVENTS(LinesPictureTest)
 #include "lines_picture_test.moc"

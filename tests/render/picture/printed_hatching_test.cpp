@@ -8,6 +8,7 @@
 
 #include "model/geometry/surface.h"
 #include "tests/render/picture/scenes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -362,5 +363,5 @@ void PrintedHatchingTest::piecesGiveTheSamePicture() {
   QVERIFY2(d.share < 0.001, qPrintable(QString("%1 of pixels").arg(d.share)));
 }
 
-QTEST_GUILESS_MAIN(PrintedHatchingTest)
+SLINE_TEST_WITH_EVENTS(PrintedHatchingTest)
 #include "printed_hatching_test.moc"

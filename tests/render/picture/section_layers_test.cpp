@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "tests/render/picture/section_scenes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -178,5 +179,5 @@ void SectionLayersTest::orderOfStructuresChangesNothing() {
   QCOMPARE(difference(first, picture(scene, frontal(120.0f))).largest, 0);
 }
 
-QTEST_GUILESS_MAIN(SectionLayersTest)
+SLINE_TEST_WITH_EVENTS(SectionLayersTest)
 #include "section_layers_test.moc"

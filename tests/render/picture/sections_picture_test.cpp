@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "tests/render/picture/section_scenes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -347,5 +348,5 @@ void SectionsPictureTest::inkAloneHasNoColour() {
   QVERIFY(spot(image, drawn).count > 4000);  // of the faces' hatching
 }
 
-QTEST_GUILESS_MAIN(SectionsPictureTest)
+SLINE_TEST_WITH_EVENTS(SectionsPictureTest)
 #include "sections_picture_test.moc"

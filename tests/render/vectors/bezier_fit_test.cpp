@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "tests/render/vectors/path_points.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 
@@ -111,5 +112,5 @@ class BezierFitTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(BezierFitTest)
+SLINE_TEST(BezierFitTest)
 #include "bezier_fit_test.moc"

@@ -10,6 +10,7 @@
 #include "render/vectors/vector_drawing.h"
 #include "tests/render/vectors/path_points.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 
@@ -257,5 +258,5 @@ class HiddenLinesTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(HiddenLinesTest)
+SLINE_TEST(HiddenLinesTest)
 #include "hidden_lines_test.moc"

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "tests/render/vectors/path_points.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 
@@ -75,5 +76,5 @@ class RegionOutlinesTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(RegionOutlinesTest)
+SLINE_TEST(RegionOutlinesTest)
 #include "region_outlines_test.moc"

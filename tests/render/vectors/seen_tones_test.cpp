@@ -5,6 +5,8 @@
 #include <QtTest>
 #include <cmath>
 
+#include "tests/support/suite.h"
+
 using namespace sline;
 using namespace sline::render;
 
@@ -111,5 +113,5 @@ class SeenTonesTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SeenTonesTest)
+SLINE_TEST(SeenTonesTest)
 #include "seen_tones_test.moc"

@@ -7,6 +7,7 @@
 #include "render/vectors/vector_drawing.h"
 #include "tests/render/vectors/path_points.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 
@@ -162,5 +163,5 @@ class VectorFillsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(VectorFillsTest)
+SLINE_TEST(VectorFillsTest)
 #include "vector_fills_test.moc"

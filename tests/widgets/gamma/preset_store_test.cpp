@@ -6,6 +6,8 @@
 #include <QtTest>
 #include <algorithm>
 
+#include "tests/support/suite.h"
+
 using namespace sline;
 
 class PresetStoreTest : public QObject {
@@ -53,5 +55,5 @@ void PresetStoreTest::survivesItsFile() {
   QVERIFY(found->style == all);
 }
 
-QTEST_APPLESS_MAIN(PresetStoreTest)
+SLINE_TEST(PresetStoreTest)
 #include "preset_store_test.moc"

@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 #include "widgets/sections/new_section.h"
 #include "widgets/sections/section_position.h"
 
@@ -122,5 +123,5 @@ class NewSectionTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(NewSectionTest)
+SLINE_TEST_WITH_EVENTS(NewSectionTest)
 #include "new_section_test.moc"

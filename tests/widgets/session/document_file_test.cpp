@@ -8,6 +8,7 @@
 
 #include "model/edit/emphasis.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 #include "widgets/session/autosaver.h"
 #include "widgets/session/recent_files.h"
 #include "widgets/session/scene_saver.h"
@@ -363,5 +364,5 @@ class DocumentFileTest : public QObject {
 
 }  // namespace sline::widgets
 
-QTEST_GUILESS_MAIN(sline::widgets::DocumentFileTest)
+SLINE_TEST_WITH_EVENTS(sline::widgets::DocumentFileTest)
 #include "document_file_test.moc"

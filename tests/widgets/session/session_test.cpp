@@ -8,6 +8,7 @@
 #include "model/edit/emphasis.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 #include "widgets/session/session.h"
 
 namespace sline::widgets {
@@ -237,5 +238,5 @@ class SessionTest : public QObject {
 
 }  // namespace sline::widgets
 
-QTEST_GUILESS_MAIN(sline::widgets::SessionTest)
+SLINE_TEST_WITH_EVENTS(sline::widgets::SessionTest)
 #include "session_test.moc"

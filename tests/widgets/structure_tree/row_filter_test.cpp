@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "tests/model/edit/written_tree.h"
+#include "tests/support/suite.h"
 #include "widgets/structure_tree/row_filter.h"
 
 namespace sline::widgets {
@@ -77,5 +78,5 @@ class RowFilterTest : public QObject {
 
 }  // namespace sline::widgets
 
-QTEST_APPLESS_MAIN(sline::widgets::RowFilterTest)
+SLINE_TEST(sline::widgets::RowFilterTest)
 #include "row_filter_test.moc"

@@ -10,6 +10,7 @@
 #include "model/edit/tree.h"
 #include "model/edit/visibility.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 #include "widgets/structure_tree/node_mime.h"
 #include "widgets/structure_tree/structure_tree_model.h"
 
@@ -289,5 +290,5 @@ class StructureTreeModelTest : public QObject {
 
 }  // namespace sline::widgets
 
-QTEST_GUILESS_MAIN(sline::widgets::StructureTreeModelTest)
+SLINE_TEST_WITH_EVENTS(sline::widgets::StructureTreeModelTest)
 #include "structure_tree_model_test.moc"

@@ -6,6 +6,7 @@
 
 #include "model/edit/tree.h"
 #include "tests/model/edit/written_tree.h"
+#include "tests/support/suite.h"
 #include "widgets/structure_tree/tree_shape.h"
 
 namespace sline::widgets {
@@ -133,5 +134,5 @@ class TreeShapeTest : public QObject {
 
 }  // namespace sline::widgets
 
-QTEST_APPLESS_MAIN(sline::widgets::TreeShapeTest)
+SLINE_TEST(sline::widgets::TreeShapeTest)
 #include "tree_shape_test.moc"

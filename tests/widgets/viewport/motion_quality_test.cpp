@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QTest>
 
+#include "tests/support/suite.h"
 #include "widgets/viewport/motion_quality.h"
 
 using sline::widgets::MotionQuality;
@@ -32,5 +33,5 @@ class MotionQualityTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MotionQualityTest)
+SLINE_TEST(MotionQualityTest)
 #include "motion_quality_test.moc"

@@ -2,6 +2,7 @@
 #include <QTest>
 #include <set>
 
+#include "tests/support/suite.h"
 #include "widgets/viewport/camera_tool.h"
 
 using namespace sline;
@@ -101,5 +102,5 @@ class MousePresetTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(MousePresetTest)
+SLINE_TEST(MousePresetTest)
 #include "mouse_preset_test.moc"

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/scene/camera_flight.h"
+#include "tests/support/suite.h"
 #include "widgets/viewport/navigation.h"
 
 using namespace sline;
@@ -206,5 +207,5 @@ class NavigationTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(NavigationTest)
+SLINE_TEST(NavigationTest)
 #include "navigation_test.moc"

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "render/export/marks/orientation_letters.h"
+#include "tests/support/suite.h"
 #include "widgets/viewport/navigation.h"
 #include "widgets/viewport/orientation_cube.h"
 
@@ -126,5 +127,5 @@ class OrientationCubeTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(OrientationCubeTest)
+SLINE_TEST(OrientationCubeTest)
 #include "orientation_cube_test.moc"

@@ -2,6 +2,7 @@
 #include <QTest>
 
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 #include "widgets/viewport/pick_index.h"
 #include "widgets/viewport/picker.h"
 
@@ -208,5 +209,5 @@ class PickIndexTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(PickIndexTest)
+SLINE_TEST(PickIndexTest)
 #include "pick_index_test.moc"

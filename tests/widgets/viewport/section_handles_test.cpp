@@ -3,6 +3,7 @@
 #include <QTest>
 #include <glm/geometric.hpp>
 
+#include "tests/support/suite.h"
 #include "widgets/viewport/navigation.h"
 #include "widgets/viewport/section_handles.h"
 
@@ -175,5 +176,5 @@ class SectionHandlesTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SectionHandlesTest)
+SLINE_TEST(SectionHandlesTest)
 #include "section_handles_test.moc"

@@ -6,6 +6,7 @@
 
 #include "model/edit/sections.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 #include "widgets/viewport/navigation.h"
 #include "widgets/viewport/section_tool.h"
 
@@ -146,5 +147,5 @@ class SectionToolTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(SectionToolTest)
+SLINE_TEST_WITH_EVENTS(SectionToolTest)
 #include "section_tool_test.moc"

@@ -6,6 +6,7 @@
 #include "model/import/file_kinds.h"
 #include "tests/model/import/dicom/surface_facts.h"
 #include "tests/model/import/dicom/written_dicom.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -203,7 +204,7 @@ void TestDicomFiles::realFiles() {
   QFETCH(QString, message);
   const QString path = QString(SLINE_TEST_DATA) + "/formats/dicom/" + file;
   if (!QFile::exists(path))
-    QSKIP("no such file");
+    SLINE_ABSENT("no such file");
   const auto read = model::readSurfaces(path.toStdString());
   if (!read) {
     QCOMPARE(surfaces, 0);
@@ -219,5 +220,5 @@ void TestDicomFiles::realFiles() {
   }
 }
 
-QTEST_GUILESS_MAIN(TestDicomFiles)
+SLINE_TEST_WITH_EVENTS(TestDicomFiles)
 #include "test_dicom_files.moc"

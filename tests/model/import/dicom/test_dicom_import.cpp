@@ -9,6 +9,7 @@
 #include "model/import/plan.h"
 #include "tests/model/import/dicom/surface_facts.h"
 #include "tests/model/import/dicom/written_dicom.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -166,5 +167,5 @@ void TestDicomImport::planTellsTheSame() {
   }
 }
 
-QTEST_GUILESS_MAIN(TestDicomImport)
+SLINE_TEST_WITH_EVENTS(TestDicomImport)
 #include "test_dicom_import.moc"

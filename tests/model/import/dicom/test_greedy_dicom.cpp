@@ -8,6 +8,7 @@
 #include "tests/model/import/dicom/surface_facts.h"
 #include "tests/model/import/dicom/written_dicom.h"
 #include "tests/support/process_memory.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -171,5 +172,5 @@ void TestGreedyDicom::answersSoon() {
   QVERIFY(peak < mostMiB);
 }
 
-QTEST_GUILESS_MAIN(TestGreedyDicom)
+SLINE_TEST_WITH_EVENTS(TestGreedyDicom)
 #include "test_greedy_dicom.moc"

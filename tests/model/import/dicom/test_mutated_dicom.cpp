@@ -11,6 +11,7 @@
 #include "tests/model/import/dicom/written_dicom.h"
 #include "tests/support/mutator.h"
 #include "tests/support/process_memory.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -113,5 +114,5 @@ void TestMutatedDicom::mutations() {
              qPrintable(QString::number(peakResidentMiB() - before)));
 }
 
-QTEST_GUILESS_MAIN(TestMutatedDicom)
+SLINE_TEST_WITH_EVENTS(TestMutatedDicom)
 #include "test_mutated_dicom.moc"

@@ -8,6 +8,7 @@
 #include "model/import/dicom/segmentation.h"
 #include "tests/model/import/dicom/surface_facts.h"
 #include "tests/model/import/dicom/written_dicom.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -295,7 +296,7 @@ void TestSegmentations::labColours() {
 void TestSegmentations::realFile() {
   const QString path = QString(SLINE_TEST_DATA) + "/formats/dicom/seg_image_ct_binary.dcm";
   if (!QFile::exists(path))
-    QSKIP("no file to read");
+    SLINE_ABSENT("no file to read");
   const auto dicom = model::DicomFile::read(path.toStdString(), {});
   QVERIFY(dicom.ok());
   const auto read = model::segmentationVolumes(*dicom, {});
@@ -310,5 +311,5 @@ void TestSegmentations::realFile() {
   QVERIFY(std::abs(volume.toLps[2].z - 1.25) < 1e-6);
 }
 
-QTEST_GUILESS_MAIN(TestSegmentations)
+SLINE_TEST_WITH_EVENTS(TestSegmentations)
 #include "test_segmentations.moc"

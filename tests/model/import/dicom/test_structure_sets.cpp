@@ -7,6 +7,7 @@
 
 #include "tests/model/import/dicom/surface_facts.h"
 #include "tests/model/import/dicom/written_dicom.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -321,5 +322,5 @@ void TestStructureSets::smoothingOffMovesNothing() {
   QVERIFY(smoothed->meshes[0].displacement <= 2.26f);
 }
 
-QTEST_GUILESS_MAIN(TestStructureSets)
+SLINE_TEST_WITH_EVENTS(TestStructureSets)
 #include "test_structure_sets.moc"

@@ -5,6 +5,7 @@
 
 #include "model/import/molecules/ball_and_stick.h"
 #include "tests/model/import/molecules/entry_files.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -80,5 +81,5 @@ class TestBallAndStick : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestBallAndStick)
+SLINE_TEST_WITH_EVENTS(TestBallAndStick)
 #include "test_ball_and_stick.moc"

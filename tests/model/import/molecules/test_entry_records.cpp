@@ -6,6 +6,7 @@
 
 #include "model/import/molecules/cif_tokens.h"
 #include "tests/model/import/molecules/entry_files.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -254,5 +255,5 @@ class TestEntryRecords : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestEntryRecords)
+SLINE_TEST_WITH_EVENTS(TestEntryRecords)
 #include "test_entry_records.moc"

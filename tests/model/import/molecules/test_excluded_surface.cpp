@@ -8,6 +8,7 @@
 
 #include "model/import/molecules/excluded_surface.h"
 #include "tests/model/import/molecules/entry_files.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -209,5 +210,5 @@ class TestExcludedSurface : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestExcludedSurface)
+SLINE_TEST_WITH_EVENTS(TestExcludedSurface)
 #include "test_excluded_surface.moc"

@@ -11,6 +11,7 @@
 #include "model/import/import.h"
 #include "model/import/molecules/molecule_surfaces.h"
 #include "tests/model/import/molecules/entry_files.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -198,7 +199,7 @@ class TestMolecules : public QObject {
     const QByteArray pdb = bytesOf(SLINE_TEST_DATA "/protein/1crn.pdb");
     const QByteArray cif = bytesOf(SLINE_TEST_DATA "/protein/1CRN.cif");
     if (pdb.isEmpty() || cif.isEmpty())
-      QSKIP("no protein data");
+      SLINE_ABSENT("no protein data");
     const QTemporaryDir folder;
     const auto a = recordsOf(folder, ".pdb", pdb);
     const auto b = recordsOf(folder, ".cif", cif);
@@ -226,7 +227,7 @@ class TestMolecules : public QObject {
   void srcOverItself() {
     const QByteArray src = bytesOf(SLINE_TEST_DATA "/protein/2src.pdb");
     if (src.isEmpty())
-      QSKIP("no protein data");
+      SLINE_ABSENT("no protein data");
     const glm::dmat3 turn = glm::mat3_cast(glm::normalize(glm::dquat(0.9, 0.1, -0.3, 0.3)));
     QByteArray moved;
     for (QByteArray line : src.split('\n')) {
@@ -263,5 +264,5 @@ class TestMolecules : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestMolecules)
+SLINE_TEST_WITH_EVENTS(TestMolecules)
 #include "test_molecules.moc"

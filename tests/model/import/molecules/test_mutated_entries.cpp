@@ -8,6 +8,7 @@
 #include "tests/model/import/molecules/entry_files.h"
 #include "tests/model/import/readers/mesh_files.h"
 #include "tests/support/mutator.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -76,7 +77,7 @@ class TestMutatedEntries : public QObject {
     QFETCH(QString, file);
     const QByteArray bytes = bytesOf(qPrintable(file));
     if (bytes.isEmpty())
-      QSKIP("no protein data");
+      SLINE_ABSENT("no protein data");
     const QTemporaryDir folder;
     Mutator mutate(7, {overwrite, overwrite});
     for (int i = 0; i < 200; ++i) {
@@ -143,5 +144,5 @@ class TestMutatedEntries : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestMutatedEntries)
+SLINE_TEST_WITH_EVENTS(TestMutatedEntries)
 #include "test_mutated_entries.moc"

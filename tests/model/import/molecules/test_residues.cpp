@@ -4,6 +4,7 @@
 
 #include "model/import/molecules/residues.h"
 #include "tests/model/import/molecules/entry_files.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -202,5 +203,5 @@ class TestResidues : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestResidues)
+SLINE_TEST_WITH_EVENTS(TestResidues)
 #include "test_residues.moc"

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "model/import/molecules/superposition.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -152,5 +153,5 @@ class TestSuperposition : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestSuperposition)
+SLINE_TEST_WITH_EVENTS(TestSuperposition)
 #include "test_superposition.moc"

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "tests/model/import/readers/refusals.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -309,5 +310,5 @@ class TestBrokenFiles : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestBrokenFiles)
+SLINE_TEST_WITH_EVENTS(TestBrokenFiles)
 #include "test_broken_files.moc"

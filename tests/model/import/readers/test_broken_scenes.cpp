@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "tests/model/import/readers/refusals.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -253,5 +254,5 @@ class TestBrokenScenes : public QObject {
   void refused() { checkRefusal(); }
 };
 
-QTEST_GUILESS_MAIN(TestBrokenScenes)
+SLINE_TEST_WITH_EVENTS(TestBrokenScenes)
 #include "test_broken_scenes.moc"

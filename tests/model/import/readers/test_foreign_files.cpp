@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "tests/model/import/readers/mesh_files.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -60,7 +61,7 @@ class TestForeignFiles : public QObject {
   void readable() {
     const QString path = dataFile(QTest::currentDataTag());
     if (!QFile::exists(path))
-      QSKIP("the folder formats of the test data is absent");
+      SLINE_ABSENT("the folder formats of the test data is absent");
     QFETCH(int, meshes);
     QFETCH(int, vertices);
     QFETCH(int, triangles);
@@ -93,7 +94,7 @@ class TestForeignFiles : public QObject {
   void refused() {
     const QString path = dataFile(QTest::currentDataTag());
     if (!QFile::exists(path))
-      QSKIP("the folder formats of the test data is absent");
+      SLINE_ABSENT("the folder formats of the test data is absent");
     QFETCH(QString, fragment);
     const Result<model::RawMeshes> read = model::readSurfaces(path.toStdString());
     QVERIFY(!read);
@@ -115,7 +116,7 @@ class TestForeignFiles : public QObject {
   void folder() {
     const QDir directory(QString(SLINE_TEST_DATA) + '/' + QTest::currentDataTag());
     if (!directory.exists())
-      QSKIP("this folder of the test data is absent");
+      SLINE_ABSENT("this folder of the test data is absent");
     int files = 0;
     std::size_t triangles = 0;
     for (const QFileInfo& info : directory.entryInfoList(QDir::Files)) {
@@ -133,5 +134,5 @@ class TestForeignFiles : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestForeignFiles)
+SLINE_TEST_WITH_EVENTS(TestForeignFiles)
 #include "test_foreign_files.moc"

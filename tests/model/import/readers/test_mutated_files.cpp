@@ -9,6 +9,7 @@
 #include "tests/model/import/readers/mesh_files.h"
 #include "tests/support/mutator.h"
 #include "tests/support/process_memory.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -95,5 +96,5 @@ class TestMutatedFiles : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestMutatedFiles)
+SLINE_TEST_WITH_EVENTS(TestMutatedFiles)
 #include "test_mutated_files.moc"

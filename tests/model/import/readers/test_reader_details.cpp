@@ -15,6 +15,7 @@
 #include "model/import/readers/surface_assembly.h"
 #include "model/import/readers/text_cursor.h"
 #include "tests/model/import/readers/mesh_files.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -477,5 +478,5 @@ class TestReaderDetails : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestReaderDetails)
+SLINE_TEST_WITH_EVENTS(TestReaderDetails)
 #include "test_reader_details.moc"

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "tests/model/import/readers/mesh_files.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -71,7 +72,7 @@ class TestSameMesh : public QObject {
 
   void adrenal() {
     if (!QDir(QString(SLINE_TEST_DATA) + "/formats/same_mesh").exists())
-      QSKIP("the folder formats/same_mesh of the test data is absent");
+      SLINE_ABSENT("the folder formats/same_mesh of the test data is absent");
     QFETCH(QString, path);
     const QString reference = QString(SLINE_TEST_DATA) + "/formats/same_mesh/adrenal_binary_le.ply";
     const Result<model::RawMeshes> expected = model::readSurfaces(reference.toStdString());
@@ -99,7 +100,7 @@ class TestSameMesh : public QObject {
   void all22AreThere() {
     const QDir folder(QString(SLINE_TEST_DATA) + "/formats/same_mesh");
     if (!folder.exists())
-      QSKIP("the folder formats/same_mesh of the test data is absent");
+      SLINE_ABSENT("the folder formats/same_mesh of the test data is absent");
     QVERIFY(folder.entryList({"adrenal*"}, QDir::Files).size() >= 22);
   }
 
@@ -128,5 +129,5 @@ class TestSameMesh : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(TestSameMesh)
+SLINE_TEST_WITH_EVENTS(TestSameMesh)
 #include "test_same_mesh.moc"

@@ -7,6 +7,7 @@
 #include "model/files/zip_archive.h"
 #include "model/import/import.h"
 #include "tests/model/import/readers/mesh_files.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::test;
@@ -257,5 +258,5 @@ class ThreeMfTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ThreeMfTest)
+SLINE_TEST(ThreeMfTest)
 #include "test_three_mf.moc"

@@ -11,6 +11,7 @@
 #include "model/import/half_edges.h"
 #include "model/import/volumes/label_surfaces.h"
 #include "tests/model/import/volumes/written_volumes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -304,5 +305,5 @@ void LabelSurfacesTest::refusals() {
   QVERIFY(labelSurfaces(volume, {}).error().reason.find("background") != std::string::npos);
 }
 
-QTEST_APPLESS_MAIN(LabelSurfacesTest)
+SLINE_TEST(LabelSurfacesTest)
 #include "test_label_surfaces.moc"

@@ -16,6 +16,7 @@
 #include "model/import/volumes/volume_readers.h"
 #include "tests/model/import/volumes/written_volumes.h"
 #include "tests/model/import/written_meshes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -133,7 +134,7 @@ void RealVolumesTest::atlas() {
   const char* labels = "labelmap/spl_abdomen/spl_abdomen_labels.nrrd";
   const char* own = "abdomen/Data/Model_3_liver.vtk";
   if (absent(labels) || absent(own))
-    QSKIP("the folder of real data is absent");
+    SLINE_ABSENT("the folder of real data is absent");
   const Result<Imported> imported = import(data(labels));
   QVERIFY(imported.ok());
   QCOMPARE(imported->scene.structuresBelow(rootId).size(), std::size_t(95));
@@ -166,7 +167,7 @@ void RealVolumesTest::atlas() {
 void RealVolumesTest::automaticSegmentation() {
   const char* labels = "labelmap/totalsegmentator/ct_total_labels_3mm.nii.gz";
   if (absent(labels))
-    QSKIP("the folder of real data is absent");
+    SLINE_ABSENT("the folder of real data is absent");
   // Away from the table beside it, so that the names are the header's.
   QTemporaryDir alone;
   const QString copy = alone.filePath("labels.nii.gz");
@@ -230,7 +231,7 @@ void RealVolumesTest::nrrdCollection() {
   QFETCH(QString, refusal);
   const std::string below = "formats/nrrd/" + file.toStdString();
   if (absent(below.c_str()))
-    QSKIP("the folder of real data is absent");
+    SLINE_ABSENT("the folder of real data is absent");
   ReadOptions options;
   options.smoothing.mode = Smoothing::Mode::off;
   const Result<RawMeshes> read = readSurfaces(data(below.c_str()), options);
@@ -250,5 +251,5 @@ void RealVolumesTest::nrrdCollection() {
     QCOMPARE(ball.positions, plain->meshes.front().positions);
 }
 
-QTEST_APPLESS_MAIN(RealVolumesTest)
+SLINE_TEST(RealVolumesTest)
 #include "test_real_volumes.moc"

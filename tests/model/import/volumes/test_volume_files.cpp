@@ -10,6 +10,7 @@
 #include "tests/model/import/readers/mesh_files.h"
 #include "tests/model/import/volumes/written_volumes.h"
 #include "tests/model/import/written_meshes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -448,5 +449,5 @@ void VolumeFilesTest::spoiled() {
   QVERIFY(refused > 10);
 }
 
-QTEST_APPLESS_MAIN(VolumeFilesTest)
+SLINE_TEST(VolumeFilesTest)
 #include "test_volume_files.moc"

@@ -9,6 +9,7 @@
 #include "model/import/import.h"
 #include "tests/model/import/volumes/written_volumes.h"
 #include "tests/model/import/written_meshes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::model;
@@ -149,5 +150,5 @@ void VolumeSetsTest::nothingUsable() {
   QVERIFY(!imported.error().reason.empty());
 }
 
-QTEST_APPLESS_MAIN(VolumeSetsTest)
+SLINE_TEST(VolumeSetsTest)
 #include "test_volume_sets.moc"

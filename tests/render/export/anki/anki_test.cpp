@@ -16,6 +16,7 @@
 #include "render/export/anki/anki_package.h"
 #include "render/export/anki/anki_text.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 
@@ -329,5 +330,5 @@ class AnkiTest : public QObject {
   }
 };
 
-QTEST_MAIN(AnkiTest)
+SLINE_TEST_WITH_GUI(AnkiTest)
 #include "anki_test.moc"

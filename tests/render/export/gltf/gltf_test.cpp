@@ -16,6 +16,7 @@
 #include "render/export/gltf/gltf_document.h"
 #include "render/export/gltf/gltf_file.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 
@@ -266,7 +267,7 @@ void GltfTest::validatesTheAbdomen() {
     QSKIP(qPrintable(m_why));
   const std::filesystem::path data = std::filesystem::path(SLINE_TEST_DATA) / "abdomen";
   if (!std::filesystem::exists(data))
-    QSKIP("no data of the abdomen");
+    SLINE_ABSENT("no data of the abdomen");
   model::ImportOptions options;
   options.smoothing = {.mode = model::Smoothing::Mode::off};
   const std::array inputs{data};
@@ -452,5 +453,5 @@ void GltfTest::stopsAndRefuses() {
   QVERIFY(render::writeGltf(order, target("器官 ü.glb"), {}).ok());
 }
 
-QTEST_GUILESS_MAIN(GltfTest)
+SLINE_TEST_WITH_EVENTS(GltfTest)
 #include "gltf_test.moc"

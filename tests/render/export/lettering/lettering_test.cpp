@@ -10,6 +10,7 @@
 #include "render/export/label_painter.h"
 #include "render/export/label_texts.h"
 #include "render/export/typesetting.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -341,5 +342,5 @@ class LetteringTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_APPLESS_MAIN(sline::test::LetteringTest)
+SLINE_TEST(sline::test::LetteringTest)
 #include "lettering_test.moc"

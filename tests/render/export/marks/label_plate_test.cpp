@@ -8,6 +8,7 @@
 #include "render/export/marks/plate_image.h"
 #include "render/labels/label_room.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -254,5 +255,5 @@ class LabelPlateTest : public QObject {
 
 }  // namespace sline::test
 
-QTEST_APPLESS_MAIN(sline::test::LabelPlateTest)
+SLINE_TEST(sline::test::LabelPlateTest)
 #include "label_plate_test.moc"

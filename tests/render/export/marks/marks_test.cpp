@@ -10,6 +10,7 @@
 #include "render/export/typesetting.h"
 #include "render/labels/screen.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -423,5 +424,5 @@ void MarksTest::whatIsPaintedIsInItsPlace() {
 
 }  // namespace sline::test
 
-QTEST_APPLESS_MAIN(sline::test::MarksTest)
+SLINE_TEST(sline::test::MarksTest)
 #include "marks_test.moc"

@@ -4,6 +4,7 @@
 
 #include "model/scene/camera.h"
 #include "render/export/marks/orientation_letters.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using namespace sline::render;
@@ -45,5 +46,5 @@ class OrientationLettersTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(OrientationLettersTest)
+SLINE_TEST(OrientationLettersTest)
 #include "orientation_letters_test.moc"

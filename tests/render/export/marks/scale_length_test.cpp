@@ -4,6 +4,7 @@
 
 #include "render/export/marks/scale_length.h"
 #include "render/labels/screen.h"
+#include "tests/support/suite.h"
 
 Q_DECLARE_METATYPE(glm::vec3)
 
@@ -86,5 +87,5 @@ class ScaleLengthTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ScaleLengthTest)
+SLINE_TEST(ScaleLengthTest)
 #include "scale_length_test.moc"

@@ -10,6 +10,7 @@
 #include "render/gpu/headless/context.h"
 #include "tests/render/export/motion/decoded_film.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using render::Motion;
@@ -125,7 +126,7 @@ class FilmFilesTest : public QObject {
     QFETCH(QString, name);
     QFETCH(double, within);
     if (name.endsWith("mp4") && !haveFfmpeg())
-      QSKIP("ffmpeg is not installed");
+      SLINE_ABSENT("ffmpeg is not installed");
     const QTemporaryDir folder;
     const QString file = folder.filePath(name);
     const render::ExportOrder order = smallOrder();
@@ -259,7 +260,7 @@ class FilmFilesTest : public QObject {
     QFETCH(Write, write);
     QFETCH(QString, name);
     if (name.endsWith("mp4") && !haveFfmpeg())
-      QSKIP("ffmpeg is not installed");
+      SLINE_ABSENT("ffmpeg is not installed");
     const QTemporaryDir folder;
     for (const int calls : {0, 1, 4}) {
       int asked = 0;
@@ -292,7 +293,7 @@ class FilmFilesTest : public QObject {
     QFETCH(Write, write);
     QFETCH(QString, name);
     if (write == render::writeMp4 && !haveFfmpeg())
-      QSKIP("ffmpeg is not installed");
+      SLINE_ABSENT("ffmpeg is not installed");
     if (name == "/dev/full" && !QFile::exists(name))
       QSKIP("this system has no device without space");
     const QTemporaryDir folder;
@@ -345,5 +346,5 @@ class FilmFilesTest : public QObject {
   }
 };
 
-QTEST_MAIN(FilmFilesTest)
+SLINE_TEST_WITH_GUI(FilmFilesTest)
 #include "film_files_test.moc"

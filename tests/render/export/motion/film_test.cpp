@@ -8,6 +8,7 @@
 #include "render/export/motion/gif_palette.h"
 #include "render/labels/screen.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 using render::Film;
@@ -267,5 +268,5 @@ class FilmTest : public QObject {
   }
 };
 
-QTEST_GUILESS_MAIN(FilmTest)
+SLINE_TEST_WITH_EVENTS(FilmTest)
 #include "film_test.moc"

@@ -9,6 +9,7 @@
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/typesetting.h"
 #include "tests/support/shapes.h"
+#include "tests/support/suite.h"
 
 Q_DECLARE_METATYPE(std::vector<sline::render::RowKind>)
 
@@ -147,5 +148,5 @@ void PdfTest::stopsWhenToldTo() {
 
 }  // namespace sline::test
 
-QTEST_APPLESS_MAIN(sline::test::PdfTest)
+SLINE_TEST(sline::test::PdfTest)
 #include "pdf_test.moc"

@@ -8,6 +8,8 @@
 #include <QTest>
 #include <cmath>
 
+#include "tests/support/suite.h"
+
 namespace sline::render {
 namespace {
 
@@ -155,5 +157,5 @@ void ImageFileTest::oldFileSurvivesFailure() {
 
 }  // namespace sline::render
 
-QTEST_APPLESS_MAIN(sline::render::ImageFileTest)
+SLINE_TEST(sline::render::ImageFileTest)
 #include "image_file_test.moc"

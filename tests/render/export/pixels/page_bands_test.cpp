@@ -8,6 +8,7 @@
 #include "model/edit/style.h"
 #include "model/import/import.h"
 #include "tests/render/export/pixels/ordered_scene.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -159,7 +160,7 @@ void PageBandsTest::noSeamsInAnatomy_data() {
 void PageBandsTest::noSeamsInAnatomy() {
   QFETCH(QString, input);
   if (!QFile::exists(input))
-    QSKIP("no anatomy to draw");
+    SLINE_ABSENT("no anatomy to draw");
   const std::array<std::filesystem::path, 1> inputs{input.toStdString()};
   const Result<model::Imported> imported = model::importInputs(inputs, {}, {});
   QVERIFY(imported.ok());
@@ -234,5 +235,5 @@ void PageBandsTest::failedBandStops() {
 
 }  // namespace sline::test
 
-QTEST_APPLESS_MAIN(sline::test::PageBandsTest)
+SLINE_TEST(sline::test::PageBandsTest)
 #include "page_bands_test.moc"

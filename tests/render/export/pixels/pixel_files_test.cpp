@@ -14,6 +14,7 @@
 
 #include "model/edit/style.h"
 #include "tests/render/export/pixels/ordered_scene.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -377,5 +378,5 @@ void PixelFilesTest::tooLarge() {
 
 }  // namespace sline::test
 
-QTEST_APPLESS_MAIN(sline::test::PixelFilesTest)
+SLINE_TEST(sline::test::PixelFilesTest)
 #include "pixel_files_test.moc"

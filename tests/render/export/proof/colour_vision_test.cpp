@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "tests/support/suite.h"
+
 namespace sline::render {
 namespace {
 
@@ -123,5 +125,5 @@ void ColourVisionTest::pictures() {
 
 }  // namespace sline::render
 
-QTEST_APPLESS_MAIN(sline::render::ColourVisionTest)
+SLINE_TEST(sline::render::ColourVisionTest)
 #include "colour_vision_test.moc"

@@ -6,6 +6,7 @@
 
 #include "model/edit/locks.h"
 #include "tests/render/picture/section_scenes.h"
+#include "tests/support/suite.h"
 
 namespace sline::test {
 
@@ -208,5 +209,5 @@ void PrintProofTest::stops() {
 
 }  // namespace sline::test
 
-QTEST_APPLESS_MAIN(sline::test::PrintProofTest)
+SLINE_TEST(sline::test::PrintProofTest)
 #include "print_proof_test.moc"

@@ -6,6 +6,7 @@
 
 #include "render/export/svg/svg_path.h"
 #include "render/export/xml_text.h"
+#include "tests/support/suite.h"
 
 using namespace sline;
 
@@ -176,5 +177,5 @@ class SvgDocumentTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SvgDocumentTest)
+SLINE_TEST(SvgDocumentTest)
 #include "svg_document_test.moc"
