@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/import/repair_notes.h"
 
+#include <utility>
+
 namespace sline::model {
 
 namespace {
@@ -28,7 +30,9 @@ RepairNotes repairNotes(std::span<const Part> parts, const Sources& sources) {
     twice += repair.duplicateFaces;
     withoutArea += repair.degenerateFaces;
     const std::string file = sources.files[part.file].file.filename().string();
-    notes.surfaces.push_back(file + ": \"" + part.name + "\": " + faces);
+    std::string line = file;
+    line.append(": \"").append(part.name).append("\": ").append(faces);
+    notes.surfaces.push_back(std::move(line));
   }
   if (!notes.surfaces.empty())
     notes.summary = "repaired " + std::to_string(notes.surfaces.size()) + " of " +

@@ -253,7 +253,7 @@ MeasuredText::MeasuredText(const ShownLabel& label, const LabelStyle& style, con
     m_fixed = textOf(label, style, 0.0f).box;
     return;
   }
-  const Ruler ruler;
+  const Ruler ruler(style.language);
   m_space = float(ruler.width(TextLine(QStringLiteral(" "))));
   const WordLimits limits = limitsOf(0.0f, words, m_scale);
   const auto measured = [&ruler, &limits](const Word& word, qreal indent) {
@@ -324,7 +324,7 @@ glm::vec2 MeasuredText::boxAt(float widestMm) const {
 
 LabelText textOf(const ShownLabel& label, const LabelStyle& style, float widestMm,
                  const WordRoom& words) {
-  const Ruler ruler;
+  const Ruler ruler(style.language);
   const float scale = pixelsToMm(style);
   const glm::vec2 padding = paddingOf(label.item.kind, style);
   const WordLimits limits = limitsOf(widestMm, words, scale);

@@ -53,6 +53,25 @@ std::vector<qsizetype> lineEnds(const QString& text) {
   return ends;
 }
 
+/// Where a line may end within the text, and whether a hyphen shows it because a syllable does: in
+/// what is wider than `most` between two such places.
+std::vector<std::pair<qsizetype, bool>> pieceEnds(const TextLine& line, const Ruler& ruler,
+                                                  qreal most) {
+  const QString text = plainText(line);
+  const std::vector<qsizetype> syllables = ruler.hyphenation().syllableEnds(text);
+  std::vector<std::pair<qsizetype, bool>> ends;
+  qsizetype from = 0;
+  for (const qsizetype end : lineEnds(text)) {
+    if (!syllables.empty() && ruler.width(piece(line, from, end)) > most)
+      for (const qsizetype syllable : syllables)
+        if (syllable > from && syllable < end)
+          ends.emplace_back(syllable, true);
+    ends.emplace_back(end, false);
+    from = end;
+  }
+  return ends;
+}
+
 /// Words of those alphabets are parted with hyphens.
 bool hyphenates(QChar c) {
   const QChar::Script script = c.script();
@@ -122,11 +141,12 @@ class Cutter {
 
 }  // namespace
 
-Ruler::Ruler()
+Ruler::Ruler(const std::string& language)
     : m_metrics{QFontMetricsF(labelFont()), QFontMetricsF(labelFont({.bold = true})),
                 QFontMetricsF(labelFont({.italic = true})),
                 QFontMetricsF(labelFont({.bold = true, .italic = true}))},
-      m_hyphen(m_metrics[0].horizontalAdvance(QLatin1Char('-'))) {}
+      m_hyphen(m_metrics[0].horizontalAdvance(QLatin1Char('-'))),
+      m_hyphenation(language) {}
 
 qreal Ruler::width(const TextRun& run) const {
   return m_metrics[std::size_t(run.style.bold) + 2 * std::size_t(run.style.italic)]
@@ -149,9 +169,9 @@ std::vector<Word> divided(const Word& word, const Ruler& ruler, const WordLimits
   };
   const QString text = plainText(word.text);
   qsizetype from = 0;
-  for (const qsizetype end : lineEnds(text)) {
+  for (const auto& [end, syllable] : pieceEnds(word.text, ruler, limits.part)) {
     const TextLine part = piece(word.text, from, end);
-    const bool soft = end < text.size() && text[end - 1] == QChar::SoftHyphen;
+    const bool soft = syllable || (end < text.size() && text[end - 1] == QChar::SoftHyphen);
     if (ruler.width(part) + (soft ? ruler.hyphen() : 0.0) <= limits.whole) {
       add(part, soft);
     } else {

@@ -6,6 +6,7 @@
 #include <array>
 #include <vector>
 
+#include "render/export/hyphenation.h"
 #include "render/export/text_lines.h"
 
 namespace sline::render {
@@ -13,14 +14,17 @@ namespace sline::render {
 /// Advances in the labels' font, in its pixels.
 class Ruler {
  public:
-  Ruler();
+  /// Words are parted by the language's syllables where it has some (BCP 47, empty for none).
+  explicit Ruler(const std::string& language = {});
   qreal width(const TextRun& run) const;
   qreal width(const TextLine& line) const;
   qreal hyphen() const { return m_hyphen; }
+  const Hyphenation& hyphenation() const { return m_hyphenation; }
 
  private:
   std::array<QFontMetricsF, 4> m_metrics;
   qreal m_hyphen = 0.0;
+  Hyphenation m_hyphenation;
 };
 
 /// A word, or a part of one: joined to what stands before it.
@@ -40,8 +44,9 @@ struct WordLimits {
 };
 
 /// Divided where programs join words ("L4-L3-Disc", "left_kidney", "CystWall") and where the script
-/// lets lines end, as between signs of Chinese. What is then still too wide is divided between
-/// signs, into as few parts of about the same width as can be.
+/// lets lines end, as between signs of Chinese. What is then wider than `limits.part` is divided
+/// between syllables, and what is still too wide between signs, into as few parts of about the same
+/// width as can be.
 std::vector<Word> divided(const Word& word, const Ruler& ruler, const WordLimits& limits);
 
 /// What spaces part, divided where it is too wide for a line.

@@ -138,6 +138,7 @@ const std::vector<Library>& libraries() {
       {"OpenGL", std::regex("(epoxy|GL|GLES[23]?|EGL|KHR)/.*"), {"render/gpu", "tests/bench"}},
       {"oneTBB", std::regex("(oneapi/)?tbb/.*|tbb\\.h"), {"model/base"}},
       {"OpenImageIO", std::regex("OpenImageIO/.*"), {"tests"}},
+      {"libhyphen", std::regex("hyphen\\.h"), {"render/export"}},
       {"OpenEXR, libjpeg", std::regex("OpenEXR/.*|jpeglib\\.h"), {"render/export/pixels"}},
       {"CLI11", std::regex("CLI/.*"), {"app", "tests"}},
       {"libzip", std::regex("zip(conf)?\\.h"), {"model/files"}},

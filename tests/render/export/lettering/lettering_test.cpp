@@ -6,7 +6,9 @@
 #include <QPainter>
 #include <QRawFont>
 #include <QtTest>
+#include <set>
 
+#include "render/export/hyphenation.h"
 #include "render/export/label_painter.h"
 #include "render/export/label_texts.h"
 #include "render/export/typesetting.h"
@@ -214,6 +216,58 @@ class LetteringTest : public QObject {
       words += plainText(line).remove(' ');
     QCOMPARE(words, QStringLiteral("Left-kidney-arteryinterlobar"));
     QVERIFY(set.lines.front().runs.front() == (TextRun{"Left", bold}));
+  }
+
+  /// Long words end their lines between syllables of their language; others between any letters.
+  void syllables_data() {
+    QTest::addColumn<QString>("language");
+    QTest::addColumn<QString>("syllables");
+    QTest::newRow("German") << "de"
+                            << "Zwölf-fin-ger-darm-schleim-haut";
+    QTest::newRow("of a region") << "de-AT"
+                                 << "Bauch-spei-chel-drü-sen-gang";
+    QTest::newRow("Dutch") << "nl"
+                           << "twaalf-vin-ge-ri-ge-darm";
+    QTest::newRow("Norwegian") << "nb"
+                               << "tolv-fingertarmen";
+    QTest::newRow("English") << "en"
+                             << "in-ter-ver-te-bral";
+    QTest::newRow("Latin has no patterns") << "la"
+                                           << "sternocleidomastoideus";
+    QTest::newRow("no language") << ""
+                                 << "Zwölffingerdarmschleimhaut";
+    QTest::newRow("no tag") << "../de"
+                            << "Zwölffingerdarmschleimhaut";
+  }
+  void syllables() {
+    QFETCH(QString, language);
+    QFETCH(QString, syllables);
+    const QString word = QString(syllables).remove('-');
+    std::set<qsizetype> ends;
+    for (qsizetype i = 0, hyphens = 0; i < syllables.size(); ++i)
+      if (syllables[i] == '-')
+        ends.insert(i - hyphens++);
+    const std::vector<qsizetype> found =
+        Hyphenation(language.toStdString()).syllableEnds("(" + word + ")");
+    if (found.empty() && !ends.empty())
+      SLINE_ABSENT("the dictionary of syllables is not installed");
+    QCOMPARE(found.size(), ends.size());
+    for (const qsizetype end : found)
+      QVERIFY(ends.contains(end - 1));
+
+    const float width = 0.62f * textWidthMm(word, 10.0f);
+    const LabelText set = textOf(shown(model::AnnotationKind::label, word),
+                                 {.mode = LabelMode::on, .language = language.toStdString()}, width,
+                                 {.whole = width, .part = width});
+    QVERIFY(set.lines.size() > 1);
+    QString read;
+    for (const TextLine& line : set.lines) {
+      QVERIFY(textWidthMm(line, 10.0f) <= width + 1e-3f);
+      if (!read.isEmpty() && !ends.empty())
+        QVERIFY2(ends.contains(read.size()), qPrintable(plainText(set.lines, '|')));
+      read += plainText(line).remove('-');
+    }
+    QCOMPARE(read, word);
   }
 
   /// What is in a box lies within it, in the left column as in the right.
