@@ -96,6 +96,14 @@ std::string summary(const std::string& description) {
   return line;
 }
 
+/// What follows an option's names; long lists of values may be broken between two.
+std::string troffValue(const std::string& about) {
+  std::string out;
+  for (const char sign : troffEscaped(about))
+    out += sign == ',' || sign == '|' ? std::string{sign} + "\\:" : std::string{sign};
+  return out;
+}
+
 std::string optionsSection(const CommandTable& command) {
   std::vector<std::string> groups;
   for (const TableOption& option : command.options)
@@ -112,7 +120,7 @@ std::string optionsSection(const CommandTable& command) {
       for (std::size_t i = 0; i < option.names.size(); ++i)
         out += std::string(i == 0 ? "" : ", ") + "\\fB" + troffEscaped(option.names[i]) + "\\fR";
       if (!option.about.empty())
-        out += " " + troffEscaped(option.about);
+        out += " " + troffValue(option.about);
       out += "\n" + troffProse(option.help);
     }
   }
