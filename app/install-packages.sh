@@ -33,7 +33,8 @@ testing=(
   # other programs' opinion of our pictures, vector drawings, sheets and films
   libopenimageio-dev openimageio-tools libopencv-dev librsvg2-bin inkscape poppler-utils ffmpeg
   # their opinion of what is installed, of man pages and completions, and of the Debian package
-  lintian desktop-file-utils appstream shared-mime-info libxml2-utils man-db groff mandoc zsh fish
+  lintian desktop-file-utils appstream shared-mime-info libglib2.0-bin libxml2-utils
+  man-db groff mandoc zsh fish
 )
 # For Khronos's glTF validator; whoever has npm from elsewhere keeps it.
 command -v npm >/dev/null || testing+=(nodejs npm)

@@ -96,14 +96,6 @@ std::string summary(const std::string& description) {
   return line;
 }
 
-/// What follows an option's names; long lists of values may be broken between two.
-std::string troffValue(const std::string& about) {
-  std::string out;
-  for (const char sign : troffEscaped(about))
-    out += sign == ',' || sign == '|' ? std::string{sign} + "\\:" : std::string{sign};
-  return out;
-}
-
 std::string optionsSection(const CommandTable& command) {
   std::vector<std::string> groups;
   for (const TableOption& option : command.options)
@@ -120,7 +112,7 @@ std::string optionsSection(const CommandTable& command) {
       for (std::size_t i = 0; i < option.names.size(); ++i)
         out += std::string(i == 0 ? "" : ", ") + "\\fB" + troffEscaped(option.names[i]) + "\\fR";
       if (!option.about.empty())
-        out += " " + troffValue(option.about);
+        out += " " + troffEscaped(option.about);
       out += "\n" + troffProse(option.help);
     }
   }
@@ -143,6 +135,9 @@ std::string troffEscaped(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (static_cast<unsigned char>(text[i]) < 0x80) {
       out += troffSign(text[i]);
+      // Long lists of words and JSON may be broken there.
+      if ((text[i] == ',' || text[i] == '|') && i + 1 < text.size() && text[i + 1] != ' ')
+        out += "\\:";
       continue;
     }
     std::array<char, 16> name{};
