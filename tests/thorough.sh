@@ -16,7 +16,7 @@ top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 jobs=$(nproc)
 
 # Name and minutes on two cores without a compiler cache.
-parts=("alone 12" "sanitized 17" "tidy 12" "window 25" "fuzz 9" "package 6")
+parts=("alone 12" "sanitized 17" "tidy 12" "window 25" "fuzz 9" "package 7")
 if [ $# -gt 0 ]; then
   for name in "$@"; do
     printf '%s\n' "${parts[@]}" | grep -q "^$name " || {

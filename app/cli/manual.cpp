@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // `sline manual FOLDER`, which `--help` does not list: man pages and completions, written when the
 // program is built from the very options that it declares.
-#include <array>
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 #include "app/cli/command.h"
 #include "app/cli/completions.h"

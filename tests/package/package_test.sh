@@ -21,7 +21,12 @@ lintian --fail-on error --allow-root "$debian"
 for field in Depends Recommends Maintainer Section; do
   [ -n "$(dpkg-deb -f "$debian" "$field")" ] || fail "the package does not say $field"
 done
-dpkg-deb -c "$debian" | grep -q '\./usr/bin/sline-workstation$' || fail "the package lacks a program"
+dpkg-deb -x "$debian" "$folder/debian"
+for program in sline sline-workstation; do
+  [ -x "$folder/debian/usr/bin/$program" ] || fail "the package lacks $program"
+  [ -z "$(patchelf --print-rpath "$folder/debian/usr/bin/$program")" ] || fail "$program looks elsewhere"
+done
+apt-get install --simulate "$debian" >/dev/null || fail "what the package depends on is not to be had"
 
 tar -C "$folder" -xzf "$archive"
 cd "$folder"/sline-*
