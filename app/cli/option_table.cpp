@@ -73,10 +73,11 @@ TableOption rowOf(const CLI::Option& declared) {
   return row;
 }
 
-/// An option group is a sub-command without a name, whose options `--help` shows under its own.
+/// An option group is a sub-command without a name; it has a --help of its own, which counts once.
 void collect(const CLI::App& command, const std::string& group, std::vector<TableOption>& rows) {
   for (const CLI::Option* declared : command.get_options()) {
-    if (declared->get_group().empty())
+    const bool helpAgain = !group.empty() && declared == command.get_help_ptr();
+    if (declared->get_group().empty() || helpAgain)
       continue;
     TableOption row = rowOf(*declared);
     if (!group.empty())

@@ -64,9 +64,9 @@ mime_type() {
   [ "$(type_of "$prefix/nameless")" = application/x-sline ] || fail "a scene is not known by its bytes"
 }
 
-# The long options that --help lists, without dashes.
+# The long options that --help lists, without dashes; those of a group of options stand further in.
 long_options() { # command...
-  "$sline" "$@" --help | sed -n 's/^  \(-[^ ]*\).*/\1/p' | tr ',' '\n' |
+  "$sline" "$@" --help | sed -n 's/^ \{2,4\}\(-[^ ]*\).*/\1/p' | tr ',' '\n' |
     sed -n 's/^--\([a-z0-9-]*\).*/\1/p'
 }
 
@@ -85,7 +85,7 @@ manual() { # command
   text=$(MANWIDTH=500 LC_ALL=C.UTF-8 man -P cat -l "$pages/sline-$1.1" | sed 's/.\x08//g')
   zsh=$(sed -n "/^    $1)/,/^      ;;/p" "$share/zsh/site-functions/_sline")
   for option in $(long_options "$1"); do
-    grep -qE -- "^ +(.*[ ,])?--$option([ ,]|\$)" <<<"$text" || fail "the page of $1 lacks --$option"
+    grep -qE -- "^ +(-., )?(--[a-z-]+, )*--$option([ ,]|\$)" <<<"$text" || fail "the page of $1 lacks --$option"
     grep -q "^    '$1') options='.*--$option[ ']" "$share/bash-completion/completions/sline" ||
       fail "bash: $1 lacks --$option"
     grep -q "__fish_seen_subcommand_from $1' .*-l $option " \
