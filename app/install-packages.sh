@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# install-packages.sh [--tests]: installs what building and running needs from Debian 12's own
-# packages, with --tests what testing needs beyond it; does nothing where all is there. Works as root
-# or through sudo.
+# install-packages.sh [--tests | --package]: installs what building and running needs from Debian 12's
+# own packages, with --tests what testing needs beyond it, with --package what app/package.sh needs;
+# does nothing where all is there. Works as root or through sudo.
 set -euo pipefail
 
 packages=(
@@ -21,7 +21,11 @@ packages=(
   libhyphen-dev hyphen-de hyphen-nl hyphen-no hyphen-en-us hyphen-en-gb
 )
 
+# dpkg-shlibdeps asks file what is a program; archives get their own search path by patchelf.
+packaging=(dpkg-dev file patchelf)
+
 testing=(
+  "${packaging[@]}"
   # a display for the window's tests
   xvfb xauth libx11-dev
   # checks, sanitizers and fuzzing; a compiler cache, as tests are built many times
@@ -30,6 +34,9 @@ testing=(
   libglew-dev
   # other programs' opinion of our pictures, vector drawings, sheets and films
   libopenimageio-dev openimageio-tools libopencv-dev librsvg2-bin inkscape poppler-utils ffmpeg
+  # their opinion of what is installed, of man pages and completions, and of the Debian package
+  lintian desktop-file-utils appstream shared-mime-info libglib2.0-bin libxml2-utils
+  man-db groff mandoc zsh fish
 )
 # For Khronos's glTF validator; whoever has npm from elsewhere keeps it.
 command -v npm >/dev/null || testing+=(nodejs npm)
@@ -37,8 +44,9 @@ command -v npm >/dev/null || testing+=(nodejs npm)
 case "${1:-}" in
   "") ;;
   --tests) packages+=("${testing[@]}") ;;
+  --package) packages+=("${packaging[@]}") ;;
   *)
-    echo "usage: app/install-packages.sh [--tests]" >&2
+    echo "usage: app/install-packages.sh [--tests | --package]" >&2
     exit 2
     ;;
 esac

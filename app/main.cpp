@@ -44,6 +44,8 @@ int main(int argc, char** argv) {
   QApplication::setApplicationName(QStringLiteral("Sline"));
   QApplication::setOrganizationName(QStringLiteral("Sline"));
   QApplication::setApplicationVersion(QStringLiteral(SLINE_VERSION));
+  // By this name a desktop finds the installed icon (app/packaging).
+  QGuiApplication::setDesktopFileName(QStringLiteral("org.sline.Sline"));
   QCommandLineParser parser;
   using namespace sline::widgets;
   QSettings settings;

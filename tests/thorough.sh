@@ -6,6 +6,7 @@
 #   sanitized  what reads files and computes on them, under AddressSanitizer and its like
 #   window     the quicker half of the window's tests under the sanitizers (tests/sanitized.sh: all)
 #   fuzz       two minutes of libFuzzer
+#   package    both packages are made, and the programs run from them
 # With SLINE_MINUTES=50 it begins no part that would not end within 50 minutes of the shell's
 # SLINE_BEGAN (seconds since 1970), takes them in an order that changes with the commit, so that a few
 # runs cover everything, and says what it has left out.
@@ -15,7 +16,7 @@ top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 jobs=$(nproc)
 
 # Name and minutes on two cores without a compiler cache.
-parts=("alone 16" "sanitized 20" "tidy 12" "window 25" "fuzz 9")
+parts=("alone 16" "sanitized 20" "tidy 12" "window 25" "fuzz 9" "package 7")
 if [ $# -gt 0 ]; then
   for name in "$@"; do
     printf '%s\n' "${parts[@]}" | grep -q "^$name " || {
@@ -54,6 +55,7 @@ run() { # part
       "$top/tests/sanitized.sh" "$top/build/asan" '^sanitized_half_window$'
       ;;
     fuzz) "$top/tests/fuzz/run.sh" 120 ;;
+    package) "$top/tests/package/package_test.sh" ;;
   esac
 }
 

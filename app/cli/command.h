@@ -37,6 +37,8 @@ void addJobs(CLI::App& program, Exit& exit);
 void addDemo(CLI::App& program, Exit& exit);
 void addRamp(CLI::App& program, Exit& exit);
 void addSteadiness(CLI::App& program, Exit& exit);
+/// Hidden: writes man pages and completions of all that was added before.
+void addManual(CLI::App& program, Exit& exit);
 
 /// Says what went wrong on standard error and hands the exit code on.
 inline Exit complain(const Error& error, Exit code) {

@@ -90,6 +90,7 @@ int run(int argc, char** argv) {
   sline::cli::addDemo(program, exit);
   sline::cli::addRamp(program, exit);
   sline::cli::addSteadiness(program, exit);
+  sline::cli::addManual(program, exit);
   try {
     std::vector<std::string> arguments = arranged(program, {argv + std::min(argc, 1), argv + argc});
     // CLI11 takes them from the last to the first.
