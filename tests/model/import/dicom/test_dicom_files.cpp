@@ -191,11 +191,9 @@ void TestDicomFiles::realFiles_data() {
   QTest::addColumn<int>("surfaces");
   QTest::addColumn<QString>("message");
   QTest::newRow("rtss") << "rtss.dcm" << 9 << "\"Areola\": has no contour";
-  QTest::newRow("rtstruct") << "rtstruct.dcm" << 0 << "";
   QTest::newRow("segmentation") << "seg_image_ct_binary.dcm" << 1 << "";
   QTest::newRow("CT slice") << "ct.0.dcm" << 0 << "CT image";
   QTest::newRow("CT slice 2") << "ct_image.dcm" << 0 << "CT image";
-  QTest::newRow("cut plan") << "rtplan_truncated.dcm" << 0 << "";
 }
 
 void TestDicomFiles::realFiles() {
