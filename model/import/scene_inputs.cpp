@@ -108,6 +108,10 @@ NewIds append(Imported& to, Imported added) {
     std::move(more.begin(), more.end(), std::back_inserter(all));
   };
   take(to.report.warnings, added.report.warnings);
+  take(to.report.notes, added.report.notes);
+  take(to.report.repairs.surfaces, added.report.repairs.surfaces);
+  // Scene files come first and repair nothing, so at most one has something to say.
+  to.report.repairs.summary += added.report.repairs.summary;
   take(to.others, added.others);
   return ids;
 }

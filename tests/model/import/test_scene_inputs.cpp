@@ -67,6 +67,16 @@ void SceneInputsTest::otherInputsAreAddedBelow() {
       importInputs(std::array{writtenSample(folder), path(folder, "nowhere.ply")}, {});
   QVERIFY(partly.ok());
   QVERIFY(test::warningsOf(*partly).contains("nowhere.ply"));
+  // And what was repaired is said.
+  test::writeText(folder.filePath("twice.off"),
+                  "OFF\n4 5 0\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n3 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 2\n"
+                  "3 0 1 2\n");
+  const auto repaired =
+      importInputs(std::array{writtenSample(folder), path(folder, "twice.off")}, {});
+  QVERIFY(repaired.ok());
+  QCOMPARE(repaired->report.repairs.summary,
+           std::string("repaired 1 of 1 surface: 1 face given twice left out"));
+  QCOMPARE(repaired->report.repairs.surfaces.size(), std::size_t(1));
 }
 
 void SceneInputsTest::twoSceneFilesAreOne() {
