@@ -20,7 +20,9 @@ bool isFiducialFile(const std::filesystem::path& file) {
 }
 
 std::string fiducialExtensions() {
-  return std::string(table) + " or " + std::string(markups);
+  std::string list(table);
+  list += " or ";
+  return list += markups;
 }
 
 Result<Fiducials> readFiducials(const std::filesystem::path& file, const ReadLimits& limits) {
