@@ -22,7 +22,7 @@ esac
 launcher=()
 command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 cmake -S "$top" --preset release -DSLINE_TESTS=OFF "${launcher[@]}" >&2
-cmake --build "$build" --target sline sline-workstation >&2
+cmake --build "$build" --target sline sline-workstation sline-reader >&2
 
 program="$build/bin/sline"
 if [ "${1:-}" = --build-only ]; then

@@ -5,13 +5,13 @@
 #include <array>
 #include <cstdio>
 
-#include "model/import/dicom/dicom.h"
 #include "model/import/dicom/dicom_file.h"
 #include "model/import/molecules/molecules.h"
 #include "model/import/readers/readers.h"
 #include "model/import/readers/source.h"
 #include "model/import/readers/text_cursor.h"
 #include "model/import/volumes/volume_surfaces.h"
+#include "model/import/worker/reading_child.h"
 
 namespace sline::model {
 
@@ -38,7 +38,7 @@ constexpr std::array kinds = {FileKind{".obj", "OBJ", within<readObj>},
                               FileKind{".nhdr", "NRRD", readNrrdSurfaces, true},
                               FileKind{".mha", "MetaImage", readMetaImageSurfaces, true},
                               FileKind{".mhd", "MetaImage", readMetaImageSurfaces, true},
-                              FileKind{".dcm", "DICOM", readDicom},
+                              FileKind{".dcm", "DICOM", nullptr},
                               FileKind{".pdb", "PDB", readPdb},
                               FileKind{".ent", "PDB", readPdb},
                               FileKind{".cif", "mmCIF", readMmcif},
@@ -160,7 +160,8 @@ Result<RawMeshes> readSurfaces(const std::filesystem::path& file, const ReadOpti
       reason += "; its content looks like " + std::string(content);
     return Error{file.string(), {}, reason, "Use " + surfaceExtensions()};
   }
-  Result<RawMeshes> result = kind->read(file, options);
+  Result<RawMeshes> result =
+      kind->read ? kind->read(file, options) : readInChild(kind->name, file, options);
   // "glTF" and "GLB" are read by the same reader under either extension.
   const bool gltf = kind->name == "glTF" || kind->name == "GLB";
   const bool packed = (kind->name == "3MF" && content == "a ZIP archive") ||

@@ -15,6 +15,7 @@ namespace sline::model {
 struct FileKind {
   std::string_view extension;  ///< lower case, with its dots: ".obj", ".nii.gz"
   std::string_view name;
+  /// Null where it is read in a process of its own (worker/reading_child.h), by `name`.
   Result<RawMeshes> (*read)(const std::filesystem::path&, const ReadOptions&);
   bool volume = false;  ///< holds voxels: those of a folder are read together (readVolumeSet)
 };

@@ -12,6 +12,10 @@ struct ReadLimits {
   std::uint64_t fileBytes = std::uint64_t(4) << 30;
   std::uint64_t vertices = 100'000'000;
   std::uint64_t triangles = 200'000'000;
+  /// Of a reader in a process of its own (worker/reading_child.h). 0: half of the machine's memory,
+  /// and a minute with a second for each megabyte of the file.
+  std::uint64_t childBytes = 0;
+  std::uint64_t childSeconds = 0;
 };
 
 /// `automatic` smooths what shows the steps of a label map and refines what is too coarse to draw;

@@ -109,6 +109,7 @@ const std::vector<Room>& rooms() {
       {"widgets/window", {"model", "render", "widgets"}},
       {"widgets", {"model", "render", "widgets"}},
       {"app/cli", {"model", "render"}},
+      {"app/reader", {"model/import"}},
       {"app", {"model", "render", "widgets", "app"}},
       {"tests", {"model", "render", "widgets", "app", "tests"}},
   };

@@ -9,6 +9,7 @@
 #include "model/files/scene_file.h"
 #include "model/files/scene_json.h"
 #include "model/files/scene_migration.h"
+#include "model/import/dicom/dicom.h"
 #include "model/import/fiducials.h"
 #include "model/import/file_kinds.h"
 #include "model/import/import.h"
@@ -44,11 +45,17 @@ std::string faultOf(const model::RawMesh& mesh) {
   return mesh.triangles.empty() ? "a surface without triangles" : "";
 }
 
-/// Any kind of file in the table of kinds.
-template <Extension extension>
+Result<model::RawMeshes> readAnyKind(const std::filesystem::path& file,
+                                     const model::ReadOptions& options) {
+  return model::readSurfaces(file, options);
+}
+
+/// Any kind of file in the table of kinds; those that the program reads in a process of their own
+/// are read in this one, where faults are seen.
+template <Extension extension, auto reader = readAnyKind>
 std::string surfaces(std::string_view bytes) {
   static const InputFolder folder;
-  const Result<model::RawMeshes> read = model::readSurfaces(folder.put(extension.text, bytes));
+  const Result<model::RawMeshes> read = reader(folder.put(extension.text, bytes), {});
   if (!read.ok())
     return read.error().remedy.empty() ? "refused without a remedy" : faultOf(read.error());
   if (read->meshes.empty())
@@ -208,7 +215,7 @@ constexpr Harness table[] = {
     {"nrrd", surfaces<".nrrd">},
     {"nhdr", surfaces<".nhdr">},
     {"mha", surfaces<".mha">},
-    {"dcm", surfaces<".dcm">},
+    {"dcm", surfaces<".dcm", model::readDicom>},
     {"pdb", surfaces<".pdb">},
     {"cif", surfaces<".cif">},
     {"mrml", slicerScene},

@@ -7,6 +7,7 @@
 #include <QAction>
 #include <QEventLoop>
 #include <QPushButton>
+#include <QToolButton>
 #include <QtTest>
 
 #include "tests/gui/event_watch.h"
@@ -16,6 +17,7 @@
 #include "tests/support/suite.h"
 #include "widgets/import_dialog/import_dialog.h"
 #include "widgets/import_dialog/plan_tree.h"
+#include "widgets/window/message_bar.h"
 
 namespace sline::test {
 
@@ -202,6 +204,59 @@ class HeartbeatTest : public QObject {
     QVERIFY(f.drop(m_crowd.filePath(QStringLiteral("Group 1"))));
     QVERIFY(f.settled());
     QCOMPARE(f.session.scene().structuresBelow(model::rootId).size(), std::size_t(45));
+  }
+
+  /// Whatever a reader in a process of its own does, the window lives, says so and keeps its
+  /// document.
+  void readersMisbehave_data() {
+    QTest::addColumn<QString>("reason");
+    QTest::newRow("crash") << QStringLiteral("crashed over this file");
+    QTest::newRow("loop1") << QStringLiteral("did not come to an end");
+    QTest::newRow("eat300") << QStringLiteral("of memory");
+    QTest::newRow("lie") << QStringLiteral("makes no sense");
+  }
+  void readersMisbehave() {
+    QFETCH(QString, reason);
+    qputenv("SLINE_READER", MISBEHAVING_READER);
+    WindowFixture f;
+    QVERIFY(f.drop(m_crowd.filePath(QStringLiteral("Group 1"))));
+    QVERIFY(f.settled());
+    const widgets::Document before = f.session.document();
+    const QString path = f.folder.filePath(QStringLiteral("bad.dcm"));
+    writeText(path, QTest::currentDataTag());
+    watch().forget();
+    Heart heart;
+    QVERIFY(f.drop(path));
+    QVERIFY(heart.beatUntil([&] { return !f.session.busy(); }));
+    QVERIFY(alive(heart, QTest::currentDataTag()));
+    auto& message = f.control<widgets::MessageBar>("messageBar");
+    QTRY_VERIFY(message.isVisible());
+    QVERIFY2(message.text().contains(reason), qPrintable(message.text()));
+    QVERIFY2(message.text().contains(QStringLiteral("bad.dcm")), qPrintable(message.text()));
+    QVERIFY(f.session.document() == before);
+    qunsetenv("SLINE_READER");
+  }
+
+  void cancellingReader() {
+    qputenv("SLINE_READER", MISBEHAVING_READER);
+    WindowFixture f;
+    const widgets::Document before = f.session.document();
+    const QString path = f.folder.filePath(QStringLiteral("bad.dcm"));
+    writeText(path, "loop");
+    QVERIFY(f.drop(path));
+    Heart heart;
+    int beat = 0;
+    QVERIFY(heart.beatUntil([&] { return ++beat > 40; }));
+    QVERIFY(f.session.busy());
+    QElapsedTimer clock;
+    clock.start();
+    QTest::mouseClick(&f.control<QToolButton>("cancel"), Qt::LeftButton);
+    QVERIFY(
+        heart.beatUntil([&] { return f.session.findChildren<widgets::SceneJob*>().isEmpty(); }));
+    QVERIFY2(clock.elapsed() < 2'000, qPrintable(QString::number(clock.elapsed())));
+    QVERIFY(alive(heart, "cancelling a reader"));
+    QVERIFY(f.session.document() == before);
+    qunsetenv("SLINE_READER");
   }
 };
 

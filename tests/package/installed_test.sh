@@ -34,6 +34,11 @@ layout() {
     [ -s "$share/$file" ] || fail "$file is not installed"
   done
   "$sline" --version | grep -q '^sline [0-9]' || fail "the installed program does not start"
+  # DICOM is read by another program, which it must find: this file is one, and holds nothing.
+  head -c 128 /dev/zero >"$prefix/none.dcm"
+  printf DICM >>"$prefix/none.dcm"
+  ! "$sline" info "$prefix/none.dcm" 2>"$prefix/said" || fail "an empty DICOM file was read"
+  ! grep -q sline-reader "$prefix/said" || fail "$(cat "$prefix/said")"
 }
 
 desktop() {

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// sline-reader: reads one file for Sline and ends. Sline starts it, nobody else does
+// (model/import/worker/reading_child.h); here is the list of what it can read.
+#include <array>
+#include <cstdio>
+
+#include "model/import/dicom/dicom.h"
+#include "model/import/worker/child_main.h"
+
+int main() {
+  using sline::model::ChildReader;
+  static constexpr std::array readers = {ChildReader{"DICOM", sline::model::readDicom}};
+  const int status = sline::model::runReadingChild(readers);
+  if (status == 2)
+    std::fputs("sline-reader is started by Sline, to read files in a process of its own.\n",
+               stderr);
+  return status;
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// The reading child's side: takes the request, reads under confinement, answers.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "model/import/raw_mesh.h"
+#include "model/import/read_options.h"
+
+namespace sline::model {
+
+/// A reader that works in a child, by the kind of file it is for.
+struct ChildReader {
+  std::string_view kind;  ///< FileKind::name
+  Result<RawMeshes> (*read)(const std::filesystem::path&, const ReadOptions&);
+};
+
+/// Descriptor over which request and answer go: a file in memory.
+inline constexpr int exchangeDescriptor = 3;
+
+/// Does what the request on `exchangeDescriptor` asks for and writes the answer in its place.
+/// Returns the exit status: 0 where there is an answer, 2 where there was no request.
+int runReadingChild(std::span<const ChildReader> readers);
+
+}  // namespace sline::model

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/import/worker/exchange.h"
+
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "model/import/worker/byte_archive.h"
+
+namespace sline::model {
+
+/// Points, triangles and colours are numbers without gaps between them.
+template <>
+inline constexpr bool copiesAsBytes<glm::vec3> = true;
+template <>
+inline constexpr bool copiesAsBytes<Triangle> = true;
+template <>
+inline constexpr bool copiesAsBytes<Colour> = true;
+
+// Names for all fields of a type: the compiler refuses the list when a field is added.
+
+template <class Archive>
+void visitFields(Archive& archive, ReadLimits& limits) {
+  auto& [fileBytes, vertices, triangles, childBytes, childSeconds] = limits;
+  archive(fileBytes, vertices, triangles, childBytes, childSeconds);
+}
+
+template <class Archive>
+void visitFields(Archive& archive, Smoothing& smoothing) {
+  auto& [mode, steps] = smoothing;
+  archive(mode, steps);
+}
+
+template <class Archive>
+void visitFields(Archive& archive, ReadRequest& request) {
+  auto& [kind, file, limits, smoothing] = request;
+  archive(kind, file, limits, smoothing);
+}
+
+template <class Archive>
+void visitFields(Archive& archive, Error& error) {
+  auto& [file, where, reason, remedy] = error;
+  archive(file, where, reason, remedy);
+}
+
+template <class Archive>
+void visitFields(Archive& archive, ImportWarning& warning) {
+  auto& [file, reason] = warning;
+  archive(file, reason);
+}
+
+void visitFields(ByteWriter& archive, Opacity& opacity) {
+  archive(opacity.value());
+}
+
+void visitFields(ByteReader& archive, Opacity& opacity) {
+  float value = 0.0f;
+  archive(value);
+  opacity = Opacity::clamped(value);
+}
+
+template <class Archive>
+void visitFields(Archive& archive, RawMesh& mesh) {
+  auto& [name, groups, origin, positions, triangles, colour, opacity, frame, frameReason,
+         millimetresPerUnit, unitReason, yUp, file, smooth, visible, molecule, displacement] = mesh;
+  assert(!molecule);
+  archive(name, groups, origin, positions, triangles, colour, opacity, frame, frameReason,
+          millimetresPerUnit, unitReason, yUp, file, smooth, visible, displacement);
+}
+
+template <class Archive>
+void visitFields(Archive& archive, RawMeshes& all) {
+  auto& [meshes, warnings] = all;
+  archive(meshes, warnings);
+}
+
+namespace {
+
+bool isSound(const RawMesh& mesh) {
+  for (const Triangle& triangle : mesh.triangles)
+    for (const std::uint32_t index : triangle)
+      if (index >= mesh.positions.size())
+        return false;
+  for (const glm::vec3& p : mesh.positions)
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+      return false;
+  const bool knownFrame = !mesh.frame || (*mesh.frame >= Frame::lps && *mesh.frame <= Frame::file);
+  return knownFrame && std::isfinite(mesh.displacement) && std::isfinite(mesh.millimetresPerUnit);
+}
+
+Error notUnderstood() {
+  return {{}, {}, "the answer of the program that reads it makes no sense", "Install Sline again"};
+}
+}  // namespace
+
+std::string encodedRequest(const ReadRequest& request) {
+  ByteWriter writer;
+  writer(request);
+  return writer.take();
+}
+
+Result<ReadRequest> decodedRequest(std::string_view bytes) {
+  ReadRequest request;
+  ByteReader reader(bytes);
+  reader(request);
+  if (!reader.complete())
+    return Error{{}, {}, "is no request", {}};
+  return request;
+}
+
+std::string encodedAnswer(const Result<RawMeshes>& answer) {
+  ByteWriter writer;
+  writer(answer.ok());
+  if (answer)
+    writer(*answer);
+  else
+    writer(answer.error());
+  return writer.take();
+}
+
+Result<RawMeshes> decodedAnswer(std::string_view bytes) {
+  ByteReader reader(bytes);
+  bool ok = false;
+  reader(ok);
+  if (!ok) {
+    Error error;
+    reader(error);
+    return reader.complete() && !error.reason.empty() ? error : notUnderstood();
+  }
+  RawMeshes meshes;
+  reader(meshes);
+  if (!reader.complete())
+    return notUnderstood();
+  for (const RawMesh& mesh : meshes.meshes)
+    if (!isSound(mesh))
+      return notUnderstood();
+  return meshes;
+}
+
+}  // namespace sline::model

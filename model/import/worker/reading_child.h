@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Reading in a process of its own, for kinds of file whose readers stand on libraries that a
+// spoiled file may bring down: whatever happens there becomes an error here.
+#pragma once
+
+#include <filesystem>
+
+#include "model/import/worker/exchange.h"
+
+namespace sline::model {
+
+/// The program that reads: what the environment names in SLINE_READER, else `sline-reader` beside
+/// the running program or in ../lib/sline. Empty where there is none.
+std::filesystem::path readerProgram();
+
+/// Asks the child. It is ended as soon as `options.goesOn` says no, when it has used
+/// `options.limits.childSeconds` of computing or takes six times as long, and when it wants more
+/// than `options.limits.childBytes` of memory; it cannot reach the network or start programs. Each
+/// of these, a crash, and an answer that makes no sense are errors that say so.
+Result<RawMeshes> readInChild(std::string_view kind, const std::filesystem::path& file,
+                              const ReadOptions& options);
+
+}  // namespace sline::model
