@@ -9,7 +9,8 @@
 
 int main() {
   using sline::model::ChildReader;
-  static constexpr std::array readers = {ChildReader{"DICOM", sline::model::readDicom}};
+  static constexpr std::array readers = {
+      ChildReader{"DICOM", sline::model::readingFirst<sline::model::readDicom>}};
   const int status = sline::model::runReadingChild(readers);
   if (status == 2)
     std::fputs("sline-reader is started by Sline, to read files in a process of its own.\n",

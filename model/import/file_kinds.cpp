@@ -161,7 +161,7 @@ Result<RawMeshes> readSurfaces(const std::filesystem::path& file, const ReadOpti
     return Error{file.string(), {}, reason, "Use " + surfaceExtensions()};
   }
   Result<RawMeshes> result =
-      kind->read ? kind->read(file, options) : readInChild(kind->name, file, options);
+      kind->read ? kind->read(file, options) : readInChild(kind->name, {&file, 1}, options);
   // "glTF" and "GLB" are read by the same reader under either extension.
   const bool gltf = kind->name == "glTF" || kind->name == "GLB";
   const bool packed = (kind->name == "3MF" && content == "a ZIP archive") ||

@@ -48,13 +48,15 @@ Result<RawMeshes> answerTo(const ReadRequest& request, std::span<const ChildRead
     return one.kind == request.kind;
   });
   if (reader == readers.end())
-    return Error{
-        request.file.string(), {}, "this build reads no " + request.kind + " files", "Use another"};
+    return Error{request.files.front().string(),
+                 {},
+                 "this build reads no " + request.kind + " files",
+                 "Use another"};
   const ReadOptions options{.limits = request.limits, .smoothing = request.smoothing};
   try {
-    return reader->read(request.file, options);
+    return reader->read(request.files, options);
   } catch (const std::exception& fault) {
-    return Error{request.file.string(),
+    return Error{request.files.front().string(),
                  {},
                  "the reader of " + request.kind + " files gave up: " + fault.what(),
                  "Export the file again, or in another format"};
@@ -67,7 +69,7 @@ int runReadingChild(std::span<const ChildReader> readers) {
   if (!readAll(bytes))
     return 2;
   const Result<ReadRequest> request = decodedRequest(bytes);
-  if (!request)
+  if (!request || request->files.empty())
     return 2;
   // A child that ends without a word has not answered.
   if (ftruncate(exchangeDescriptor, 0) != 0)

@@ -2,6 +2,7 @@
 // The reading child's side: takes the request, reads under confinement, answers.
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string_view>
 
@@ -13,8 +14,15 @@ namespace sline::model {
 /// A reader that works in a child, by the kind of file it is for.
 struct ChildReader {
   std::string_view kind;  ///< FileKind::name
-  Result<RawMeshes> (*read)(const std::filesystem::path&, const ReadOptions&);
+  Result<RawMeshes> (*read)(std::span<const std::filesystem::path>, const ReadOptions&);
 };
+
+/// A reader of one file as a ChildReader wants it.
+template <auto reader>
+Result<RawMeshes> readingFirst(std::span<const std::filesystem::path> files,
+                               const ReadOptions& options) {
+  return reader(files.front(), options);
+}
 
 /// Descriptor over which request and answer go: a file in memory.
 inline constexpr int exchangeDescriptor = 3;

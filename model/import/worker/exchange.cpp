@@ -33,8 +33,8 @@ void visitFields(Archive& archive, Smoothing& smoothing) {
 
 template <class Archive>
 void visitFields(Archive& archive, ReadRequest& request) {
-  auto& [kind, file, limits, smoothing] = request;
-  archive(kind, file, limits, smoothing);
+  auto& [kind, files, limits, smoothing] = request;
+  archive(kind, files, limits, smoothing);
 }
 
 template <class Archive>

@@ -16,8 +16,8 @@ namespace sline::model {
 
 /// What the child is asked to do. `goesOn` does not travel: who gives up ends the child.
 struct ReadRequest {
-  std::string kind;  ///< FileKind::name
-  std::filesystem::path file;
+  std::string kind;                          ///< FileKind::name
+  std::vector<std::filesystem::path> files;  ///< that are read together
   ReadLimits limits;
   Smoothing smoothing;
 };

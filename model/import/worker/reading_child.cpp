@@ -111,14 +111,18 @@ std::string gigabytes(std::uint64_t bytes) {
 }
 
 /// With what stands for "the usual" replaced by it.
-ReadLimits settled(ReadLimits limits, const std::filesystem::path& file) {
+ReadLimits settled(ReadLimits limits, std::span<const std::filesystem::path> files) {
   if (limits.childBytes == 0)
     limits.childBytes =
         std::uint64_t(sysconf(_SC_PHYS_PAGES)) * std::uint64_t(sysconf(_SC_PAGESIZE)) / 2;
-  std::error_code code;
-  const std::uintmax_t size = std::filesystem::file_size(file, code);
+  std::uintmax_t size = 0;
+  for (const std::filesystem::path& file : files) {
+    std::error_code code;
+    const std::uintmax_t own = std::filesystem::file_size(file, code);
+    size += code ? 0 : own;
+  }
   if (limits.childSeconds == 0)
-    limits.childSeconds = 60 + (code ? 0 : size / 1'000'000);
+    limits.childSeconds = 60 + size / 1'000'000;
   return limits;
 }
 
@@ -194,21 +198,24 @@ std::filesystem::path readerProgram() {
   return {};
 }
 
-Result<RawMeshes> readInChild(std::string_view kind, const std::filesystem::path& file,
+Result<RawMeshes> readInChild(std::string_view kind, std::span<const std::filesystem::path> files,
                               const ReadOptions& options) {
   const std::filesystem::path program = readerProgram();
   if (program.empty())
-    return Error{file.string(),
+    return Error{files.front().string(),
                  {},
                  std::string(kind) + " files are read by sline-reader, which is not beside Sline",
                  "Install Sline again"};
-  Result<RawMeshes> answer =
-      askChild(program, {std::string(kind), file, settled(options.limits, file), options.smoothing},
-               options.goesOn);
+  Result<RawMeshes> answer = askChild(program,
+                                      {std::string(kind),
+                                       {files.begin(), files.end()},
+                                       settled(options.limits, files),
+                                       options.smoothing},
+                                      options.goesOn);
   if (answer)
     return answer;
   Error error = answer.error();
-  error.file = file.string();
+  error.file = files.front().string();
   return error;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 
 #include "model/import/worker/exchange.h"
 
@@ -13,11 +14,12 @@ namespace sline::model {
 /// the running program or in ../lib/sline. Empty where there is none.
 std::filesystem::path readerProgram();
 
-/// Asks the child. It is ended as soon as `options.goesOn` says no, when it has used
-/// `options.limits.childSeconds` of computing or takes six times as long, and when it wants more
-/// than `options.limits.childBytes` of memory; it cannot reach the network or start programs. Each
-/// of these, a crash, and an answer that makes no sense are errors that say so.
-Result<RawMeshes> readInChild(std::string_view kind, const std::filesystem::path& file,
+/// Asks the child to read files that belong together, most often one. It is ended as soon as
+/// `options.goesOn` says no, when it has used `options.limits.childSeconds` of computing or takes
+/// six times as long, and when it wants more than `options.limits.childBytes` of memory; it cannot
+/// reach the network or start programs. Each of these, a crash, and an answer that makes no sense
+/// are errors that say so.
+Result<RawMeshes> readInChild(std::string_view kind, std::span<const std::filesystem::path> files,
                               const ReadOptions& options);
 
 }  // namespace sline::model

@@ -109,9 +109,9 @@ Answer leaveSilently() {
   _exit(0);
 }
 
-Answer misbehave(const std::filesystem::path& file, const model::ReadOptions&) {
+Answer misbehave(std::span<const std::filesystem::path> files, const model::ReadOptions&) {
   std::string deed;
-  std::ifstream(file) >> deed;
+  std::ifstream(files.front()) >> deed;
   static const std::map<std::string, Answer (*)()> deeds = {
       {"crash", crash},
       {"loop", loopForever},

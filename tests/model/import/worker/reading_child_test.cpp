@@ -27,7 +27,8 @@ class ReadingChildTest : public QObject {
     return path;
   }
   Result<RawMeshes> read(const char* deed, const ReadOptions& options = {}) {
-    return model::readInChild("DICOM", written(deed).toStdString(), options);
+    const std::filesystem::path file = written(deed).toStdString();
+    return model::readInChild("DICOM", {&file, 1}, options);
   }
 
  private slots:
