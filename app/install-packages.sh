@@ -14,6 +14,8 @@ packages=(
   fonts-dejavu-core fonts-dejavu-extra
   # meshes and volumes, pixel files, films
   libvtk9-dev libopenexr-dev libjpeg62-turbo-dev libwebp-dev libgif-dev
+  # meshes of other programs, compressed glTF
+  libassimp-dev libdraco-dev libmeshoptimizer-dev
   # small libraries
   libtbb-dev libglm-dev nlohmann-json3-dev libcli11-dev libpugixml-dev libzip-dev
   zlib1g-dev libbz2-dev libsqlite3-dev

@@ -59,10 +59,10 @@ void addCommand(CLI::App& program, Exit& exit,
 }
 
 inline constexpr const char* inputHelp =
-    "Mesh files (obj, stl, ply, off, vtk, vtp, gltf, glb, 3mf), label volumes (nii, nii.gz, nrrd, "
-    "nhdr, mha, mhd), DICOM structure sets and segmentations (dcm), molecules (pdb, ent, cif, "
-    "mmcif), folders of them, 3D Slicer scenes (mrml, mrb) and fiducials (fcsv, mrk.json), scene "
-    "files (sline)";
+    "Mesh files (obj, stl, ply, off, vtk, vtp, vtu, gltf, glb, 3mf), scenes of 3D programs (fbx, "
+    "dae, blend, x3d, x3dv, wrl, 3ds), label volumes (nii, nii.gz, nrrd, nhdr, mha, mhd, mnc), "
+    "DICOM structure sets and segmentations (dcm), molecules (pdb, ent, cif, mmcif), folders of "
+    "them, 3D Slicer scenes (mrml, mrb) and fiducials (fcsv, mrk.json), scene files (sline)";
 inline constexpr const char* frameHelp =
     "How the files' coordinates map to the patient: LPS or RAS overrides what the files say or "
     "their names suggest, `file` leaves coordinates as they are";

@@ -5,13 +5,23 @@
 #include <cstdio>
 
 #include "model/import/dicom/dicom.h"
+#include "model/import/foreign/foreign.h"
 #include "model/import/worker/child_main.h"
 
+namespace {
+
+using namespace sline::model;
+
+constexpr std::array readers = {ChildReader{"DICOM", readingFirst<readDicom>},
+                                ChildReader{"FBX", readingFirst<readFbx>},
+                                ChildReader{"COLLADA", readingFirst<readCollada>},
+                                ChildReader{"Blender", readingFirst<readBlend>},
+                                ChildReader{"VTU", readingFirst<readVtu>},
+                                ChildReader{"compressed glTF", readingFirst<readCompressedGltf>}};
+}  // namespace
+
 int main() {
-  using sline::model::ChildReader;
-  static constexpr std::array readers = {
-      ChildReader{"DICOM", sline::model::readingFirst<sline::model::readDicom>}};
-  const int status = sline::model::runReadingChild(readers);
+  const int status = runReadingChild(readers);
   if (status == 2)
     std::fputs("sline-reader is started by Sline, to read files in a process of its own.\n",
                stderr);

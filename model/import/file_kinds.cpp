@@ -7,6 +7,7 @@
 
 #include "model/import/dicom/dicom_file.h"
 #include "model/import/molecules/molecules.h"
+#include "model/import/readers/gltf_decoders.h"
 #include "model/import/readers/readers.h"
 #include "model/import/readers/source.h"
 #include "model/import/readers/text_cursor.h"
@@ -23,21 +24,36 @@ Result<RawMeshes> within(const std::filesystem::path& file, const ReadOptions& o
   return reader(file, options.limits);
 }
 
+/// Compressed ones are read by those who have the libraries.
+Result<RawMeshes> readAnyGltf(const std::filesystem::path& file, const ReadOptions& options) {
+  return isCompressedGltf(file) ? readInChild("compressed glTF", {&file, 1}, options)
+                                : readGltf(file, options.limits);
+}
+
 constexpr std::array kinds = {FileKind{".obj", "OBJ", within<readObj>},
                               FileKind{".stl", "STL", within<readStl>},
                               FileKind{".ply", "PLY", within<readPly>},
                               FileKind{".off", "OFF", within<readOff>},
                               FileKind{".vtk", "legacy VTK", within<readLegacyVtk>},
                               FileKind{".vtp", "VTP", within<readVtp>},
-                              FileKind{".gltf", "glTF", within<readGltf>},
-                              FileKind{".glb", "GLB", within<readGltf>},
+                              FileKind{".gltf", "glTF", readAnyGltf},
+                              FileKind{".glb", "GLB", readAnyGltf},
+                              FileKind{".vtu", "VTU", nullptr},
                               FileKind{".3mf", "3MF", within<readThreeMf>},
+                              FileKind{".wrl", "VRML", within<readX3d>},
+                              FileKind{".x3d", "X3D", within<readX3d>},
+                              FileKind{".x3dv", "X3D", within<readX3d>},
+                              FileKind{".3ds", "3DS", within<readThreeDs>},
+                              FileKind{".fbx", "FBX", nullptr},
+                              FileKind{".dae", "COLLADA", nullptr},
+                              FileKind{".blend", "Blender", nullptr},
                               FileKind{".nii", "NIfTI", readNiftiSurfaces, true},
                               FileKind{".nii.gz", "packed NIfTI", readNiftiSurfaces, true},
                               FileKind{".nrrd", "NRRD", readNrrdSurfaces, true},
                               FileKind{".nhdr", "NRRD", readNrrdSurfaces, true},
                               FileKind{".mha", "MetaImage", readMetaImageSurfaces, true},
                               FileKind{".mhd", "MetaImage", readMetaImageSurfaces, true},
+                              FileKind{".mnc", "MINC", readMincSurfaces, true},
                               FileKind{".dcm", "DICOM", nullptr},
                               FileKind{".pdb", "PDB", readPdb},
                               FileKind{".ent", "PDB", readPdb},
@@ -81,6 +97,12 @@ std::string_view kindInContent(const std::filesystem::path& file) {
                                  {"PK\x03\x04", "a ZIP archive"},
                                  {"\x1f\x8b", "a gzip archive"},
                                  {"NRRD", "NRRD"},
+                                 {"Kaydara FBX Binary", "FBX"},
+                                 {"BLENDER", "Blender"},
+                                 {"CDF\x01", "MINC"},
+                                 {"CDF\x02", "MINC"},
+                                 {"#VRML", "VRML"},
+                                 {"#X3D", "X3D"},
                                  {"\x89PNG", "PNG"},
                                  {"%PDF", "PDF"}};
   for (const Row& row : rows)
@@ -89,7 +111,13 @@ std::string_view kindInContent(const std::filesystem::path& file) {
   if (text.size() > 132 && text.substr(128, 4) == "DICM")
     return "DICOM";
   if (text.find("<VTKFile") != std::string_view::npos)
-    return text.find("PolyData") != std::string_view::npos ? "VTP" : "VTK XML";
+    return text.find("PolyData") != std::string_view::npos           ? "VTP"
+           : text.find("UnstructuredGrid") != std::string_view::npos ? "VTU"
+                                                                     : "VTK XML";
+  if (text.find("<X3D") != std::string_view::npos)
+    return "X3D";
+  if (text.find("<COLLADA") != std::string_view::npos)
+    return "COLLADA";
   if (text.find("<MRML") != std::string_view::npos)
     return "a 3D Slicer scene";
   if (text.starts_with("solid") && text.find("facet") != std::string_view::npos)

@@ -24,8 +24,7 @@ class FrameDecision {
       : m_parts(parts), m_sources(sources), m_options(options) {}
 
   void run(ImportReport& report) {
-    const FrameVote vote = voteOf([](const Part& part) { return !part.raw.yUp; },
-                                  [&](const Part& part) { return isSilent(part); });
+    const FrameVote vote = voteOf([&](const Part& part) { return isSilent(part); });
     const std::optional<Frame> voted = vote.winner();
     report.frame = voted.value_or(Frame::lps);
     report.frameReason = voted ? vote.text() : "no header and no left/right names: LPS assumed";
@@ -48,7 +47,7 @@ class FrameDecision {
   }
   bool isChosen(const Part& part) const { return m_options.frame || part.choice.frame; }
   bool isSilent(const Part& part) const {
-    return !isChosen(part) && !part.raw.yUp && !part.raw.frame && !modelOf(part);
+    return !isChosen(part) && !part.raw.frame && !modelOf(part);
   }
 
   void decide(Part& part, const ImportReport& report) const {
@@ -57,12 +56,9 @@ class FrameDecision {
     if (part.choice.frame || m_options.frame) {
       part.frame = part.choice.frame ? *part.choice.frame : *m_options.frame;
       reason = "chosen by the user";
-    } else if (part.raw.yUp) {
-      part.frame = Frame::lps;
-      reason = "glTF: +y up, +x the patient's left";
     } else if (part.raw.frame) {
       part.frame = *part.raw.frame;
-      reason = (part.raw.molecule ? "" : "header: ") + part.raw.frameReason;
+      reason = (part.raw.molecule || part.raw.yUp ? "" : "header: ") + part.raw.frameReason;
     } else if (model) {
       part.frame = model->frame;
       reason = model->frameReason;
@@ -72,11 +68,11 @@ class FrameDecision {
     }
   }
 
-  template <class Wanted, class Also>
-  FrameVote voteOf(const Wanted& wanted, const Also& also) const {
+  template <class Wanted>
+  FrameVote voteOf(const Wanted& wanted) const {
     std::vector<NamedPlace> places;
     for (const Part& part : m_parts)
-      if (wanted(part) && also(part))
+      if (wanted(part))
         places.push_back({part.name, boxOf(part.raw.positions).centre().x});
     return voteOnFrame(places);
   }
@@ -87,9 +83,9 @@ class FrameDecision {
     if (m_options.frame)
       return;
     for (const Frame frame : {Frame::lps, Frame::ras}) {
-      const FrameVote vote =
-          voteOf([&](const Part& part) { return part.frame == frame; },
-                 [&](const Part& part) { return !isSilent(part) && !isChosen(part); });
+      const FrameVote vote = voteOf([&](const Part& part) {
+        return part.frame == frame && !isSilent(part) && !isChosen(part);
+      });
       const int against = frame == Frame::lps ? vote.ras : vote.lps;
       const int agree = frame == Frame::lps ? vote.lps : vote.ras;
       if (against >= 2 && against > 3 * agree)

@@ -38,7 +38,8 @@ FrameVote voteOnFrame(std::span<const NamedPlace> places);
 /// patient's left, by the same comparisons; both of a pair.
 std::vector<std::size_t> onTheOtherSide(std::span<const NamedPlace> places);
 
-/// glTF (y up, +x the patient's left, +z to the front) to LPS axes, a rotation: (x, −z, y).
+/// From axes with y up (RawMesh::yUp) to those with z up, a rotation: (x, −z, y). Of glTF (+x the
+/// patient's left, +z to the front) it makes LPS.
 inline glm::vec3 uprightToLps(const glm::vec3& p) {
   return {p.x, -p.z, p.y};
 }

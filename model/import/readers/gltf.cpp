@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // glTF 2.0 and GLB: every primitive of triangles in the scene becomes a surface in scene
 // coordinates (metres, +y up). Skins, morph targets and textures are not read.
-#include <cmath>
+#include <bit>
 #include <map>
 
+#include "model/import/readers/colour_of_light.h"
 #include "model/import/readers/gltf_document.h"
 #include "model/import/readers/readers.h"
 #include "model/import/readers/surface_assembly.h"
@@ -11,14 +12,9 @@
 namespace sline::model {
 
 namespace {
+constexpr const char* dracoExtension = "KHR_draco_mesh_compression";
+constexpr const char* meshoptExtension = "EXT_meshopt_compression";
 enum Mode : std::uint64_t { triangles = 4, strip = 5, fan = 6 };
-
-/// The sRGB transfer function (IEC 61966-2-1): factors in glTF are linear.
-std::uint8_t srgb(double linear) {
-  const double c = std::isnan(linear) ? 0.0 : std::clamp(linear, 0.0, 1.0);
-  const double encoded = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
-  return std::uint8_t(std::lround(255.0 * encoded));
-}
 
 class GltfReader {
  public:
@@ -67,8 +63,7 @@ class GltfReader {
 
   /// True where the primitive is one this cannot read; the rest of the file may still be good.
   bool isLeftOut(const Json& primitive, std::uint64_t mode, const std::string& where) {
-    const Json* extensions = member(primitive, "extensions");
-    if (extensions && member(*extensions, "KHR_draco_mesh_compression")) {
+    if (extension(primitive, dracoExtension) && !m_document.decoders.mesh) {
       warn(where, "is compressed by KHR_draco_mesh_compression, which is not supported");
       return true;
     }
@@ -86,6 +81,8 @@ class GltfReader {
       return m_source.at(where, "has mode " + std::to_string(mode) + ", which does not exist");
     if (isLeftOut(primitive, mode, where))
       return Unit{};
+    if (const Json* packed = extension(primitive, dracoExtension))
+      return readPacked(primitive, *packed, instance, where);
     const Json* attributes = member(primitive, "attributes");
     const auto accessor = attributes ? wholeMember(*attributes, "POSITION") : std::nullopt;
     if (!accessor)
@@ -107,6 +104,36 @@ class GltfReader {
     return finish(m_source, std::move(mesh), m_result);
   }
 
+  /// A primitive that is unpacked as a whole, whatever its mode: it has become triangles.
+  Status readPacked(const Json& primitive, const Json& packed, const GltfInstance& instance,
+                    const std::string& where) {
+    if (!m_unpacked.contains(&packed)) {
+      Result<GltfUnpackedMesh> read = unpackMesh(m_document, packed, where);
+      if (!read)
+        return read.error();
+      m_unpacked.emplace(&packed, std::move(read).value());
+    }
+    const GltfUnpackedMesh& unpacked = m_unpacked.at(&packed);
+    const std::vector<glm::vec3>& positions = unpacked.positions;
+    if (const Status granted = grant(unpacked.corners.size(), where); !granted)
+      return granted;
+    RawMesh mesh = opened(primitive, instance);
+    mesh.triangles = cut(unpacked.corners, Mode::triangles);
+    std::vector<std::uint32_t> scratch;
+    keepUsed(positions, scratch, mesh);
+    place(mesh, instance.toScene);
+    return finish(m_source, std::move(mesh), m_result);
+  }
+
+  Status grant(std::size_t corners, const std::string& where) {
+    const std::uint64_t bytes = 24 * std::uint64_t(corners);
+    if (bytes > m_document.budget)
+      return m_source.at(where, "the scene repeats its meshes far beyond the size of the file",
+                         "Reduce the number of instances");
+    m_document.budget -= bytes;
+    return Unit{};
+  }
+
   /// The corners in drawing order: the indices, or all vertices in turn. Memory for the triangles
   /// they make is taken from the budget.
   Result<std::vector<std::uint32_t>> cornersOf(const Json& primitive, std::size_t vertices,
@@ -123,11 +150,8 @@ class GltfReader {
       for (std::size_t i = 0; i < vertices; ++i)
         corners[i] = std::uint32_t(i);
     }
-    const std::uint64_t bytes = 24 * std::uint64_t(corners.size());
-    if (bytes > m_document.budget)
-      return m_source.at(where, "the scene repeats its meshes far beyond the size of the file",
-                         "Reduce the number of instances");
-    m_document.budget -= bytes;
+    if (const Status granted = grant(corners.size(), where); !granted)
+      return granted.error();
     for (const std::uint32_t v : corners)
       if (v >= vertices)
         return m_source.at(where, "index " + std::to_string(v) + " is beyond its " +
@@ -169,6 +193,8 @@ class GltfReader {
     mesh.millimetresPerUnit = 1000.0f;
     mesh.unitReason = "glTF: metres";
     mesh.yUp = true;
+    mesh.frame = Frame::lps;
+    mesh.frameReason = "glTF: +y up, +x the patient's left";
     const Json* material = element(m_document.root, "materials",
                                    wholeMember(primitive, "material").value_or(UINT64_MAX));
     const Json* surface = material ? member(*material, "pbrMetallicRoughness") : nullptr;
@@ -177,7 +203,7 @@ class GltfReader {
     const std::vector<double> factor = numbersMember(*surface, "baseColorFactor", 4);
     if (factor.empty())
       return mesh;
-    mesh.colour = Colour{srgb(factor[0]), srgb(factor[1]), srgb(factor[2])};
+    mesh.colour = colourOfLight({factor[0], factor[1], factor[2]});
     if (textMember(*material, "alphaMode") == "BLEND")
       mesh.opacity = Opacity::clamped(float(factor[3]));
     return mesh;
@@ -189,10 +215,16 @@ class GltfReader {
   /// Decoded once, however many primitives share them.
   std::map<std::uint64_t, std::vector<glm::vec3>> m_positions;
   std::map<std::uint64_t, std::vector<std::uint32_t>> m_scratch;
+  std::map<const Json*, GltfUnpackedMesh> m_unpacked;
 };
 }  // namespace
 
 Result<RawMeshes> readGltf(const std::filesystem::path& file, const ReadLimits& limits) {
+  return readGltfWith({}, file, limits);
+}
+
+Result<RawMeshes> readGltfWith(const GltfDecoders& decoders, const std::filesystem::path& file,
+                               const ReadLimits& limits) {
   const Result<Source> source = Source::read(file, limits);
   if (!source)
     return source.error();
@@ -200,11 +232,25 @@ Result<RawMeshes> readGltf(const std::filesystem::path& file, const ReadLimits& 
     Result<GltfDocument> document = openGltf(*source);
     if (!document)
       return document.error();
+    document->decoders = decoders;
     loadBuffers(*document);
     return GltfReader(*source, *document).read();
   } catch (const Json::exception& e) {
     return source->whole(std::string("its JSON is not as glTF wants it: ") + e.what());
   }
+}
+
+bool isCompressedGltf(const std::filesystem::path& file) {
+  const Result<Source> source = Source::read(file, {});
+  if (!source)
+    return false;
+  std::string_view json = source->text();
+  // A GLB begins with its JSON; what follows may be long.
+  if (json.starts_with("glTF") && json.size() > 20)
+    json = json.substr(
+        20, loadAs<std::uint32_t>(json.data() + 12, std::endian::native != std::endian::little));
+  return json.find(dracoExtension) != std::string_view::npos ||
+         json.find(meshoptExtension) != std::string_view::npos;
 }
 
 }  // namespace sline::model

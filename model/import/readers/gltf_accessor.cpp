@@ -41,41 +41,69 @@ struct Placement {
   bool mayStride = true;
 };
 
-Result<Strided> locate(const GltfDocument& document, const Placement& wanted) {
+/// The bytes of a buffer view and how far apart its elements begin; 0 where it does not say.
+struct ViewBytes {
+  std::string_view bytes;
+  std::uint64_t stride = 0;
+};
+
+/// A view under EXT_meshopt_compression, unpacked once.
+Result<ViewBytes> unpackedView(GltfDocument& document, std::uint64_t index, const Json& packed) {
   const Source& source = document.source;
-  const std::uint64_t viewIndex = wholeMember(wanted.owner, "bufferView").value_or(UINT64_MAX);
-  const Json* view = element(document.root, "bufferViews", viewIndex);
-  if (!view)
-    return source.at(wanted.place, "refers to a bufferView that does not exist");
-  const std::string place = placeOf("bufferViews", viewIndex);
-  if (const Json* extensions = member(*view, "extensions");
-      extensions && member(*extensions, "EXT_meshopt_compression"))
+  const std::string place = placeOf("bufferViews", index);
+  if (!document.decoders.view)
     return source.at(place, "is compressed by EXT_meshopt_compression, which is not supported",
                      "Export the mesh without compression");
-  const std::uint64_t bufferIndex = wholeMember(*view, "buffer").value_or(UINT64_MAX);
-  if (bufferIndex >= document.buffers.size())
-    return source.at(place, "refers to a buffer that does not exist");
-  const GltfBuffer& buffer = document.buffers[std::size_t(bufferIndex)];
-  if (buffer.failure)
-    return *buffer.failure;
-  const std::uint64_t viewOffset = wholeMember(*view, "byteOffset").value_or(0);
-  const std::uint64_t viewLength = wholeMember(*view, "byteLength").value_or(0);
-  if (viewOffset > buffer.bytes.size() || viewLength > buffer.bytes.size() - viewOffset)
-    return source.at(
-        place, "reaches beyond its buffer of " + std::to_string(buffer.bytes.size()) + " bytes");
-  const std::uint64_t stride = wanted.mayStride
-                                   ? wholeMember(*view, "byteStride").value_or(wanted.elementBytes)
-                                   : wanted.elementBytes;
-  if (stride < wanted.elementBytes || stride > 255)
-    return source.at(place,
+  const std::uint64_t stride = wholeMember(packed, "byteStride").value_or(0);
+  const std::uint64_t count = wholeMember(packed, "count").value_or(0);
+  if (const auto known = document.unpacked.find(index); known != document.unpacked.end())
+    return ViewBytes{known->second, stride};
+  const Result<std::string_view> bytes = bytesIn(document, packed, place);
+  if (!bytes)
+    return bytes.error();
+  if (stride < 1 || stride > 256 || count > document.budget / stride)
+    return source.at(place, "promises " + std::to_string(count) + " elements of " +
+                                std::to_string(stride) +
+                                " bytes, far more than a file of this size describes");
+  document.budget -= count * stride;
+  Result<std::string> unpacked =
+      document.decoders.view({*bytes, std::size_t(count), std::size_t(stride),
+                              textMember(packed, "mode"), textMember(packed, "filter")});
+  if (!unpacked)
+    return source.at(place, unpacked.error().reason);
+  return ViewBytes{document.unpacked[index] = std::move(*unpacked), stride};
+}
+
+Result<ViewBytes> viewBytes(GltfDocument& document, std::uint64_t index, const Json& view) {
+  if (const Json* packed = extension(view, "EXT_meshopt_compression"))
+    return unpackedView(document, index, *packed);
+  const Result<std::string_view> bytes = bytesIn(document, view, placeOf("bufferViews", index));
+  if (!bytes)
+    return bytes.error();
+  return ViewBytes{*bytes, wholeMember(view, "byteStride").value_or(0)};
+}
+
+Result<Strided> locate(GltfDocument& document, const Placement& wanted) {
+  const Source& source = document.source;
+  const std::uint64_t viewIndex = wholeMember(wanted.owner, "bufferView").value_or(UINT64_MAX);
+  const Json* json = element(document.root, "bufferViews", viewIndex);
+  if (!json)
+    return source.at(wanted.place, "refers to a bufferView that does not exist");
+  const Result<ViewBytes> view = viewBytes(document, viewIndex, *json);
+  if (!view)
+    return view.error();
+  const std::uint64_t stride =
+      wanted.mayStride && view->stride > 0 ? view->stride : wanted.elementBytes;
+  if (stride < wanted.elementBytes || stride > 256)
+    return source.at(placeOf("bufferViews", viewIndex),
                      "its byteStride " + std::to_string(stride) + " does not fit the element");
   const std::uint64_t offset = wholeMember(wanted.owner, "byteOffset").value_or(0);
-  const std::uint64_t room = offset > viewLength ? 0 : viewLength - offset;
+  const std::uint64_t room = offset > view->bytes.size() ? 0 : view->bytes.size() - offset;
   if (wanted.count > 0 &&
       (room < wanted.elementBytes || wanted.count - 1 > (room - wanted.elementBytes) / stride))
     return source.at(wanted.place, "promises " + std::to_string(wanted.count) +
                                        " elements, more than its bufferView holds");
-  return Strided{buffer.bytes.data() + viewOffset + offset, std::size_t(stride)};
+  return Strided{view->bytes.data() + offset, std::size_t(stride)};
 }
 
 /// What an accessor says about itself.
@@ -146,7 +174,7 @@ std::uint32_t indexAt(const Accessor& accessor, const char* at) {
 
 /// Replaces the elements that the sparse part names (§3.6.2.3).
 template <class T, class Load>
-Status applySparse(const GltfDocument& document, const Accessor& accessor, std::vector<T>& values,
+Status applySparse(GltfDocument& document, const Accessor& accessor, std::vector<T>& values,
                    const Load& load) {
   const Json* sparse = member(accessor.json, "sparse");
   if (!sparse)
@@ -177,8 +205,7 @@ Status applySparse(const GltfDocument& document, const Accessor& accessor, std::
 }
 
 template <class T, class Load>
-Result<std::vector<T>> readAll(const GltfDocument& document, const Accessor& accessor,
-                               const Load& load) {
+Result<std::vector<T>> readAll(GltfDocument& document, const Accessor& accessor, const Load& load) {
   std::vector<T> values;
   if (member(accessor.json, "bufferView")) {
     const Result<Strided> at = locate(
@@ -200,6 +227,25 @@ Result<std::vector<T>> readAll(const GltfDocument& document, const Accessor& acc
   return values;
 }
 }  // namespace
+
+Result<GltfUnpackedMesh> unpackMesh(GltfDocument& document, const Json& packed,
+                                    const std::string& place) {
+  const Source& source = document.source;
+  const std::uint64_t index = wholeMember(packed, "bufferView").value_or(UINT64_MAX);
+  const Json* view = element(document.root, "bufferViews", index);
+  const Json* attributes = member(packed, "attributes");
+  const auto positions = attributes ? wholeMember(*attributes, "POSITION") : std::nullopt;
+  if (!view || !positions || *positions > UINT32_MAX)
+    return source.at(place, "lacks the bufferView or the POSITION of its compressed mesh");
+  const Result<ViewBytes> bytes = viewBytes(document, index, *view);
+  if (!bytes)
+    return bytes.error();
+  Result<GltfUnpackedMesh> mesh =
+      document.decoders.mesh({bytes->bytes, std::uint32_t(*positions), source.limits()});
+  if (!mesh)
+    return source.at(place, mesh.error().reason);
+  return mesh;
+}
 
 Result<std::vector<glm::vec3>> readPositions(GltfDocument& document, std::uint64_t accessor) {
   const Result<Accessor> described = describe(document, accessor, "VEC3", 3);

@@ -47,6 +47,12 @@ std::string textMember(const Json& object, const char* key) {
   return value && value->is_string() ? value->get<std::string>() : std::string();
 }
 
+const Json* extension(const Json& object, const char* name) {
+  const Json* extensions = member(object, "extensions");
+  const Json* found = extensions ? member(*extensions, name) : nullptr;
+  return found && found->is_object() ? found : nullptr;
+}
+
 std::string placeOf(const char* list, std::uint64_t index) {
   return std::string(list) + "[" + std::to_string(index) + "]";
 }
@@ -206,6 +212,23 @@ void loadBuffers(GltfDocument& document) {
   for (GltfBuffer& buffer : document.buffers)
     if (!buffer.owned.empty())
       buffer.bytes = buffer.owned;
+}
+
+Result<std::string_view> bytesIn(const GltfDocument& document, const Json& object,
+                                 const std::string& place) {
+  const Source& source = document.source;
+  const std::uint64_t index = wholeMember(object, "buffer").value_or(UINT64_MAX);
+  if (index >= document.buffers.size())
+    return source.at(place, "refers to a buffer that does not exist");
+  const GltfBuffer& buffer = document.buffers[std::size_t(index)];
+  if (buffer.failure)
+    return *buffer.failure;
+  const std::uint64_t offset = wholeMember(object, "byteOffset").value_or(0);
+  const std::uint64_t length = wholeMember(object, "byteLength").value_or(0);
+  if (offset > buffer.bytes.size() || length > buffer.bytes.size() - offset)
+    return source.at(
+        place, "reaches beyond its buffer of " + std::to_string(buffer.bytes.size()) + " bytes");
+  return buffer.bytes.substr(std::size_t(offset), std::size_t(length));
 }
 
 }  // namespace sline::model

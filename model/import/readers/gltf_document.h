@@ -5,11 +5,13 @@
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "model/import/readers/gltf_decoders.h"
 #include "model/import/readers/source.h"
 
 namespace sline::model {
@@ -30,6 +32,8 @@ struct GltfDocument {
   /// What may still be made out of this file: instances and accessors that share bytes multiply a
   /// small file, so memory is granted from here.
   std::uint64_t budget = 0;
+  GltfDecoders decoders = {};
+  std::map<std::uint64_t, std::string> unpacked = {};  ///< buffer views, by index
 };
 
 /// The member of an object; null where the value is no object or has none of that name.
@@ -42,6 +46,8 @@ std::optional<std::uint64_t> wholeMember(const Json& object, const char* key);
 std::vector<double> numbersMember(const Json& object, const char* key, std::size_t count);
 /// Text; empty where absent or something else.
 std::string textMember(const Json& object, const char* key);
+/// What an object says under `extensions` for one of them, or null.
+const Json* extension(const Json& object, const char* name);
 /// "accessors[3]"
 std::string placeOf(const char* list, std::uint64_t index);
 
@@ -50,6 +56,15 @@ Result<GltfDocument> openGltf(const Source& source);
 /// Fills `buffers`. Files beside the glTF are read only where a relative path stays in its folder,
 /// links followed.
 void loadBuffers(GltfDocument& document);
+
+/// The bytes that an object refers to by `buffer`, `byteOffset` and `byteLength`; `place` is told
+/// in errors.
+Result<std::string_view> bytesIn(const GltfDocument& document, const Json& object,
+                                 const std::string& place);
+/// A primitive's mesh as KHR_draco_mesh_compression says of it in `packed`; no memory is taken from
+/// the budget. The decoder must be there.
+Result<GltfUnpackedMesh> unpackMesh(GltfDocument& document, const Json& packed,
+                                    const std::string& place);
 
 /// A VEC3 accessor as positions.
 Result<std::vector<glm::vec3>> readPositions(GltfDocument& document, std::uint64_t accessor);

@@ -18,6 +18,9 @@ Result<RawMeshes> readOff(const std::filesystem::path& file, const ReadLimits& l
 Result<RawMeshes> readLegacyVtk(const std::filesystem::path& file, const ReadLimits& limits);
 Result<RawMeshes> readVtp(const std::filesystem::path& file, const ReadLimits& limits);
 Result<RawMeshes> readGltf(const std::filesystem::path& file, const ReadLimits& limits);
+/// VRML97 and X3D, in XML or in the classic encoding.
+Result<RawMeshes> readX3d(const std::filesystem::path& file, const ReadLimits& limits);
+Result<RawMeshes> readThreeDs(const std::filesystem::path& file, const ReadLimits& limits);
 Result<RawMeshes> readThreeMf(const std::filesystem::path& file, const ReadLimits& limits);
 
 }  // namespace sline::model

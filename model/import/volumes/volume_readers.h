@@ -21,5 +21,7 @@ Result<LabelVolumes> readNifti(const std::filesystem::path& file, const ReadOpti
 Result<LabelVolumes> readNrrd(const std::filesystem::path& file, const ReadOptions& options);
 /// MetaImage, attached or detached, packed or not.
 Result<LabelVolumes> readMetaImage(const std::filesystem::path& file, const ReadOptions& options);
+/// MINC 1.
+Result<LabelVolumes> readMinc(const std::filesystem::path& file, const ReadOptions& options);
 
 }  // namespace sline::model

@@ -45,7 +45,7 @@ bool overlap(const LabelVolume& a, const LabelVolume& b) {
 /// "liver" of "liver.nii.gz" and of "liver.seg.nrrd".
 std::string nameOf(const fs::path& file) {
   fs::path name = file.filename();
-  for (const char* ending : {".gz", ".nii", ".nrrd", ".nhdr", ".mha", ".mhd", ".seg"})
+  for (const char* ending : {".gz", ".nii", ".nrrd", ".nhdr", ".mha", ".mhd", ".mnc", ".seg"})
     if (name.extension() == ending)
       name.replace_extension();
   return name.string();
@@ -98,6 +98,8 @@ class Set {
       return readNrrd(file, m_options);
     if (ending == ".mha" || ending == ".mhd")
       return readMetaImage(file, m_options);
+    if (ending == ".mnc")
+      return readMinc(file, m_options);
     return readNifti(file, m_options);
   }
 

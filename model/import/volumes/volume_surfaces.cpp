@@ -86,4 +86,8 @@ Result<RawMeshes> readMetaImageSurfaces(const std::filesystem::path& file,
   return surfacesOf<readMetaImage>(file, options);
 }
 
+Result<RawMeshes> readMincSurfaces(const std::filesystem::path& file, const ReadOptions& options) {
+  return surfacesOf<readMinc>(file, options);
+}
+
 }  // namespace sline::model

@@ -19,5 +19,6 @@ Result<RawMeshes> readNiftiSurfaces(const std::filesystem::path& file, const Rea
 Result<RawMeshes> readNrrdSurfaces(const std::filesystem::path& file, const ReadOptions& options);
 Result<RawMeshes> readMetaImageSurfaces(const std::filesystem::path& file,
                                         const ReadOptions& options);
+Result<RawMeshes> readMincSurfaces(const std::filesystem::path& file, const ReadOptions& options);
 
 }  // namespace sline::model

@@ -2,6 +2,7 @@
 #include "model/import/volumes/voxel_decoder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <array>
 #include <new>
 
@@ -145,6 +146,13 @@ class Decoder {
     }
   }
 
+  /// A label that is off a whole number by what its scale was rounded by is that number.
+  double scaledLabel(double stored) const {
+    const double value = m_layout.slope * stored + m_layout.intercept;
+    const double whole = std::round(value);
+    return std::abs(value - whole) <= 1e-6 * std::max(1.0, std::abs(whole)) ? whole : value;
+  }
+
   template <class T>
   void take(const char* at, std::size_t count, std::size_t first) {
     const bool swap = m_layout.order != std::endian::native;
@@ -156,7 +164,7 @@ class Decoder {
     for (std::size_t i = 0; i < count; ++i) {
       const T value = loadAs<T>(at + i * sizeof(T), swap);
       if (scaled)
-        put(first + i, m_layout.slope * double(value) + m_layout.intercept);
+        put(first + i, scaledLabel(double(value)));
       else
         put(first + i, value);
     }
@@ -192,7 +200,7 @@ class Decoder {
       double value = 0.0;
       if (!at.number(value))
         return endsEarly(nullptr, i);
-      put(i, m_layout.slope * value + m_layout.intercept);
+      put(i, scaledLabel(value));
       if (i % 65536 == 0 && (!m_goesOn() || refused()))
         break;
     }

@@ -157,6 +157,8 @@ void VolumeFilesTest::sides_data() {
     add("NRRD RAS", "body.nrrd", nrrdFile(body, "RAS"));
     add("NRRD LAS", "body.nrrd", nrrdFile(body, "left-anterior-superior"));
     add("MetaImage", "body.mha", metaImageFile(body, true));
+    add("MINC", "body.mnc", mincFile(body));
+    add("MINC, scaled", "body.mnc", mincFile(body, 15.0));
   }
 }
 
@@ -368,6 +370,10 @@ void VolumeFilesTest::refusals_data() {
   row("cut off, packed", "b.nrrd", nrrdFile(body, "LPS", "gzip").chopped(40), "voxel");
   row("broken gzip", "b.nrrd", nrrdFile(body, "LPS", "gzip").replace("\x1f\x8b", "\x1f\x8c"),
       "unpacked");
+  row("MINC 2", "b.mnc", "\x89HDF\r\n\x1a\n", "MINC 2 (HDF5)");
+  row("MINC cut off", "b.mnc", mincFile(body).left(300), "broken there or ends early");
+  row("MINC of another kind", "b.mnc", mincFile(body).replace("image\0\0\0", "voxel\0\0\0"),
+      "without a variable 'image'");
   row("no volume", "b.nii", "something else altogether", "NIfTI");
   row("too many voxels", "b.nrrd",
       nrrdFile(body, "LPS").replace("sizes: 15 15 15", "sizes: 999999 999999 999999"), "voxels");
@@ -409,6 +415,7 @@ void VolumeFilesTest::spoiled_data() {
     QTest::addRow("NRRD %s", encoding) << "s.nrrd" << nrrdFile(body, "RAS", encoding);
   QTest::newRow("MetaImage") << "s.mha" << metaImageFile(body, false, Number::float32);
   QTest::newRow("packed MetaImage") << "s.mha" << metaImageFile(body, true);
+  QTest::newRow("MINC") << "s.mnc" << mincFile(body);
 }
 
 /// Bytes changed, cut and doubled at random: a surface that is sound, or an error with a remedy.

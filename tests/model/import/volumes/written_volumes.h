@@ -44,6 +44,9 @@ QByteArray nrrdFile(const WrittenVolume& volume, const QByteArray& space,
 QByteArray metaImageFile(const WrittenVolume& volume, bool packed, Number type = Number::uint8,
                          std::endian order = std::endian::little);
 
+/// MINC 1. With `greatest` above 0, bytes stand for numbers up to it instead of for themselves.
+QByteArray mincFile(const WrittenVolume& volume, double greatest = 0.0);
+
 QByteArray gzipped(const QByteArray& bytes);
 
 }  // namespace sline::test

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// The files that assimp may see.
+#pragma once
+
+#include <assimp/IOSystem.hpp>
+
+#include "model/import/readers/source.h"
+
+namespace sline::model {
+
+/// Shows assimp one file that is in memory and those that the file may refer to: what lies in its
+/// folder or below (fileInFolder). Nothing else can be opened, and nothing written.
+class AssimpFiles : public Assimp::IOSystem {
+ public:
+  /// `source` outlives this.
+  explicit AssimpFiles(const Source& source) : m_source(source) {}
+
+  bool Exists(const char* name) const override;
+  char getOsSeparator() const override { return '/'; }
+  Assimp::IOStream* Open(const char* name, const char* mode) override;
+  void Close(Assimp::IOStream* stream) override;
+
+ private:
+  const Source& m_source;
+};
+
+}  // namespace sline::model

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <glm/vec3.hpp>
+
+#include "model/base/units.h"
+
+namespace sline::model {
+
+/// Amounts of light, 0 … 1 each, as colours of materials are told in formats made for renderers,
+/// through the sRGB transfer function (IEC 61966-2-1). What is no number counts as none.
+inline Colour colourOfLight(const glm::dvec3& linear) {
+  const auto encoded = [](double light) {
+    const double c = std::isnan(light) ? 0.0 : std::clamp(light, 0.0, 1.0);
+    const double value = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
+    return std::uint8_t(std::lround(255.0 * value));
+  };
+  return {encoded(linear.x), encoded(linear.y), encoded(linear.z)};
+}
+
+}  // namespace sline::model
