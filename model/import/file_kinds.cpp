@@ -11,6 +11,7 @@
 #include "model/import/readers/readers.h"
 #include "model/import/readers/source.h"
 #include "model/import/readers/text_cursor.h"
+#include "model/import/volumes/image_pair.h"
 #include "model/import/volumes/volume_surfaces.h"
 #include "model/import/worker/reading_child.h"
 
@@ -30,48 +31,74 @@ Result<RawMeshes> readAnyGltf(const std::filesystem::path& file, const ReadOptio
                                 : readGltf(file, options.limits);
 }
 
-constexpr std::array kinds = {FileKind{".obj", "OBJ", within<readObj>},
-                              FileKind{".stl", "STL", within<readStl>},
-                              FileKind{".ply", "PLY", within<readPly>},
-                              FileKind{".off", "OFF", within<readOff>},
-                              FileKind{".vtk", "legacy VTK", within<readLegacyVtk>},
-                              FileKind{".vtp", "VTP", within<readVtp>},
-                              FileKind{".gltf", "glTF", readAnyGltf},
-                              FileKind{".glb", "GLB", readAnyGltf},
-                              FileKind{".vtu", "VTU", nullptr},
-                              FileKind{".3mf", "3MF", within<readThreeMf>},
-                              FileKind{".wrl", "VRML", within<readX3d>},
-                              FileKind{".x3d", "X3D", within<readX3d>},
-                              FileKind{".x3dv", "X3D", within<readX3d>},
-                              FileKind{".3ds", "3DS", within<readThreeDs>},
-                              FileKind{".fbx", "FBX", nullptr},
-                              FileKind{".dae", "COLLADA", nullptr},
-                              FileKind{".blend", "Blender", nullptr},
-                              FileKind{".nii", "NIfTI", readNiftiSurfaces, true},
-                              FileKind{".nii.gz", "packed NIfTI", readNiftiSurfaces, true},
-                              FileKind{".nrrd", "NRRD", readNrrdSurfaces, true},
-                              FileKind{".nhdr", "NRRD", readNrrdSurfaces, true},
-                              FileKind{".mha", "MetaImage", readMetaImageSurfaces, true},
-                              FileKind{".mhd", "MetaImage", readMetaImageSurfaces, true},
-                              FileKind{".mnc", "MINC", readMincSurfaces, true},
-                              FileKind{".dcm", "DICOM", nullptr},
-                              FileKind{".pdb", "PDB", readPdb},
-                              FileKind{".ent", "PDB", readPdb},
-                              FileKind{".cif", "mmCIF", readMmcif},
-                              FileKind{".mmcif", "mmCIF", readMmcif}};
+constexpr std::array kinds = {
+    FileKind{".obj", "OBJ", within<readObj>, false, true},
+    FileKind{".stl", "STL", within<readStl>, false, true},
+    FileKind{".ply", "PLY", within<readPly>, false, true},
+    FileKind{".off", "OFF", within<readOff>, false, true},
+    FileKind{".vtk", "legacy VTK", within<readLegacyVtk>, false, true},
+    FileKind{".vtp", "VTP", within<readVtp>, false, true},
+    FileKind{".gltf", "glTF", readAnyGltf, false, true},
+    FileKind{".glb", "GLB", readAnyGltf, false, true},
+    FileKind{".vtu", "VTU", nullptr},
+    FileKind{".3mf", "3MF", within<readThreeMf>},
+    FileKind{".wrl", "VRML", within<readX3d>, false, true},
+    FileKind{".x3d", "X3D", within<readX3d>},
+    FileKind{".x3dv", "X3D", within<readX3d>},
+    FileKind{".3ds", "3DS", within<readThreeDs>},
+    FileKind{".fbx", "FBX", nullptr},
+    FileKind{".dae", "COLLADA", nullptr},
+    FileKind{".blend", "Blender", nullptr},
+    FileKind{".gii", "GIFTI", within<readGifti>, false, true, isGiftiAnatomy},
+    FileKind{".pial", "FreeSurfer", within<readFreeSurferSurface>, false, false,
+             isFreeSurferAnatomy},
+    FileKind{".white", "FreeSurfer", within<readFreeSurferSurface>, false, false,
+             isFreeSurferAnatomy},
+    FileKind{".smoothwm", "FreeSurfer", within<readFreeSurferSurface>, false, false,
+             isFreeSurferAnatomy},
+    FileKind{".orig", "FreeSurfer", within<readFreeSurferSurface>, false, false,
+             isFreeSurferAnatomy},
+    FileKind{".inflated", "FreeSurfer", within<readFreeSurferSurface>, false, false,
+             isFreeSurferAnatomy},
+    FileKind{".sphere", "FreeSurfer", within<readFreeSurferSurface>, false, false,
+             isFreeSurferAnatomy},
+    FileKind{".nii", "NIfTI", readVolumeSurfaces, true, true},
+    FileKind{".hdr", "NIfTI or Analyze", readVolumeSurfaces, true, true, isImagePair},
+    FileKind{".img", "NIfTI or Analyze", readVolumeSurfaces, true, true, isImagePair},
+    FileKind{".mgz", "FreeSurfer volume", readVolumeSurfaces, true},
+    FileKind{".mgh", "FreeSurfer volume", readVolumeSurfaces, true, true},
+    FileKind{".nrrd", "NRRD", readVolumeSurfaces, true},
+    FileKind{".nhdr", "NRRD", readVolumeSurfaces, true},
+    FileKind{".mha", "MetaImage", readVolumeSurfaces, true},
+    FileKind{".mhd", "MetaImage", readVolumeSurfaces, true},
+    FileKind{".mnc", "MINC", readVolumeSurfaces, true},
+    FileKind{".dcm", "DICOM", nullptr},
+    FileKind{".pdb", "PDB", readPdb},
+    FileKind{".ent", "PDB", readPdb},
+    FileKind{".cif", "mmCIF", readMmcif},
+    FileKind{".mmcif", "mmCIF", readMmcif}};
 
-/// The kind with the longest ending that fits.
+constexpr std::string_view packedEnding = ".gz";
+
+/// How many letters at the end of the name tell the kind; 0 where they are others.
+std::size_t endingLength(std::string_view name, const FileKind& kind) {
+  if (endsLike(name, kind.extension))
+    return kind.extension.size();
+  if (!kind.packs || !endsLike(name, packedEnding))
+    return 0;
+  name.remove_suffix(packedEnding.size());
+  return endsLike(name, kind.extension) ? kind.extension.size() + packedEnding.size() : 0;
+}
+
 const FileKind* kindOf(const std::filesystem::path& file) {
   const std::string name = file.filename().string();
-  const FileKind* found = nullptr;
   for (const FileKind& kind : kinds)
-    if (endsLike(name, kind.extension) &&
-        (!found || kind.extension.size() > found->extension.size()))
-      found = &kind;
-  if (!found && mayBeDicom(file))
-    found = &*std::find_if(kinds.begin(), kinds.end(),
-                           [](const FileKind& kind) { return kind.name == "DICOM"; });
-  return found;
+    if (endingLength(name, kind) > 0)
+      return &kind;
+  if (!mayBeDicom(file))
+    return nullptr;
+  return &*std::find_if(kinds.begin(), kinds.end(),
+                        [](const FileKind& kind) { return kind.name == "DICOM"; });
 }
 
 /// What the first bytes say a file is; nothing where they do not tell.
@@ -103,6 +130,9 @@ std::string_view kindInContent(const std::filesystem::path& file) {
                                  {"CDF\x02", "MINC"},
                                  {"#VRML", "VRML"},
                                  {"#X3D", "X3D"},
+                                 {"ENVI", "a header of ENVI"},
+                                 {"#?RADIANCE", "a picture of Radiance"},
+                                 {"\xff\xff\xfe", "FreeSurfer"},
                                  {"\x89PNG", "PNG"},
                                  {"%PDF", "PDF"}};
   for (const Row& row : rows)
@@ -147,11 +177,26 @@ std::string surfaceExtensions() {
   std::string list;
   for (std::size_t i = 0; i < kinds.size(); ++i)
     list += (i == 0 ? "" : i + 1 < kinds.size() ? ", " : " or ") + std::string(kinds[i].extension);
-  return list;
+  return list + ", many of them packed (.gz) too";
+}
+
+std::vector<std::string> surfaceEndings() {
+  std::vector<std::string> endings;
+  for (const FileKind& kind : kinds) {
+    endings.emplace_back(kind.extension);
+    if (kind.packs)
+      endings.push_back(endings.back() + std::string(packedEnding));
+  }
+  return endings;
 }
 
 bool isSurfaceFile(const std::filesystem::path& file) {
   return kindOf(file) != nullptr;
+}
+
+bool isSurfaceFileInFolder(const std::filesystem::path& file) {
+  const FileKind* kind = kindOf(file);
+  return kind && (!kind->isOne || kind->isOne(file));
 }
 
 bool isDicomFile(const std::filesystem::path& file) {
@@ -166,10 +211,9 @@ bool isVolumeFile(const std::filesystem::path& file) {
 
 std::string stemOf(const std::filesystem::path& file) {
   const FileKind* kind = kindOf(file);
-  std::string name = file.filename().string();
-  return kind && endsLike(name, kind->extension)
-             ? name.substr(0, name.size() - kind->extension.size())
-             : file.stem().string();
+  const std::string name = file.filename().string();
+  const std::size_t ending = kind ? endingLength(name, *kind) : 0;
+  return ending > 0 ? name.substr(0, name.size() - ending) : file.stem().string();
 }
 
 Result<RawMeshes> readSurfaces(const std::filesystem::path& file, const ReadOptions& options) {
@@ -193,7 +237,7 @@ Result<RawMeshes> readSurfaces(const std::filesystem::path& file, const ReadOpti
   // "glTF" and "GLB" are read by the same reader under either extension.
   const bool gltf = kind->name == "glTF" || kind->name == "GLB";
   const bool packed = (kind->name == "3MF" && content == "a ZIP archive") ||
-                      (kind->extension.ends_with(".gz") && content == "a gzip archive");
+                      (content == "a gzip archive" && (kind->packs || kind->volume));
   const bool same =
       packed || content == kind->name || (gltf && (content == "glTF" || content == "GLB"));
   if (!result && !content.empty() && !same) {

@@ -151,11 +151,18 @@ std::vector<VoxelGrid> gridsOf(const std::vector<Part>& parts, const Sources& so
   return grids;
 }
 
+/// Of a surface in (x, anterior, superior), x to the left.
+bool isMirrored(const RawMesh& raw, const Provenance& as) {
+  return raw.onlySideOpen && as.frame == frameName(Frame::lps);
+}
+
 /// File coordinates → millimetres LPS.
-glm::vec3 placed(const glm::vec3& p, const Provenance& as, bool yUp,
+glm::vec3 placed(const glm::vec3& p, const Provenance& as, const RawMesh& raw,
                  const std::optional<glm::dmat4>& toWorld) {
-  glm::vec3 q = yUp ? uprightToLps(p) : p;
+  glm::vec3 q = raw.yUp ? uprightToLps(p) : p;
   q *= as.mmPerUnit;
+  if (isMirrored(raw, as))
+    q.y = -q.y;
   if (as.frame == frameName(Frame::ras))
     q = halfTurn(q);
   if (!toWorld)
@@ -313,10 +320,10 @@ Result<MeshPtr> placedMesh(RawMesh raw, Provenance& as) {
   if (as.frame != frameName(Frame::file)) {
     const std::optional<glm::dmat4> toWorld = matrixOf(as);
     for (glm::vec3& p : raw.positions)
-      p = placed(p, as, raw.yUp, toWorld);
+      p = placed(p, as, raw, toWorld);
     const double scale = toWorld ? glm::determinant(glm::dmat3(*toWorld)) : 1.0;
     as.displacementMm *= float(std::cbrt(std::abs(scale)));
-    if (scale < 0.0)
+    if ((scale < 0.0) != isMirrored(raw, as))
       for (Triangle& t : raw.triangles)
         std::swap(t[1], t[2]);
   }
@@ -349,7 +356,8 @@ void placeParts(std::vector<Part>& parts, const Sources& sources,
     // Names, groups and colours are asked for later.
     RawMesh surface{.positions = std::move(part.raw.positions),
                     .triangles = std::move(part.raw.triangles),
-                    .yUp = part.raw.yUp};
+                    .yUp = part.raw.yUp,
+                    .onlySideOpen = part.raw.onlySideOpen};
     Result<MeshPtr> mesh = placedMesh(std::move(surface), part.provenance);
     if (mesh)
       part.mesh = std::move(*mesh);

@@ -34,11 +34,13 @@ struct RawMesh {
   float millimetresPerUnit = 1.0f;  ///< glTF: 1000 (its unit is the metre)
   std::string unitReason;           ///< what in the file or its format fixes the unit; empty: none
                                     ///< does, and it may be guessed
-  bool yUp = false;     ///< +y up and +z to the front of what faces its viewer, not +z up and −y;
-                        ///< `frame` is that after a quarter turn about x (uprightToLps)
-  std::string file;     ///< its own file's name where several were read together
-  bool smooth = false;  ///< made smooth by its reader: not smoothed or refined again
-  std::optional<bool> visible;           ///< where the reader would rather hide it at first
+  bool yUp = false;  ///< +y up and +z to the front of what faces its viewer, not +z up and −y;
+                     ///< `frame` is that after a quarter turn about x (uprightToLps)
+  bool onlySideOpen = false;    ///< +y anterior and +z superior are known, and the frame says
+                                ///< only which way x runs: LPS mirrors it, in place of a turn
+  std::string file;             ///< its own file's name where several were read together
+  bool smooth = false;          ///< made smooth by its reader: not smoothed or refined again
+  std::optional<bool> visible;  ///< where the reader would rather hide it at first
   std::optional<MoleculePart> molecule;  ///< cut from a molecule: named, grouped and coloured by
                                          ///< its reader, not by anatomy
   float displacement = 0.0f;  ///< the farthest that reader moved a vertex, in the file's unit

@@ -10,6 +10,7 @@
 
 #include "model/import/dicom/left_out.h"
 #include "model/import/file_kinds.h"
+#include "model/import/volumes/image_pair.h"
 
 namespace sline::model {
 
@@ -56,7 +57,7 @@ class Collector {
     else if (m_looseImages.takes(input))
       m_imageFile = input;
     else if (isSurfaceFile(input))
-      addFile(input, looseFiles(), {});
+      addOnce(input, looseFiles(), {});
     else
       refuse({.file = input.string(),
               .reason = "this kind of file is not supported",
@@ -112,6 +113,20 @@ class Collector {
     m_result.files = std::move(files);
   }
 
+  /// Two files that are one volume are one: the one with the voxels, which changes when they do.
+  void addOnce(const fs::path& file, std::size_t source, std::vector<std::string> folders) {
+    const Result<ImagePair> pair =
+        isOfImagePair(file) ? imagePairOf(file) : Result<ImagePair>(ImagePair{file, file});
+    const fs::path& voxels = pair ? pair->image : file;
+    const bool again =
+        pair && pair->header != pair->image &&
+        std::any_of(m_result.files.begin(), m_result.files.end(), [&](const SourceFile& each) {
+          return each.source == source && each.file == voxels;
+        });
+    if (!again)
+      addFile(voxels, source, std::move(folders));
+  }
+
   void addFile(const fs::path& file, std::size_t source, std::vector<std::string> folders) {
     std::error_code fault;
     const std::uintmax_t bytes = fs::file_size(file, fault);
@@ -130,7 +145,7 @@ class Collector {
          entry.increment(fault)) {
       std::error_code ignored;
       if (entry->is_regular_file(ignored) && !images.takes(entry->path()) &&
-          isSurfaceFile(entry->path()))
+          isSurfaceFileInFolder(entry->path()))
         files.push_back(entry->path());
     }
     if (fault)
@@ -152,7 +167,7 @@ class Collector {
       if (!isDicomFile(file))
         for (const fs::path& step : file.lexically_relative(folder).parent_path())
           folders.push_back(step.string());
-      addFile(file, m_result.sources.size() - 1, std::move(folders));
+      addOnce(file, m_result.sources.size() - 1, std::move(folders));
     }
   }
 

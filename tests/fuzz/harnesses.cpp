@@ -50,12 +50,7 @@ Result<model::RawMeshes> readAnyKind(const std::filesystem::path& file,
   return model::readSurfaces(file, options);
 }
 
-/// Any kind of file in the table of kinds; those that the program reads in a process of their own
-/// are read in this one, where faults are seen.
-template <Extension extension, auto reader = readAnyKind>
-std::string surfaces(std::string_view bytes) {
-  static const InputFolder folder;
-  const Result<model::RawMeshes> read = reader(folder.put(extension.text, bytes), {});
+std::string faultOf(const Result<model::RawMeshes>& read) {
   if (!read.ok())
     return read.error().remedy.empty() ? "refused without a remedy" : faultOf(read.error());
   if (read->meshes.empty())
@@ -64,6 +59,22 @@ std::string surfaces(std::string_view bytes) {
     if (std::string fault = faultOf(mesh); !fault.empty())
       return fault;
   return {};
+}
+
+/// Any kind of file in the table of kinds; those that the program reads in a process of their own
+/// are read in this one, where faults are seen.
+template <Extension extension, auto reader = readAnyKind>
+std::string surfaces(std::string_view bytes) {
+  static const InputFolder folder;
+  return faultOf(reader(folder.put(extension.text, bytes), {}));
+}
+
+/// A volume in two files: the first 352 bytes are the header's.
+std::string imagePair(std::string_view bytes) {
+  static const InputFolder folder;
+  const std::size_t header = std::min<std::size_t>(352, bytes.size());
+  folder.put(".hdr", bytes.substr(0, header));
+  return faultOf(model::readSurfaces(folder.put(".img", bytes.substr(header))));
 }
 
 std::string slicerScene(std::string_view bytes) {
@@ -219,6 +230,12 @@ constexpr Harness table[] = {
     {"nrrd", surfaces<".nrrd">},
     {"nhdr", surfaces<".nhdr">},
     {"mha", surfaces<".mha">},
+    {"img", imagePair},
+    {"mgh", surfaces<".mgh">},
+    {"mgz", surfaces<".mgz">},
+    {"freesurfer", surfaces<".pial">},
+    {"gii", surfaces<".gii">},
+    {"obj_gz", surfaces<".obj.gz">},
     {"dcm", surfaces<".dcm", model::readDicom>},
     {"pdb", surfaces<".pdb">},
     {"cif", surfaces<".cif">},

@@ -7,8 +7,8 @@
 
 namespace sline::fuzz {
 
-/// A folder of this process alone, below TMPDIR. It holds one file and nothing else, so a file that
-/// refers to others finds itself or nothing. Goes with the object.
+/// A folder of this process alone, below TMPDIR. It holds what it was given and nothing else, so a
+/// file that refers to others finds itself or nothing. Goes with the object.
 class InputFolder {
  public:
   InputFolder();

@@ -18,9 +18,8 @@ namespace {
 QString readablePatterns() {
   QStringList patterns{QStringLiteral("*.sline"), QStringLiteral("*.mrml"), QStringLiteral("*.mrb"),
                        QStringLiteral("*.fcsv"), QStringLiteral("*.mrk.json")};
-  for (const model::FileKind& kind : model::fileKinds())
-    patterns << QStringLiteral("*") +
-                    QString::fromUtf8(kind.extension.data(), qsizetype(kind.extension.size()));
+  for (const std::string& ending : model::surfaceEndings())
+    patterns << QLatin1Char('*') + QString::fromStdString(ending);
   return patterns.join(QLatin1Char(' '));
 }
 

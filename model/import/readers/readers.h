@@ -22,5 +22,14 @@ Result<RawMeshes> readGltf(const std::filesystem::path& file, const ReadLimits& 
 Result<RawMeshes> readX3d(const std::filesystem::path& file, const ReadLimits& limits);
 Result<RawMeshes> readThreeDs(const std::filesystem::path& file, const ReadLimits& limits);
 Result<RawMeshes> readThreeMf(const std::filesystem::path& file, const ReadLimits& limits);
+Result<RawMeshes> readGifti(const std::filesystem::path& file, const ReadLimits& limits);
+Result<RawMeshes> readFreeSurferSurface(const std::filesystem::path& file,
+                                        const ReadLimits& limits);
+
+/// Whether a file that lies in a folder is a surface of that kind by its name and first bytes:
+/// FreeSurfer's endings are used by others too, GIFTI holds numbers of surfaces as well, and blown
+/// up or spherical surfaces are no anatomy, though they are read where they are named.
+bool isGiftiAnatomy(const std::filesystem::path& file);
+bool isFreeSurferAnatomy(const std::filesystem::path& file);
 
 }  // namespace sline::model

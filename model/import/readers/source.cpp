@@ -9,6 +9,9 @@
 #include <new>
 #include <system_error>
 
+#include "model/import/readers/packed_bytes.h"
+#include "model/import/readers/text_cursor.h"
+
 namespace sline::model {
 
 namespace {
@@ -34,6 +37,52 @@ std::optional<Error> refusal(const std::filesystem::path& file) {
 }  // namespace
 
 Result<Source> Source::read(const std::filesystem::path& file, const ReadLimits& limits) {
+  Result<Source> source = readStored(file, limits);
+  if (!source || !beginsLikeGzip(source->text()) ||
+      !equalsIgnoringCase(file.extension().string(), ".gz"))
+    return source;
+  if (const Status status = source->unpack(); !status)
+    return status.error();
+  return source;
+}
+
+Status Source::unpack() {
+  const std::size_t most =
+      std::size_t(std::min<std::uint64_t>(m_limits.fileBytes, mostOfSurface(m_size)));
+  PackedBytes packed(text(), Packing::deflated);
+  std::unique_ptr<char[]> bytes;
+  std::size_t size = 0;
+  // One byte more than is allowed shows that there is more.
+  for (std::size_t room = std::min(most + 1, 8 * m_size + 4096); true;
+       room = std::min(most + 1, 2 * room)) {
+    std::unique_ptr<char[]> larger(new (std::nothrow) char[room]);
+    if (!larger)
+      return whole("needs " + std::to_string(room) + " bytes of memory when unpacked",
+                   "Close other programs");
+    std::copy_n(bytes.get(), size, larger.get());
+    bytes = std::move(larger);
+    size += packed.read(bytes.get() + size, room - size);
+    if (packed.broken() || packed.cutOff())
+      return whole(packed.broken() ? "its packed bytes are damaged: they cannot be unpacked beyond "
+                                     "byte " +
+                                         std::to_string(size)
+                                   : "its packed bytes end in the middle",
+                   "Copy the file again");
+    if (size > most)
+      return whole("unpacks to more than " + std::to_string(most) + " bytes, the limit for " +
+                       std::to_string(m_size) + " packed ones",
+                   "Unpack it with another program first, or reduce the mesh");
+    if (size < room)
+      break;
+  }
+  if (size == 0)
+    return whole("holds nothing when unpacked");
+  m_bytes = std::move(bytes);
+  m_size = size;
+  return Unit{};
+}
+
+Result<Source> Source::readStored(const std::filesystem::path& file, const ReadLimits& limits) {
   if (std::optional<Error> error = refusal(file))
     return *error;
   const std::string name = file.string();

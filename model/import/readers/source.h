@@ -17,8 +17,12 @@ namespace sline::model {
 /// in a file is a pointer into `text()`.
 class Source {
  public:
-  /// Refuses folders, devices, empty files and files above `limits.fileBytes`.
+  /// Refuses folders, devices, empty files and files above `limits.fileBytes`. What is called .gz
+  /// and packed by gzip is unpacked, within the same limit and what so many packed bytes are worth
+  /// (mostOfSurface); places in it are then those in the unpacked text.
   static Result<Source> read(const std::filesystem::path& file, const ReadLimits& limits);
+  /// The same, packed or not as it is stored: for readers that unpack piece by piece.
+  static Result<Source> readStored(const std::filesystem::path& file, const ReadLimits& limits);
 
   std::string_view text() const { return {m_bytes.get(), m_size}; }
   const char* begin() const { return m_bytes.get(); }
@@ -39,6 +43,8 @@ class Source {
 
  private:
   Source() = default;
+  /// Puts what the bytes hold in their place.
+  Status unpack();
   std::unique_ptr<char[]> m_bytes;
   std::size_t m_size = 0;
   std::string m_file;

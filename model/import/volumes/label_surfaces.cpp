@@ -113,6 +113,7 @@ class Surfacer {
     mesh.colour = label.colour;
     mesh.frame = m_volume.frame;
     mesh.frameReason = m_volume.frameReason;
+    mesh.onlySideOpen = m_volume.onlySideOpen;
     mesh.unitReason = m_volume.unitReason;
     mesh.smooth = true;
     mesh.triangles = std::move(found.triangles);

@@ -36,7 +36,8 @@ struct LabelVolume {
   /// the file tells; `toLps` then leads to coordinates whose frame is still to be decided.
   std::optional<Frame> frame;
   std::string frameReason;
-  std::string unitReason;  ///< what makes its lengths millimetres
+  bool onlySideOpen = false;  ///< as of RawMesh; `toLps` then leads to (x, anterior, superior)
+  std::string unitReason;     ///< what makes its lengths millimetres
 
   /// Where voxel (x, y, z) stands in `voxels`.
   std::size_t at(int x, int y, int z) const {

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// NIfTI-1.1 and NIfTI-2 (R. W. Cox and others, nifti.nimh.nih.gov: nifti1.h, nifti2.h).
+// NIfTI-1.1 and NIfTI-2 (R. W. Cox and others, nifti.nimh.nih.gov: nifti1.h, nifti2.h), and
+// Analyze 7.5, from whose header NIfTI's came.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/matrix.hpp>
 
 #include "model/import/readers/source.h"
+#include "model/import/volumes/analyze_place.h"
+#include "model/import/volumes/free_surfer_labels.h"
+#include "model/import/volumes/image_pair.h"
 #include "model/import/volumes/label_names.h"
 #include "model/import/volumes/volume_readers.h"
 #include "model/import/volumes/voxel_decoder.h"
@@ -79,18 +83,19 @@ glm::dmat3 rotation(const glm::dvec3& v) {
 
 class NiftiReader {
  public:
-  NiftiReader(const Source& source, const ReadOptions& options)
-      : m_source(source), m_options(options) {}
+  /// The header's file and the one of the voxels, which is the same unless they are a pair.
+  NiftiReader(const Source& source, const Source& image, const ReadOptions& options)
+      : m_source(source), m_image(image), m_options(options) {}
 
   Result<LabelVolumes> read() {
     if (const Status status = readHeader(); !status)
       return status.error();
     if (const Status status = readLayout(); !status)
       return status.error();
-    readPlace();
-    m_stored.file = m_source.file();
-    m_stored.bytes = m_source.text();
-    m_stored.packing = m_packing;
+    m_analyze ? placeAsAnalyze() : readPlace();
+    m_stored.file = m_image.file();
+    m_stored.bytes = m_image.text();
+    m_stored.packing = packingOf(m_image);
     m_stored.skip = m_offset;
     Result<std::vector<LabelVolume>> volumes = decodeVoxels(m_layout, m_stored, m_options.goesOn);
     if (!volumes)
@@ -103,16 +108,21 @@ class NiftiReader {
       volume.toLps = m_place.toLps;
       volume.frame = m_place.frame;
       volume.frameReason = m_place.frameReason;
+      volume.onlySideOpen = m_analyze;
       volume.unitReason = m_place.unitReason;
-      nameLabels(volume, names);
+      nameLabels(volume, names.empty() ? freeSurferLabels(volume, m_source.file()) : names);
     }
     return LabelVolumes{std::move(*volumes), std::move(m_warnings)};
   }
 
  private:
+  bool isPair() const { return &m_source != &m_image; }
+  static Packing packingOf(const Source& source) {
+    return beginsLikeGzip(source.text()) ? Packing::deflated : Packing::none;
+  }
+
   Status readHeader() {
-    m_packing = m_source.text().starts_with("\x1f\x8b") ? Packing::deflated : Packing::none;
-    PackedBytes bytes(m_source.text(), m_packing);
+    PackedBytes bytes(m_source.text(), packingOf(m_source));
     m_header.resize(nifti2.header + 4);
     const std::size_t got = bytes.read(m_header.data(), m_header.size());
     m_header.resize(got);
@@ -128,18 +138,24 @@ class NiftiReader {
         }
     if (!m_places)
       return m_source.atByte(
-          m_source.begin(), "does not begin like a NIfTI file",
+          m_source.begin(),
+          isPair() ? "does not begin like a header of NIfTI or Analyze"
+                   : "does not begin like a NIfTI file",
           "Export it as NIfTI again, or give the file the extension of its kind");
     const std::string_view magic(m_header.data() + m_places->magic, 3);
-    if (magic == "ni1" || magic == "ni2")
-      return m_source.whole("has its voxels in a file of its own (.hdr and .img)",
-                            "Export it as one .nii or .nii.gz file");
-    if (magic != "n+1" && magic != "n+2")
-      return m_source.whole("is an Analyze file, which does not say which side is left",
+    const bool two = magic == "ni1" || magic == "ni2";
+    const bool one = magic == "n+1" || magic == "n+2";
+    m_analyze = isPair() && !two && !one && m_places == &nifti1;
+    if (isPair() ? one : two)
+      return m_source.whole(one ? "says that its voxels are in the same file, yet is called .hdr"
+                                : "says that its voxels are in a file of its own",
+                            one ? "Call it .nii" : "Call the two files .hdr and .img");
+    if (!one && !two && !m_analyze)
+      return m_source.whole("has a header of Analyze, which does not say where the voxels lie",
                             "Export it as NIfTI");
     const double offset = m_places == &nifti1 ? double(number<float>(m_places->offset))
                                               : double(number<std::int64_t>(m_places->offset));
-    if (!(offset >= double(m_places->header) && offset < 1e9))
+    if (!(offset >= (isPair() ? 0.0 : double(m_places->header)) && offset < 1e9))
       return m_source.whole("its header says that the voxels begin at byte " +
                             std::to_string(offset));
     m_offset = std::uint64_t(offset);
@@ -151,11 +167,13 @@ class NiftiReader {
   void readExtension(PackedBytes& bytes, std::size_t got) {
     constexpr std::uint64_t longest = std::uint64_t(4) << 20;
     const std::size_t begin = m_places->header + 4;
-    if (m_offset <= begin || m_offset - begin > longest || got < begin)
+    // The header of a pair has nothing else behind it.
+    const std::uint64_t end = isPair() ? begin + longest : m_offset;
+    if (end <= begin || end - begin > longest || got < begin)
       return;
-    const std::size_t ahead = std::min<std::size_t>(got - begin, m_offset - begin);
+    const std::size_t ahead = std::min<std::size_t>(got - begin, end - begin);
     m_extension.assign(m_header.data() + begin, ahead);
-    m_extension.resize(m_offset - begin);
+    m_extension.resize(end - begin);
     const std::size_t rest = bytes.read(m_extension.data() + ahead, m_extension.size() - ahead);
     m_extension.resize(ahead + rest);
     // Before the XML stand eight bytes of size and code.
@@ -188,6 +206,8 @@ class NiftiReader {
     m_layout.size = {sizes[1], sizes[2], sizes[3]};
     m_layout.layers = 1;
     for (std::size_t i = 4; i < 8; ++i) {
+      if (m_analyze && sizes[i] == 0)
+        sizes[i] = 1;
       if (sizes[i] < 1 || sizes[i] > 65'536)
         return m_source.whole("the size of its axis " + std::to_string(i) + " is " +
                               std::to_string(sizes[i]));
@@ -253,6 +273,15 @@ class NiftiReader {
     m_place.toLps = toRas;
   }
 
+  void placeAsAnalyze() {
+    const AnalyzePlace place = analyzePlace(m_header.data(), m_swap);
+    m_place.toLps = place.toMillimetres;
+    m_place.unitReason = place.unitReason;
+    m_warnings.push_back(m_source.warning(
+        "is an Analyze file, which does not say which side is left: that is taken from names, if "
+        "they tell, else the first voxels are at the patient's right, as most programs write"));
+  }
+
   /// Directions of no length are no sform, whatever its code says.
   bool sform(glm::dmat4& toRas) const {
     glm::dmat4 found(1.0);
@@ -284,8 +313,9 @@ class NiftiReader {
   }
 
   const Source& m_source;
+  const Source& m_image;
   const ReadOptions& m_options;
-  Packing m_packing = Packing::none;
+  bool m_analyze = false;
   std::vector<char> m_header;
   std::string m_extension;
   const Places* m_places = nullptr;
@@ -300,10 +330,22 @@ class NiftiReader {
 }  // namespace
 
 Result<LabelVolumes> readNifti(const std::filesystem::path& file, const ReadOptions& options) {
-  const Result<Source> source = Source::read(file, options.limits);
-  if (!source)
-    return source.error();
-  return NiftiReader(*source, options).read();
+  if (!isOfImagePair(file)) {
+    const Result<Source> source = Source::readStored(file, options.limits);
+    if (!source)
+      return source.error();
+    return NiftiReader(*source, *source, options).read();
+  }
+  const Result<ImagePair> pair = imagePairOf(file);
+  if (!pair)
+    return pair.error();
+  const Result<Source> header = Source::readStored(pair->header, options.limits);
+  if (!header)
+    return header.error();
+  const Result<Source> image = Source::readStored(pair->image, options.limits);
+  if (!image)
+    return image.error();
+  return NiftiReader(*header, *image, options).read();
 }
 
 }  // namespace sline::model

@@ -279,7 +279,7 @@ class NrrdReader {
       return m_source.at("field data file",
                          "refers to " + inQuotes(name) + ", which is outside the header's folder",
                          "Put the data beside the header and name only the file");
-    Result<Source> data = Source::read(*file, m_options.limits);
+    Result<Source> data = Source::readStored(*file, m_options.limits);
     if (!data)
       return data.error();
     m_data = std::move(*data);
@@ -366,7 +366,7 @@ class NrrdReader {
 }  // namespace
 
 Result<LabelVolumes> readNrrd(const std::filesystem::path& file, const ReadOptions& options) {
-  const Result<Source> source = Source::read(file, options.limits);
+  const Result<Source> source = Source::readStored(file, options.limits);
   if (!source)
     return source.error();
   Result<NrrdHeader> header = nrrdHeader(*source);

@@ -13,9 +13,16 @@
 
 namespace sline::model {
 
-/// NIfTI-1 and -2, one file (.nii), packed or not: lengths by the header's unit, place by sform,
-/// else qform, else the voxel sizes alone, names from a LabelTable in the header extension.
+/// The reader of the name's ending.
+Result<LabelVolumes> readVolume(const std::filesystem::path& file, const ReadOptions& options);
+
+/// NIfTI-1 and -2, one file (.nii) or two (.hdr and .img, of which either is named), packed or not:
+/// lengths by the header's unit, place by sform, else qform, else the voxel sizes alone, names from
+/// a LabelTable in the header extension. Two files without a word of NIfTI are read as Analyze 7.5.
 Result<LabelVolumes> readNifti(const std::filesystem::path& file, const ReadOptions& options);
+/// FreeSurfer's MGH, packed (.mgz) or not: place by the directions in the header, names from the
+/// colour table behind the voxels.
+Result<LabelVolumes> readMgh(const std::filesystem::path& file, const ReadOptions& options);
 /// NRRD of any version, attached or detached, raw, text, hex, gzip or bzip2; segments as 3D Slicer
 /// describes them in .seg.nrrd.
 Result<LabelVolumes> readNrrd(const std::filesystem::path& file, const ReadOptions& options);

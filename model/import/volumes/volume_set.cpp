@@ -45,7 +45,8 @@ bool overlap(const LabelVolume& a, const LabelVolume& b) {
 /// "liver" of "liver.nii.gz" and of "liver.seg.nrrd".
 std::string nameOf(const fs::path& file) {
   fs::path name = file.filename();
-  for (const char* ending : {".gz", ".nii", ".nrrd", ".nhdr", ".mha", ".mhd", ".mnc", ".seg"})
+  for (const char* ending : {".gz", ".nii", ".hdr", ".img", ".mgz", ".mgh", ".nrrd", ".nhdr",
+                             ".mha", ".mhd", ".mnc", ".seg"})
     if (name.extension() == ending)
       name.replace_extension();
   return name.string();
@@ -66,7 +67,8 @@ class Set {
     for (std::size_t first = 0; first < m_files.size(); first += atATime) {
       const std::size_t count = std::min(atATime, m_files.size() - first);
       std::vector<std::optional<Result<LabelVolumes>>> found(count);
-      parallelFor(count, 1, [&](std::size_t i) { found[i] = volumesOf(m_files[first + i]); });
+      parallelFor(count, 1,
+                  [&](std::size_t i) { found[i] = readVolume(m_files[first + i], m_options); });
       for (std::size_t i = 0; i < count; ++i)
         take(m_files[first + i], std::move(*found[i]));
       if (!m_options.goesOn())
@@ -90,19 +92,6 @@ class Set {
   }
 
  private:
-  Result<LabelVolumes> volumesOf(const fs::path& file) const {
-    std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return char(std::tolower(c)); });
-    if (ending == ".nrrd" || ending == ".nhdr")
-      return readNrrd(file, m_options);
-    if (ending == ".mha" || ending == ".mhd")
-      return readMetaImage(file, m_options);
-    if (ending == ".mnc")
-      return readMinc(file, m_options);
-    return readNifti(file, m_options);
-  }
-
   void take(const fs::path& file, Result<LabelVolumes>&& found) {
     const std::string shown = file.filename().string();
     if (!found) {

@@ -11,28 +11,6 @@ namespace sline::model {
 
 namespace {
 
-template <auto reader>
-Result<RawMeshes> surfacesOf(const std::filesystem::path& file, const ReadOptions& options) {
-  const auto named = [&](Error error) {
-    if (error.file.empty())
-      error.file = file.string();
-    return error;
-  };
-  try {
-    const Result<LabelVolumes> volumes = reader(file, options);
-    if (!volumes)
-      return named(volumes.error());
-    std::error_code code;
-    const std::uintmax_t bytes = std::filesystem::file_size(file, code);
-    Result<RawMeshes> surfaces = volumeSurfaces(*volumes, code ? 0 : bytes, options);
-    if (!surfaces)
-      return named(surfaces.error());
-    return surfaces;
-  } catch (const std::bad_alloc&) {
-    return Error{file.string(), {}, "needs more memory than there is", "Close other programs"};
-  }
-}
-
 /// Layers share what their file is allowed.
 void spend(std::uint64_t& limit, std::size_t count) {
   limit -= std::min<std::uint64_t>(limit, count);
@@ -73,21 +51,26 @@ Result<RawMeshes> volumeSurfaces(const LabelVolumes& volumes, std::uint64_t byte
   return all;
 }
 
-Result<RawMeshes> readNiftiSurfaces(const std::filesystem::path& file, const ReadOptions& options) {
-  return surfacesOf<readNifti>(file, options);
-}
-
-Result<RawMeshes> readNrrdSurfaces(const std::filesystem::path& file, const ReadOptions& options) {
-  return surfacesOf<readNrrd>(file, options);
-}
-
-Result<RawMeshes> readMetaImageSurfaces(const std::filesystem::path& file,
-                                        const ReadOptions& options) {
-  return surfacesOf<readMetaImage>(file, options);
-}
-
-Result<RawMeshes> readMincSurfaces(const std::filesystem::path& file, const ReadOptions& options) {
-  return surfacesOf<readMinc>(file, options);
+Result<RawMeshes> readVolumeSurfaces(const std::filesystem::path& file,
+                                     const ReadOptions& options) {
+  const auto named = [&](Error error) {
+    if (error.file.empty())
+      error.file = file.string();
+    return error;
+  };
+  try {
+    const Result<LabelVolumes> volumes = readVolume(file, options);
+    if (!volumes)
+      return named(volumes.error());
+    std::error_code code;
+    const std::uintmax_t bytes = std::filesystem::file_size(file, code);
+    Result<RawMeshes> surfaces = volumeSurfaces(*volumes, code ? 0 : bytes, options);
+    if (!surfaces)
+      return named(surfaces.error());
+    return surfaces;
+  } catch (const std::bad_alloc&) {
+    return Error{file.string(), {}, "needs more memory than there is", "Close other programs"};
+  }
 }
 
 }  // namespace sline::model

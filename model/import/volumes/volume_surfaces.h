@@ -15,10 +15,7 @@ namespace sline::model {
 Result<RawMeshes> volumeSurfaces(const LabelVolumes& volumes, std::uint64_t bytes,
                                  const ReadOptions& options);
 
-Result<RawMeshes> readNiftiSurfaces(const std::filesystem::path& file, const ReadOptions& options);
-Result<RawMeshes> readNrrdSurfaces(const std::filesystem::path& file, const ReadOptions& options);
-Result<RawMeshes> readMetaImageSurfaces(const std::filesystem::path& file,
-                                        const ReadOptions& options);
-Result<RawMeshes> readMincSurfaces(const std::filesystem::path& file, const ReadOptions& options);
+/// The surfaces of a volume of any kind.
+Result<RawMeshes> readVolumeSurfaces(const std::filesystem::path& file, const ReadOptions& options);
 
 }  // namespace sline::model

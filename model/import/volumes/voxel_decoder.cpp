@@ -2,8 +2,8 @@
 #include "model/import/volumes/voxel_decoder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <array>
+#include <cmath>
 #include <new>
 
 #include "model/import/readers/text_cursor.h"

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "model/base/result.h"
+#include "model/import/readers/packed_bytes.h"
 #include "model/import/readers/values.h"
 #include "model/import/volumes/label_volume.h"
-#include "model/import/volumes/packed_bytes.h"
 
 namespace sline::model {
 

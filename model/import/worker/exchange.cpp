@@ -62,10 +62,11 @@ void visitFields(ByteReader& archive, Opacity& opacity) {
 template <class Archive>
 void visitFields(Archive& archive, RawMesh& mesh) {
   auto& [name, groups, origin, positions, triangles, colour, opacity, frame, frameReason,
-         millimetresPerUnit, unitReason, yUp, file, smooth, visible, molecule, displacement] = mesh;
+         millimetresPerUnit, unitReason, yUp, onlySideOpen, file, smooth, visible, molecule,
+         displacement] = mesh;
   assert(!molecule);
   archive(name, groups, origin, positions, triangles, colour, opacity, frame, frameReason,
-          millimetresPerUnit, unitReason, yUp, file, smooth, visible, displacement);
+          millimetresPerUnit, unitReason, yUp, onlySideOpen, file, smooth, visible, displacement);
 }
 
 template <class Archive>

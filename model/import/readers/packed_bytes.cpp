@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/import/volumes/packed_bytes.h"
+#include "model/import/readers/packed_bytes.h"
 
 #include <bzlib.h>
 #include <zlib.h>
@@ -17,6 +17,7 @@ struct PackedBytes::Unpacker {
   virtual ~Unpacker() = default;
   virtual std::size_t read(char* to, std::size_t count) = 0;
   bool broken = false;
+  bool cutOff = false;
 };
 
 namespace {
@@ -103,7 +104,7 @@ class Deflated : public PackedBytes::Unpacker {
       else if (state != Z_OK && state != Z_BUF_ERROR)
         broken = true;
       else if (got == 0 && given == m_stream.avail_in)
-        m_ended = true;
+        m_ended = cutOff = true;
     }
     return done;
   }
@@ -215,6 +216,10 @@ bool PackedBytes::skip(std::uint64_t count) {
 
 bool PackedBytes::broken() const {
   return m_unpacker->broken;
+}
+
+bool PackedBytes::cutOff() const {
+  return m_unpacker->cutOff;
 }
 
 std::uint64_t mostUnpacked(std::uint64_t packed, Packing packing) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes as volumes store them, unpacked piece by piece: whatever the packed bytes claim to hold,
+// Bytes as files store them, unpacked piece by piece: whatever the packed bytes claim to hold,
 // only the piece asked for is in memory.
 #pragma once
 
@@ -32,6 +32,8 @@ class PackedBytes {
   bool skip(std::uint64_t count);
   /// The packed bytes are not what they should be, rather than at their end.
   bool broken() const;
+  /// Deflated bytes end in the middle of what they hold.
+  bool cutOff() const;
 
   struct Unpacker;
 
@@ -42,5 +44,16 @@ class PackedBytes {
 /// The most that packed bytes can hold, from what the method can reach. bzip2 packs long runs
 /// almost without limit, so that this says little about it.
 std::uint64_t mostUnpacked(std::uint64_t packed, Packing packing);
+
+/// The most that so many packed bytes of a surface are worth being unpacked: far more than any
+/// surface packs by, and little enough that no small file fills the memory.
+constexpr std::uint64_t mostOfSurface(std::uint64_t packed) {
+  return (std::uint64_t(64) << 20) + 64 * packed;
+}
+
+/// Whether the bytes begin as those of gzip do.
+inline bool beginsLikeGzip(std::string_view bytes) {
+  return bytes.starts_with("\x1f\x8b");
+}
 
 }  // namespace sline::model

@@ -1,0 +1,444 @@
+// SPDX-License-Identifier: Apache-2.0
+// What programs for brains write: volumes in two files, of which Analyze does not say which side is
+// left, FreeSurfer's volumes with their numbers and surfaces, and GIFTI.
+#include <QElapsedTimer>
+#include <QtTest>
+#include <array>
+#include <glm/matrix.hpp>
+
+#include "model/import/import.h"
+#include "model/import/volumes/free_surfer_labels.h"
+#include "tests/model/import/readers/mesh_files.h"
+#include "tests/model/import/volumes/written_brain.h"
+#include "tests/model/import/written_meshes.h"
+#include "tests/support/mutator.h"
+#include "tests/support/suite.h"
+
+using namespace sline;
+using namespace sline::model;
+using namespace sline::test;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// 7 at the patient's left, 9 at the right and in front. Millimetres LPS.
+int twoSides(const glm::dvec3& p) {
+  if (p.x > 2.0 && p.x < 6.0 && std::abs(p.y) < 3.0 && std::abs(p.z) < 3.0)
+    return 7;
+  return p.x < -3.0 && p.x > -8.0 && p.y < -2.0 && p.y > -7.0 && std::abs(p.z) < 2.0 ? 9 : 0;
+}
+
+/// On a grid of whole millimetres whose axes run along the columns.
+WrittenVolume headAlong(const glm::dmat3& axes) {
+  glm::dmat4 grid(axes);
+  grid[3] = glm::dvec4(axes * glm::dvec3(-10.0), 1.0);
+  return sampled(glm::ivec3(21), grid, twoSides);
+}
+
+const glm::dmat3 alongLps(1.0);
+const glm::dmat3 alongLas({1, 0, 0}, {0, -1, 0}, {0, 0, 1});
+const glm::dmat3 alongRas({-1, 0, 0}, {0, -1, 0}, {0, 0, 1});
+
+Result<Imported> importOf(const std::vector<fs::path>& inputs, std::optional<Frame> frame = {}) {
+  ImportOptions options;
+  options.smoothing.mode = Smoothing::Mode::off;
+  options.frame = frame;
+  return importInputs(inputs, options);
+}
+
+fs::path inFolder(const QTemporaryDir& folder, const char* name) {
+  return folder.filePath(name).toStdString();
+}
+
+/// What is wrong with where 7 and 9 are, or that a surface faces inward.
+QString faultOf(const Imported& imported, const std::string& seven, const std::string& nine) {
+  const std::array<std::pair<std::string, Box>, 2> wanted = {
+      {{seven, {{2.5f, -2.5f, -2.5f}, {5.5f, 2.5f, 2.5f}}},
+       {nine, {{-7.5f, -6.5f, -1.5f}, {-3.5f, -2.5f, 1.5f}}}}};
+  for (const auto& [name, box] : wanted) {
+    const MeshPtr mesh = named(imported.scene, name).mesh;
+    if (!mesh)
+      return QString::fromStdString("there is no " + name);
+    const Box& found = mesh->bounds();
+    if (!(glm::length(found.low - box.low) < 0.01f && glm::length(found.high - box.high) < 0.01f))
+      return QString::fromStdString(name) + " is elsewhere";
+    double volume = 0.0;
+    for (const Triangle& t : mesh->triangles())
+      volume += double(glm::dot(mesh->positions()[t[0]],
+                                glm::cross(mesh->positions()[t[1]], mesh->positions()[t[2]])));
+    if (!(volume > 0.0))
+      return QString::fromStdString(name) + " faces inward";
+  }
+  return {};
+}
+
+void writePair(const QTemporaryDir& folder, const PairBytes& pair, const QString& stem = "head") {
+  writeText(folder.filePath(stem + ".hdr"), pair.header);
+  writeText(folder.filePath(stem + ".img"), pair.image);
+}
+
+constexpr const char* sidedTable = "7 left_kidney 1 2 3 255\n9 right_kidney 3 2 1 255\n";
+
+}  // namespace
+
+class BrainFilesTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void pairs();
+  void pairIsReadOnce();
+  void pairsRefused();
+  void analyzeSides();
+  void analyzePlanes();
+  void mghPlaces();
+  void mghNames();
+  void freeSurferNumbers();
+  void freeSurferSurfaces();
+  void giftiEncodings_data();
+  void giftiEncodings();
+  void giftiPlaces();
+  void giftiRefused();
+  void surfacesOfAFolder();
+  void spoiled_data();
+  void spoiled();
+};
+
+/// Either file may be named, either may be packed, in either byte order.
+void BrainFilesTest::pairs() {
+  for (const std::endian order : {std::endian::little, std::endian::big})
+    for (const char* endings : {".hdr .img", ".HDR .IMG", ".hdr.gz .img.gz", ".hdr .img.gz"}) {
+      QTemporaryDir folder;
+      const PairBytes pair = niftiPair(headAlong(alongRas), order);
+      const QStringList both = QString(endings).split(' ');
+      const auto write = [&](const QString& ending, const QByteArray& bytes) {
+        writeText(folder.filePath("head" + ending),
+                  ending.endsWith(".gz") ? gzipped(bytes) : bytes);
+      };
+      write(both[0], pair.header);
+      write(both[1], pair.image);
+      for (const QString& ending : both) {
+        const Result<Imported> imported =
+            importOf({folder.filePath("head" + ending).toStdString()});
+        QVERIFY2(imported.ok(), imported.ok() ? endings : imported.error().text().c_str());
+        const QString wrong = faultOf(*imported, "label 7", "label 9");
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
+        QCOMPARE(named(imported->scene, "label 7").provenance.file,
+                 ("head" + both[1]).toStdString());
+      }
+    }
+}
+
+void BrainFilesTest::pairIsReadOnce() {
+  QTemporaryDir folder;
+  writePair(folder, niftiPair(headAlong(alongRas)));
+  writeText(folder.filePath("radiance.hdr"), "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n");
+  writeText(folder.filePath("scene.hdr"), "ENVI\nsamples = 3\n");
+  writeText(folder.filePath("scene.img"), "pixels of a satellite");
+  writeText(folder.filePath("disk.img"), "of some computer");
+  const fs::path both[] = {inFolder(folder, "head.img"), inFolder(folder, "head.hdr")};
+  for (const auto& inputs : {std::vector<fs::path>{folder.path().toStdString()},
+                             std::vector<fs::path>{both[0], both[1]}}) {
+    const Result<Imported> imported = importOf(inputs);
+    QVERIFY2(imported.ok(), imported.ok() ? "" : imported.error().text().c_str());
+    QCOMPARE(imported->scene.structuresBelow(rootId).size(), std::size_t(2));
+    QVERIFY2(imported->report.warnings.empty(), qPrintable(warningsOf(*imported)));
+  }
+}
+
+void BrainFilesTest::pairsRefused() {
+  QTemporaryDir folder;
+  const auto told = [&](const char* name) {
+    const Result<Imported> imported = importOf({inFolder(folder, name)});
+    return imported.ok() ? QString() : QString::fromStdString(imported.error().text());
+  };
+  const PairBytes pair = niftiPair(headAlong(alongRas));
+  writeText(folder.filePath("a.hdr"), pair.header);
+  QVERIFY2(told("a.hdr").contains("a.img, which is not beside it"), qPrintable(told("a.hdr")));
+  writeText(folder.filePath("b.img"), pair.image);
+  QVERIFY2(told("b.img").contains("b.hdr, which is not beside it"), qPrintable(told("b.img")));
+  writePair(folder, {"ENVI\nsamples = 3\n", "pixels"}, "c");
+  QVERIFY2(told("c.hdr").contains("header of NIfTI or Analyze"), qPrintable(told("c.hdr")));
+  writePair(folder, {pair.header, pair.image.chopped(5)}, "d");
+  QVERIFY2(told("d.img").contains("promises"), qPrintable(told("d.img")));
+  writePair(folder, {QByteArray(pair.header).replace("ni1", "n+1"), pair.image}, "e");
+  QVERIFY2(told("e.img").contains("in the same file"), qPrintable(told("e.img")));
+  writeText(folder.filePath("f.nii"), pair.header + pair.image);
+  QVERIFY2(told("f.nii").contains("a file of its own"), qPrintable(told("f.nii")));
+}
+
+/// Nothing but names can say on which side the first voxels are; front and head are known, so that
+/// the choice of a frame mirrors from side to side and turns nothing.
+void BrainFilesTest::analyzeSides() {
+  QTemporaryDir named_;
+  writeText(named_.filePath("head.ctbl"), sidedTable);
+  for (const glm::dmat3& axes : {alongLas, alongRas}) {
+    writePair(named_, analyzePair(headAlong(axes), {.origin = glm::ivec3(11)}));
+    const Result<Imported> imported = importOf({inFolder(named_, "head.img")});
+    QVERIFY2(imported.ok(), imported.ok() ? "" : imported.error().text().c_str());
+    const QString wrong = faultOf(*imported, "left kidney", "right kidney");
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
+    QVERIFY(QString::fromStdString(imported->report.frameReason).startsWith("vote"));
+  }
+  QTemporaryDir silent;
+  const auto read = [&](const glm::dmat3& axes, std::optional<Frame> frame) {
+    writePair(silent, analyzePair(headAlong(axes), {.origin = glm::ivec3(11)}));
+    return importOf({inFolder(silent, "head.hdr")}, frame);
+  };
+  const Result<Imported> assumed = read(alongLas, {});
+  QVERIFY2(faultOf(*assumed, "label 7", "label 9").isEmpty(), "not as most programs write");
+  QVERIFY2(warningsOf(*assumed).contains("does not say which side is left"),
+           qPrintable(warningsOf(*assumed)));
+  QVERIFY(faultOf(*read(alongRas, Frame::ras), "label 7", "label 9").isEmpty());
+  QVERIFY(!faultOf(*read(alongLas, Frame::ras), "label 7", "label 9").isEmpty());
+}
+
+/// Slices from the front and from the side, upside down too.
+void BrainFilesTest::analyzePlanes() {
+  const glm::dvec3 left(1, 0, 0);
+  const glm::dvec3 front(0, -1, 0);
+  const glm::dvec3 head(0, 0, 1);
+  const glm::dmat3 planes[] = {{left, front, head},  {left, head, front},  {front, head, left},
+                               {left, -front, head}, {left, -head, front}, {front, -head, left}};
+  for (std::size_t i = 0; i < std::size(planes); ++i) {
+    QTemporaryDir folder;
+    writePair(folder, analyzePair(headAlong(planes[i]),
+                                  {.orientation = char(i), .origin = glm::ivec3(11)}));
+    const QString wrong = faultOf(*importOf({inFolder(folder, "head.img")}), "label 7", "label 9");
+    QVERIFY2(wrong.isEmpty(), qPrintable(QString::number(i) + ' ' + wrong));
+  }
+}
+
+void BrainFilesTest::mghPlaces() {
+  for (const glm::dmat3& axes : {alongLps, alongLas, alongRas})
+    for (const Number type :
+         {Number::uint8, Number::int32, Number::float32, Number::int16, Number::uint16}) {
+      QTemporaryDir folder;
+      const QByteArray bytes = mghFile(headAlong(axes), type);
+      writeText(folder.filePath("head.mgz"), gzipped(bytes));
+      writeText(folder.filePath("plain.mgh"), bytes);
+      for (const char* name : {"head.mgz", "plain.mgh"}) {
+        const Result<Imported> imported = importOf({inFolder(folder, name)});
+        QVERIFY2(imported.ok(), imported.ok() ? "" : imported.error().text().c_str());
+        const QString wrong = faultOf(*imported, "label 7", "label 9");
+        QVERIFY2(wrong.isEmpty(), qPrintable(wrong));
+      }
+    }
+  QTemporaryDir folder;
+  writeText(folder.filePath("head.mgh"),
+            mghFile(headAlong(alongLas), Number::uint8, {.placeKnown = false}));
+  QVERIFY(warningsOf(*importOf({inFolder(folder, "head.mgh")})).contains("which side is left"));
+}
+
+void BrainFilesTest::mghNames() {
+  QTemporaryDir folder;
+  writeText(folder.filePath("head.mgz"),
+            gzipped(mghFile(headAlong(alongRas), Number::int32, {.footer = mghColourTable()})));
+  const Result<Imported> imported = importOf({inFolder(folder, "head.mgz")});
+  QVERIFY2(imported.ok(), imported.ok() ? "" : imported.error().text().c_str());
+  QVERIFY(named(imported->scene, "left kidney").mesh);
+  QCOMPARE(named(imported->scene, "strange thing").style.colour, std::optional(Colour{12, 240, 7}));
+}
+
+/// FreeSurfer's numbers are believed where the volume is FreeSurfer's, and nowhere else.
+void BrainFilesTest::freeSurferNumbers() {
+  const auto namesOf = [](std::initializer_list<int> values, const char* file) {
+    LabelVolume volume;
+    for (const int value : values)
+      volume.labels.push_back({value, {}, {}, {}});
+    return freeSurferLabels(volume, file);
+  };
+  QCOMPARE(namesOf({17}, "aseg.mgz").at(17).name, std::string("left hippocampus"));
+  QCOMPARE(namesOf({1}, "sub_aparc+aseg.nii.gz").at(2035).name,
+           std::string("right insular cortex"));
+  QVERIFY(namesOf({1, 2, 3, 4, 5}, "labels.mgz").empty());
+  QVERIFY(namesOf({2, 3, 41, 42, 99}, "labels.mgz").empty());
+  QVERIFY(!namesOf({2, 3, 41, 42}, "ribbon.mgz").empty());
+  QVERIFY(!namesOf({2, 41, 11'101}, "all.mgz").empty());
+  // Every name that has a side has the number of its side.
+  const LabelNames all = namesOf({}, "aseg");
+  QCOMPARE(all.size(), std::size_t(117));
+  for (const auto& [number, label] : all) {
+    QVERIFY2(label.colour, label.name.c_str());
+    const bool left = label.name.starts_with("left ");
+    if (left || label.name.starts_with("right "))
+      QCOMPARE(left,
+               number < 41 || number == 78 || number == 81 || (number > 1000 && number < 2000));
+  }
+}
+
+/// A surface is told from the middle of its volume, along the axes of coronal slices.
+void BrainFilesTest::freeSurferSurfaces() {
+  QTemporaryDir folder;
+  const glm::dmat3 coronal({-1, 0, 0}, {0, 0, -1}, {0, 1, 0});
+  const auto read = [&](const char* name, const QByteArray& bytes) {
+    writeText(folder.filePath(name), bytes);
+    return importOf({inFolder(folder, name)});
+  };
+  const auto middle = [](const Result<Imported>& imported, const char* name) {
+    const MeshPtr mesh = named(imported->scene, name).mesh;
+    return mesh ? mesh->bounds().centre() : glm::vec3(99.0f);
+  };
+  const Result<Imported> pial =
+      read("lh.pial", freeSurferCube(freeSurferGeometry(coronal, {5, -7, 11})));
+  QVERIFY2(pial.ok(), pial.ok() ? "" : pial.error().text().c_str());
+  QCOMPARE(middle(pial, "left pial surface"), glm::vec3(-5.0f, 7.0f, 11.0f));
+  QVERIFY2(pial->report.warnings.empty(), qPrintable(warningsOf(*pial)));
+  // A volume that was turned by a quarter about the long axis turns its surface.
+  QByteArray longCube = freeSurferCube();
+  const glm::dmat3 turned({0, -1, 0}, {0, 0, -1}, {-1, 0, 0});
+  const Result<Imported> turn = read("rh.white", longCube + freeSurferGeometry(turned, {0, 0, 0}));
+  QCOMPARE(middle(turn, "right white matter surface"), glm::vec3(0.0f));
+  const Result<Imported> placeless = read("rh.pial", longCube);
+  QVERIFY(warningsOf(*placeless).contains("does not say where the volume lies"));
+  QCOMPARE(middle(placeless, "right pial surface"), glm::vec3(0.0f));
+  for (const auto& [bytes, told] :
+       {std::pair<QByteArray, const char*>{QByteArray("\xff\xff\xff", 3) + longCube.mid(3),
+                                           "quadrangles"},
+        {"written by hand\n\n", "does not begin like"},
+        {longCube.chopped(1), "triangles, more than"},
+        {longCube.left(60), "vertices, more than"}}) {
+    const Result<Imported> refused = read("lh.orig", bytes);
+    QVERIFY2(!refused.ok(), told);
+    QVERIFY2(refused.error().text().find(told) != std::string::npos,
+             refused.error().text().c_str());
+  }
+}
+
+void BrainFilesTest::giftiEncodings_data() {
+  QTest::addColumn<QByteArray>("bytes");
+  for (const char* encoding : {"ASCII", "Base64Binary", "GZipBase64Binary"})
+    for (const std::endian order : {std::endian::little, std::endian::big})
+      for (const bool columnsFirst : {false, true})
+        QTest::addRow("%s %s %s", encoding, order == std::endian::big ? "big" : "little",
+                      columnsFirst ? "columns" : "rows")
+            << giftiCube({.encoding = encoding, .order = order, .columnsFirst = columnsFirst});
+}
+
+void BrainFilesTest::giftiEncodings() {
+  QFETCH(QByteArray, bytes);
+  QTemporaryDir folder;
+  for (const auto& [name, stored] : {std::pair<const char*, QByteArray>{"a.surf.gii", bytes},
+                                     {"a.surf.gii.gz", gzipped(bytes)}}) {
+    const Result<RawMeshes> read = readBytes(folder, name, stored);
+    QVERIFY2(read.ok(), read.ok() ? "" : read.error().text().c_str());
+    const RawMesh& mesh = read->meshes.at(0);
+    QVERIFY(std::equal(mesh.positions.begin(), mesh.positions.end(), cubePositions().begin(),
+                       cubePositions().end()));
+    QVERIFY(std::equal(mesh.triangles.begin(), mesh.triangles.end(), cubeTriangles().begin(),
+                       cubeTriangles().end()));
+    QCOMPARE(mesh.frame, std::optional(Frame::ras));
+  }
+}
+
+/// Unknown coordinates follow a matrix to the scanner's; to an atlas, or from known ones, none
+/// does.
+void BrainFilesTest::giftiPlaces() {
+  QTemporaryDir folder;
+  const QByteArray shift = "1 0 0 5 0 1 0 -7 0 0 1 11 0 0 0 1";
+  const auto middle = [&](const GiftiForm& form) {
+    const Result<RawMeshes> read = readBytes(folder, "a.surf.gii", giftiCube(form));
+    Box box;
+    for (const glm::vec3& p : read->meshes.at(0).positions)
+      box.add(p);
+    return box.centre();
+  };
+  QCOMPARE(middle({.space = "NIFTI_XFORM_UNKNOWN", .matrix = shift}), glm::vec3(5, -7, 11));
+  QCOMPARE(
+      middle({.space = "NIFTI_XFORM_UNKNOWN", .toSpace = "NIFTI_XFORM_TALAIRACH", .matrix = shift}),
+      glm::vec3(0.0f));
+  QCOMPARE(middle({.matrix = shift}), glm::vec3(0.0f));
+  QCOMPARE(middle({.space = "NIFTI_XFORM_UNKNOWN", .matrix = "-" + shift}), glm::vec3(0.0f));
+  for (const auto& [name, anatomy] :
+       {std::pair<const char*, const char*>{"sub-01_hemi-L_pial.surf.gii", ""},
+        {"lh.pial.gii", ""},
+        {"100307.L.pial.32k_fs_LR.surf.gii", ""},
+        {"pial.surf.gii", "CortexLeft"}}) {
+    const Result<RawMeshes> read = readBytes(folder, name, giftiCube({.anatomy = anatomy}));
+    QCOMPARE(read->meshes.at(0).name, std::string("left pial surface"));
+  }
+}
+
+void BrainFilesTest::giftiRefused() {
+  QTemporaryDir folder;
+  const auto told = [&](const QByteArray& bytes) {
+    const Result<RawMeshes> read = readBytes(folder, "a.gii", bytes);
+    return read.ok() ? QString() : QString::fromStdString(read.error().text());
+  };
+  const QByteArray cube = giftiCube();
+  QVERIFY(told(giftiCube({.intent = "NIFTI_INTENT_SHAPE"})).contains("without vertices"));
+  QVERIFY(told("<GIFTI><DataArray Intent=\"NIFTI_INTENT_LABEL\"/></GIFTI>").contains("no surface"));
+  QVERIFY(told(giftiCube({.encoding = "ExternalFileBinary"})).contains("file of its own"));
+  QVERIFY(told(QByteArray(cube).replace("Dim0=\"8\"", "Dim0=\"8000000\"")).contains("promises"));
+  QVERIFY(told(QByteArray(cube).replace("Dim1=\"3\"", "Dim1=\"2\"")).contains("three numbers"));
+  QVERIFY(told(cube.left(cube.size() / 2)).contains("ends"));
+  QVERIFY(told(QByteArray(cube).replace("FLOAT32", "RGB24")).contains("type"));
+  QVERIFY(told("<x/>").contains("GIFTI"));
+}
+
+/// What is no anatomy, or belongs to others, is passed over in a folder and read where it is named.
+void BrainFilesTest::surfacesOfAFolder() {
+  QTemporaryDir folder;
+  for (const char* name : {"lh.pial", "rh.pial", "lh.inflated", "rh.sphere"})
+    writeText(folder.filePath(name), freeSurferCube(freeSurferGeometry(glm::dmat3(1.0), {})));
+  writeText(folder.filePath("old.orig"), "a file that was kept");
+  writeText(folder.filePath("a.L.white.surf.gii"), giftiCube());
+  writeText(folder.filePath("a.L.very_inflated.surf.gii"), giftiCube());
+  writeText(folder.filePath("a.L.aparc.label.gii"), "<GIFTI></GIFTI>");
+  const Result<Imported> imported = importOf({folder.path().toStdString()});
+  QVERIFY2(imported.ok(), imported.ok() ? "" : imported.error().text().c_str());
+  QCOMPARE(imported->scene.structuresBelow(rootId).size(), std::size_t(3));
+  QVERIFY2(imported->report.warnings.empty(), qPrintable(warningsOf(*imported)));
+  QVERIFY(importOf({inFolder(folder, "lh.inflated")}).ok());
+}
+
+void BrainFilesTest::spoiled_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<QByteArray>("bytes");
+  QTest::addColumn<QByteArray>("beside");
+  const WrittenVolume head = headAlong(alongRas);
+  const PairBytes nifti = niftiPair(head);
+  const PairBytes analyze = analyzePair(head);
+  const QByteArray mgh = mghFile(head, Number::int32, {.footer = mghColourTable()});
+  QTest::newRow("NIfTI header") << "s.hdr" << nifti.header << nifti.image;
+  QTest::newRow("Analyze header") << "s.hdr" << analyze.header << analyze.image;
+  QTest::newRow("MGH") << "s.mgh" << mgh << QByteArray();
+  QTest::newRow("MGZ") << "s.mgz" << gzipped(mgh) << QByteArray();
+  QTest::newRow("FreeSurfer surface")
+      << "s.pial" << freeSurferCube(freeSurferGeometry(glm::dmat3(1.0), {})) << QByteArray();
+  for (const char* encoding : {"ASCII", "Base64Binary", "GZipBase64Binary"})
+    QTest::addRow("GIFTI %s", encoding)
+        << "s.gii" << giftiCube({.encoding = encoding}) << QByteArray();
+  QTest::newRow("packed mesh") << "s.obj.gz" << gzipped(cubeFile("obj")) << QByteArray();
+}
+
+/// 200 copies of each: a sound surface or an error with a remedy, quickly.
+void BrainFilesTest::spoiled() {
+  QFETCH(QString, name);
+  QFETCH(QByteArray, bytes);
+  QFETCH(QByteArray, beside);
+  QTemporaryDir folder;
+  if (!beside.isEmpty())
+    writeText(folder.filePath("s.img"), beside);
+  Mutator mutate(20260417, {[](Mutator& random, QByteArray& all, qsizetype at) {
+                   // Headers are where a change matters most.
+                   at %= std::min<qsizetype>(all.size(), 100);
+                   all[at] = char(random.below(256));
+                 }});
+  int refused = 0;
+  for (int i = 0; i < 200; ++i) {
+    QElapsedTimer timer;
+    timer.start();
+    const Result<RawMeshes> read = readBytes(folder, name, mutate(bytes));
+    QVERIFY2(timer.elapsed() < 2000, qPrintable(QString("copy %1").arg(i)));
+    if (read)
+      QVERIFY2(isSound(*read), qPrintable(QString("copy %1").arg(i)));
+    else
+      QVERIFY(!read.error().reason.empty() && !read.error().remedy.empty());
+    refused += !read.ok();
+  }
+  qInfo("%d of 200 refused", refused);
+  QVERIFY(refused > 10);
+}
+
+SLINE_TEST(BrainFilesTest)
+#include "test_brain_files.moc"
