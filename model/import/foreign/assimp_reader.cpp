@@ -6,6 +6,7 @@
 #include <assimp/scene.h>
 #include <assimp/ProgressHandler.hpp>
 
+#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <exception>
 #include <functional>
@@ -33,7 +34,7 @@ constexpr AssimpKind fbxKind{"FBX", ".fbx", fbxConvention,
                              "Export it again as FBX 7.4 (2014) or as glTF"};
 constexpr AssimpKind colladaKind{"COLLADA", ".dae", colladaConvention,
                                  "Export it again, or as glTF"};
-constexpr AssimpKind blendKind{"Blender's", ".blend", blendConvention,
+constexpr AssimpKind blendKind{"a scene of Blender", ".blend", blendConvention,
                                "Open it in Blender and export it as glTF"};
 
 /// Lets assimp go on for as long as the reader may.
@@ -59,8 +60,13 @@ void keepOnly(const char* extension, Assimp::Importer& importer) {
   }
 }
 
-std::string firstLine(const std::string& text) {
-  return inQuotes(text.substr(0, text.find('\n')));
+/// What a library says, in one line that is not too long.
+std::string oneLine(const char* text) {
+  std::string line(text);
+  line.resize(std::min({line.size(), line.find('\n'), std::size_t(200)}));
+  for (char& c : line)
+    c = static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+  return line;
 }
 
 Result<RawMeshes> readWith(const AssimpKind& kind, const Source& source,
@@ -78,9 +84,9 @@ Result<RawMeshes> readWith(const AssimpKind& kind, const Source& source,
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   const aiScene* scene = importer.ReadFile(source.file(), 0);
   if (!scene || !scene->mRootNode)
-    return source.whole(std::string("cannot be read as ") + kind.name +
-                            " file: " + firstLine(importer.GetErrorString()),
-                        kind.remedy);
+    return source.whole(
+        std::string("cannot be read as ") + kind.name + ": " + oneLine(importer.GetErrorString()),
+        kind.remedy);
   return meshesOf(*scene, kind.convention(*scene), source);
 }
 
@@ -94,9 +100,8 @@ Result<RawMeshes> readThroughAssimp(const AssimpKind& kind, const std::filesyste
   } catch (const std::bad_alloc&) {
     return source->whole("there is not enough memory for it", "Reduce it or close other programs");
   } catch (const std::exception& e) {
-    return source->whole(
-        std::string("cannot be read as ") + kind.name + " file: " + firstLine(e.what()),
-        kind.remedy);
+    return source->whole(std::string("cannot be read as ") + kind.name + ": " + oneLine(e.what()),
+                         kind.remedy);
   }
 }
 

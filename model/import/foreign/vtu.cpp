@@ -55,7 +55,7 @@ Result<RawMeshes> surfaceOf(const Source& source) {
   reader->SetFileName(source.file().c_str());
   reader->Update();
   const auto said = [&](const std::string& reason) {
-    return reason + (messages.any() ? ": " + inQuotes(messages.first()) : "");
+    return reason + (messages.any() ? ": " + messages.first() : "");
   };
   vtkUnstructuredGrid* grid = reader->GetOutput();
   if (reader->GetErrorCode() != 0 || messages.any() || !grid)

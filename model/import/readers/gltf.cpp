@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // glTF 2.0 and GLB: every primitive of triangles in the scene becomes a surface in scene
 // coordinates (metres, +y up). Skins, morph targets and textures are not read.
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <fstream>
 #include <map>
+#include <string>
 
 #include "model/import/readers/colour_of_light.h"
 #include "model/import/readers/gltf_document.h"
@@ -241,16 +245,24 @@ Result<RawMeshes> readGltfWith(const GltfDecoders& decoders, const std::filesyst
 }
 
 bool isCompressedGltf(const std::filesystem::path& file) {
-  const Result<Source> source = Source::read(file, {});
-  if (!source)
+  std::error_code code;
+  const std::uintmax_t size = std::filesystem::file_size(file, code);
+  if (code || !std::filesystem::is_regular_file(file, code) || size > ReadLimits{}.fileBytes)
     return false;
-  std::string_view json = source->text();
+  std::ifstream in(file, std::ios::binary);
   // A GLB begins with its JSON; what follows may be long.
-  if (json.starts_with("glTF") && json.size() > 20)
-    json = json.substr(
-        20, loadAs<std::uint32_t>(json.data() + 12, std::endian::native != std::endian::little));
-  return json.find(dracoExtension) != std::string_view::npos ||
-         json.find(meshoptExtension) != std::string_view::npos;
+  std::array<char, 20> head{};
+  in.read(head.data(), head.size());
+  const bool glb = in && std::string_view(head.data(), 4) == "glTF";
+  const std::uint64_t length =
+      glb ? loadAs<std::uint32_t>(head.data() + 12, std::endian::native != std::endian::little)
+          : size;
+  std::string json(std::size_t(std::min<std::uint64_t>(length, size)), '\0');
+  in.clear();
+  in.seekg(glb ? std::streamoff(head.size()) : 0);
+  in.read(json.data(), std::streamsize(json.size()));
+  return json.find(dracoExtension) != std::string::npos ||
+         json.find(meshoptExtension) != std::string::npos;
 }
 
 }  // namespace sline::model

@@ -198,6 +198,20 @@ class CompressedGltfTest : public QObject {
     }
   }
 
+  /// Only what is compressed is left out.
+  void leftOutWithoutDecoders() {
+    const QTemporaryDir folder;
+    QByteArray bytes = cubeFile("gltf");
+    bytes.replace(R"("indices":1})", R"("indices":1},{"attributes":{"POSITION":0},)"
+                                     R"("extensions":{"KHR_draco_mesh_compression":{}}})");
+    (void)readBytes(folder, "cube.gltf", bytes);
+    const Result<model::RawMeshes> read =
+        model::readGltf(folder.filePath("cube.gltf").toStdString(), {});
+    QVERIFY2(read.ok(), read.ok() ? "" : read.error().text().c_str());
+    QCOMPARE(int(triangleCount(*read)), 12);
+    QVERIFY(warningText(*read).contains("KHR_draco_mesh_compression"));
+  }
+
   void refusals_data() {
     QTest::addColumn<QByteArray>("bytes");
     QTest::addColumn<QString>("told");

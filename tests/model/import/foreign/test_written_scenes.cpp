@@ -57,10 +57,16 @@ const model::RawMesh* named(const model::RawMeshes& read, const char* name) {
   return nullptr;
 }
 
-void row(const char* tag, const char* extension, const QByteArray& bytes, float millimetres,
-         bool yUp, Turn turn = same) {
-  QTest::newRow(tag) << QString(extension) << bytes << millimetres << yUp
-                     << reinterpret_cast<quintptr>(turn);
+/// What a file says of itself.
+struct Said {
+  float millimetres = 0.0f;  ///< 0: nothing of a unit
+  bool yUp = false;
+  Turn turn = same;
+};
+
+void row(const char* tag, const char* extension, const QByteArray& bytes, const Said& said) {
+  QTest::newRow(tag) << QString(extension) << bytes << said.millimetres << said.yUp
+                     << reinterpret_cast<quintptr>(said.turn);
 }
 
 }  // namespace
@@ -76,23 +82,24 @@ class WrittenScenesTest : public QObject {
     QTest::addColumn<bool>("yUp");
     QTest::addColumn<quintptr>("turn");
     const FbxSettings zUp{2.54, {0, 2, 1}, {1, 1, -1}};
-    row("FBX text", ".fbx", fbxText(), 10.0f, true);
-    row("FBX text, z up, inches", ".fbx", fbxText(zUp), 25.4f, false);
-    row("FBX binary", ".fbx", fbxBinary({.unitScaleFactor = 100.0}), 1000.0f, true);
-    row("FBX binary, z up", ".fbx", fbxBinary(zUp), 25.4f, false);
-    row("FBX upside down", ".fbx", fbxText({1.0, {0, 2, 1}, {-1, -1, -1}}), 10.0f, false,
-        fromUpsideDown);
-    row("COLLADA", ".dae", collada(), 10.0f, true);
-    row("COLLADA, z up, inches", ".dae", collada("0.0254", "Z_UP"), 25.4f, false);
-    row("COLLADA, x up", ".dae", collada("0.001", "X_UP"), 1.0f, true, fromXUp);
-    row("X3D", ".x3d", x3dXml(), 1.0f, true);
-    row("VRML", ".wrl", vrml(), 0.0f, true);
+    row("FBX text", ".fbx", fbxText(), {10.0f, true});
+    row("FBX text, z up, inches", ".fbx", fbxText(zUp), {25.4f, false});
+    row("FBX binary", ".fbx", fbxBinary({.unitScaleFactor = 100.0}), {1000.0f, true});
+    row("FBX binary, z up", ".fbx", fbxBinary(zUp), {25.4f, false});
+    row("FBX upside down", ".fbx", fbxText({1.0, {0, 2, 1}, {-1, -1, -1}}),
+        {10.0f, false, fromUpsideDown});
+    row("COLLADA", ".dae", collada(), {10.0f, true});
+    row("COLLADA, z up, inches", ".dae", collada("0.0254", "Z_UP"), {25.4f, false});
+    row("COLLADA, x up", ".dae", collada("0.001", "X_UP"), {1.0f, true, fromXUp});
+    row("X3D", ".x3d", x3dXml(), {1.0f, true});
+    row("VRML", ".wrl", vrml(), {0.0f, true});
     row("X3D, classic", ".x3dv",
         vrml().replace("#VRML V2.0 utf8",
                        "#X3D V3.3 utf8\nPROFILE Interchange\nUNIT length inch 0.0254"),
-        25.4f, true);
-    row("3DS", ".3ds", threeDs(), 0.0f, false);
-    row("COLLADA that tells neither", ".dae", collada("", ""), 1000.0f, true);
+        {25.4f, true});
+    row("Blender", ".blend", blend(), {0.0f, false});
+    row("3DS", ".3ds", threeDs(), {0.0f, false});
+    row("COLLADA that tells neither", ".dae", collada("", ""), {1000.0f, true});
   }
 
   void kidneys() {
@@ -116,8 +123,10 @@ class WrittenScenesTest : public QObject {
       QVERIFY(std::abs(volume(*mesh) - 6.0) < 1e-3);
       if (extension != ".3ds")
         QCOMPARE(mesh->groups, std::vector<std::string>{"Abdomen"});
-      QVERIFY(mesh->colour == (Colour{255, 128, 64}));
-      QVERIFY(mesh->opacity && std::abs(mesh->opacity->value() - 0.5f) < 1e-3f);
+      const bool light = extension == ".blend";
+      QVERIFY(mesh->colour == (light ? Colour{255, 188, 137} : Colour{255, 128, 64}));
+      QCOMPARE(mesh->opacity.has_value(), !light);
+      QVERIFY(light || std::abs(mesh->opacity->value() - 0.5f) < 1e-3f);
       QCOMPARE(mesh->unitReason.empty(), millimetres == 0.0f);
       if (millimetres > 0.0f)
         QVERIFY(std::abs(mesh->millimetresPerUnit / millimetres - 1.0f) < 1e-6f);
@@ -182,7 +191,7 @@ class WrittenScenesTest : public QObject {
     QTest::newRow("Blender's by zstd")
         << "a.blend" << QByteArray("\x28\xb5\x2f\xfd packed") << "is packed by zstd";
     QTest::newRow("Blender's that is none")
-        << "a.blend" << QByteArray("BLENDER-v279") << "cannot be read as Blender's";
+        << "a.blend" << QByteArray("BLENDER-v279") << "cannot be read as a scene of Blender";
     QTest::newRow("VRML 1.0") << "a.wrl" << QByteArray("#VRML V1.0 ascii\n") << "VRML 1.0";
     QTest::newRow("VRML not closed") << "a.wrl" << vrml().left(400) << "line";
     QTest::newRow("VRML's index beyond") << "a.wrl" << vrml().replace("1, 2, 3, -1", "1, 2, 9, -1")

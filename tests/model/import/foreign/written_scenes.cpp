@@ -158,25 +158,8 @@ FbxNode model(std::int64_t id, const char* name, const char* kind, std::vector<F
           {{"Version", {std::int32_t(232)}}, {"Properties70", {}, std::move(placed)}}};
 }
 
-std::vector<FbxNode> fbxNodes(const FbxSettings& settings) {
-  const auto axis = [&](const char* name, std::size_t i) {
-    return property(name, "int", {std::int32_t(settings.axes[i])});
-  };
-  const auto sign = [&](const char* name, std::size_t i) {
-    return property(name, "int", {std::int32_t(settings.signs[i])});
-  };
-  const auto link = [](std::int64_t from, std::int64_t to) {
-    return FbxNode{"C", {QByteArray("OO"), from, to}};
-  };
-  const FbxNode global{"GlobalSettings",
-                       {},
-                       {{"Version", {std::int32_t(1000)}},
-                        {"Properties70",
-                         {},
-                         {axis("UpAxis", 1), sign("UpAxisSign", 1), axis("FrontAxis", 2),
-                          sign("FrontAxisSign", 2), axis("CoordAxis", 0), sign("CoordAxisSign", 0),
-                          property("UnitScaleFactor", "double", {settings.unitScaleFactor})}}}};
-  const FbxNode geometry{
+FbxNode fbxGeometry() {
+  return {
       "Geometry",
       {std::int64_t(1), called("", "Geometry"), QByteArray("Mesh")},
       {{"Vertices", {kidneyCoordinates()}},
@@ -195,6 +178,26 @@ std::vector<FbxNode> fbxNodes(const FbxSettings& settings) {
          {"LayerElement",
           {},
           {{"Type", {QByteArray("LayerElementMaterial")}}, {"TypedIndex", {std::int32_t(0)}}}}}}}};
+}
+
+std::vector<FbxNode> fbxNodes(const FbxSettings& settings) {
+  const auto axis = [&](const char* name, std::size_t i) {
+    return property(name, "int", {std::int32_t(settings.axes[i])});
+  };
+  const auto sign = [&](const char* name, std::size_t i) {
+    return property(name, "int", {std::int32_t(settings.signs[i])});
+  };
+  const auto link = [](std::int64_t from, std::int64_t to) {
+    return FbxNode{"C", {QByteArray("OO"), from, to}};
+  };
+  const FbxNode global{"GlobalSettings",
+                       {},
+                       {{"Version", {std::int32_t(1000)}},
+                        {"Properties70",
+                         {},
+                         {axis("UpAxis", 1), sign("UpAxisSign", 1), axis("FrontAxis", 2),
+                          sign("FrontAxisSign", 2), axis("CoordAxis", 0), sign("CoordAxisSign", 0),
+                          property("UnitScaleFactor", "double", {settings.unitScaleFactor})}}}};
   const FbxNode material{"Material",
                          {std::int64_t(2), called("red", "Material"), QByteArray()},
                          {{"Version", {std::int32_t(102)}},
@@ -205,7 +208,7 @@ std::vector<FbxNode> fbxNodes(const FbxSettings& settings) {
                             property("Opacity", "double", {0.5})}}}};
   const FbxNode objects{"Objects",
                         {},
-                        {geometry, material, model(3, "Abdomen", "Null", {}),
+                        {fbxGeometry(), material, model(3, "Abdomen", "Null", {}),
                          model(4, "left kidney", "Mesh",
                                {property("Lcl Translation", "Lcl Translation", {10., 0., 0.})}),
                          model(5, "right kidney", "Mesh",

@@ -41,6 +41,10 @@ QByteArray vrml();
 /// it.
 QByteArray threeDs();
 
+/// A scene of Blender 2.79, with a table of only those structures and fields that it needs. Its
+/// material is opaque, its colour an amount of light: (1, 0.5, 0.25) is sRGB's (255, 188, 137).
+QByteArray blend();
+
 /// One tetrahedron (VTK's cell 10) that is the left kidney, a line besides.
 QByteArray vtuText();
 

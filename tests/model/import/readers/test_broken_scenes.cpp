@@ -208,14 +208,14 @@ class TestBrokenScenes : public QObject {
     addRefusal("gltf no meshes", ".gltf", minimalGltf("{}", ""), "no meshes");
     addRefusal("gltf mode 9", ".gltf", edited("gltf", "\"indices\":1", "\"indices\":1,\"mode\":9"),
                "mode 9");
-    addRefusal("gltf only Draco", ".gltf",
+    addRefusal("gltf Draco without data", ".gltf",
                edited("gltf", "\"indices\":1",
                       R"("indices":1,"extensions":{"KHR_draco_mesh_compression":{}})"),
-               "KHR_draco_mesh_compression, which is not supported");
-    addRefusal("gltf meshopt", ".gltf",
+               "lacks the bufferView or the POSITION of its compressed mesh");
+    addRefusal("gltf meshopt without data", ".gltf",
                edited("gltf", "\"byteOffset\":0,",
                       R"("byteOffset":0,"extensions":{"EXT_meshopt_compression":{}},)"),
-               "EXT_meshopt_compression, which is not supported");
+               "refers to a buffer that does not exist");
     addRefusal("gltf deep JSON", ".gltf", "{\"asset\":" + QByteArray(200000, '['), "valid JSON");
     addRefusal("gltf deep and closed", ".gltf", QByteArray(200000, '[') + QByteArray(200000, ']'),
                "not glTF");

@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QTest>
 
+#include "tests/model/import/foreign/written_scenes.h"
 #include "tests/model/import/readers/mesh_files.h"
 #include "tests/support/mutator.h"
 #include "tests/support/process_memory.h"
@@ -53,6 +54,9 @@ class TestMutatedFiles : public QObject {
     QTest::addColumn<QByteArray>("bytes");
     for (const MeshFile& file : cubeFiles())
       QTest::newRow(file.kind) << QString(file.extension) << file.bytes;
+    QTest::newRow("x3d") << ".x3d" << x3dXml();
+    QTest::newRow("vrml") << ".wrl" << vrml();
+    QTest::newRow("3ds") << ".3ds" << threeDs();
     // Real files add what the cube has not: compressed blocks, strips, field data.
     QDir folder(QString(SLINE_TEST_DATA) + "/formats/same_mesh");
     for (const QString& name :
