@@ -3,8 +3,10 @@
 // and what things are called and painted.
 #include <QtTest>
 #include <algorithm>
+#include <assimp/IOStream.hpp>
 
 #include "model/import/file_kinds.h"
+#include "model/import/foreign/assimp_files.h"
 #include "model/import/import.h"
 #include "tests/model/import/foreign/written_scenes.h"
 #include "tests/model/import/readers/mesh_files.h"
@@ -175,6 +177,33 @@ class WrittenScenesTest : public QObject {
     QVERIFY(!mesh.frame && !mesh.yUp && mesh.unitReason.empty());
     QVERIFY2(warningText(*read).contains("1 lines or points are left out"),
              qPrintable(warningText(*read)));
+  }
+
+  /// What a scene refers to is opened in its own folder and nowhere else.
+  void othersFilesStayShut() {
+    const QTemporaryDir folder;
+    QVERIFY(QDir(folder.path()).mkdir("in"));
+    for (const char* name : {"in/a.dae", "in/b.dae", "c.dae"}) {
+      QFile file(folder.filePath(name));
+      QVERIFY(file.open(QIODevice::WriteOnly) && file.write("x") == 1);
+    }
+    QVERIFY(QFile::link(folder.filePath("c.dae"), folder.filePath("in/link.dae")));
+    const auto path = [&](const char* name) { return folder.filePath(name).toStdString(); };
+    const Result<model::Source> source = model::Source::read(path("in/a.dae"), {});
+    QVERIFY(source.ok());
+    model::AssimpFiles files(*source);
+    for (const std::string& there : {path("in/a.dae"), path("in/b.dae"), std::string("b.dae")}) {
+      QVERIFY2(files.Exists(there.c_str()), there.c_str());
+      Assimp::IOStream* stream = files.Open(there.c_str(), "rb");
+      QVERIFY2(stream && stream->FileSize() == 1, there.c_str());
+      files.Close(stream);
+      QVERIFY(!files.Open(there.c_str(), "wb"));
+    }
+    for (const std::string& out : {path("c.dae"), path("in/link.dae"), std::string("../c.dae"),
+                                   std::string("/etc/passwd"), std::string("http://a.b/c.dae")}) {
+      QVERIFY2(!files.Exists(out.c_str()), out.c_str());
+      QVERIFY2(!files.Open(out.c_str(), "rb"), out.c_str());
+    }
   }
 
   void refusals_data() {
