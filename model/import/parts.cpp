@@ -13,12 +13,12 @@
 
 #include "model/base/parallel.h"
 #include "model/files/fingerprint.h"
-#include "model/geometry/simplification.h"
 #include "model/import/file_kinds.h"
 #include "model/import/laterality.h"
 #include "model/import/names.h"
-#include "model/import/repair.h"
 #include "model/import/volumes/volume_set.h"
+#include "model/meshing/repair.h"
+#include "model/meshing/simplification.h"
 
 namespace sline::model {
 

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "model/import/import.h"
-#include "model/import/repair.h"
-#include "model/import/smoothing.h"
 #include "model/import/sources.h"
+#include "model/meshing/repair.h"
+#include "model/meshing/smoothing.h"
 #include "model/scene/scene.h"
 
 namespace sline::model {
@@ -94,7 +94,7 @@ Result<MeshPtr> placedMesh(RawMesh raw, Provenance& as);
 void placeParts(std::vector<Part>& parts, const Sources& sources,
                 std::vector<ImportWarning>& warnings);
 
-/// Fewer triangles within `bound` mm or the part's own bound (geometry/simplification.h); 0: all.
+/// Fewer triangles within `bound` mm or the part's own bound (meshing/simplification.h); 0: all.
 void decimateParts(std::vector<Part>& parts, float bound, ProgressMeter& meter);
 
 }  // namespace sline::model

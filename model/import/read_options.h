@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <functional>
 
+#include "model/meshing/smoothing.h"
+
 namespace sline::model {
 
 /// Limits every reader keeps, so that a small file cannot ask for a large machine.
@@ -16,14 +18,6 @@ struct ReadLimits {
   /// and a minute with a second for each megabyte of the file.
   std::uint64_t childBytes = 0;
   std::uint64_t childSeconds = 0;
-};
-
-/// `automatic` smooths what shows the steps of a label map and refines what is too coarse to draw;
-/// `off` leaves every vertex where the file has it; `steps` smooths everything that many times.
-struct Smoothing {
-  enum class Mode { automatic, off, steps } mode = Mode::automatic;
-  int steps = 0;
-  bool operator==(const Smoothing&) const = default;
 };
 
 struct ReadOptions {

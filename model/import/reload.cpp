@@ -8,11 +8,11 @@
 
 #include "model/files/fingerprint.h"
 #include "model/geometry/nearest_point.h"
-#include "model/geometry/simplification.h"
 #include "model/import/file_kinds.h"
 #include "model/import/parts.h"
-#include "model/import/repair.h"
-#include "model/import/windowed_sinc.h"
+#include "model/meshing/repair.h"
+#include "model/meshing/simplification.h"
+#include "model/meshing/windowed_sinc.h"
 
 namespace sline::model {
 

@@ -48,7 +48,8 @@ const std::vector<Room>& rooms() {
        {"model/base", "model/files", "model/geometry", "model/isosurface", "model/scene"}},
       {"model/import",
        {"model/anatomy", "model/base", "model/edit", "model/files", "model/geometry",
-        "model/isosurface", "model/scene"}},
+        "model/isosurface", "model/meshing", "model/scene"}},
+      {"model/meshing", {"model/base", "model/geometry"}},
       {"model/files", {"model/base", "model/geometry", "model/scene"}},
       {"render/lines", {"model/base", "model/geometry", "model/scene"}},
       {"render/gpu", {"model/base"}},
@@ -135,7 +136,7 @@ const std::vector<Library>& libraries() {
   static const std::vector<Library> table{
       {"Qt", std::regex("Q[A-Z].*|Qt.*"), {"widgets", "app/main.cpp", "render/export", "tests"}},
       {"VTK", std::regex("vtk.*"), {"model/import", "model/isosurface", "tests/bench"}},
-      {"OpenMesh", std::regex("OpenMesh/.*"), {"model/import"}},
+      {"OpenMesh", std::regex("OpenMesh/.*"), {"model/meshing"}},
       {"OpenGL", std::regex("(epoxy|GL|GLES[23]?|EGL|KHR)/.*"), {"render/gpu", "tests/bench"}},
       {"assimp, Draco, meshoptimizer",
        std::regex("assimp/.*|draco/.*|meshoptimizer\\.h"),

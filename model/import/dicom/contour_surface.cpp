@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "model/import/dicom/stack_field.h"
-#include "model/import/half_edges.h"
-#include "model/import/vertex_rings.h"
-#include "model/import/windowed_sinc.h"
 #include "model/isosurface/zero_surface.h"
+#include "model/meshing/half_edges.h"
+#include "model/meshing/vertex_rings.h"
+#include "model/meshing/windowed_sinc.h"
 
 namespace sline::model {
 

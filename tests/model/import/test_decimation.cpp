@@ -5,10 +5,10 @@
 #include <array>
 
 #include "model/files/scene_file.h"
-#include "model/geometry/simplification.h"
 #include "model/geometry/spatial_order.h"
 #include "model/geometry/topology.h"
 #include "model/import/import.h"
+#include "model/meshing/simplification.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"

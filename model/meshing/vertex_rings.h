@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "model/import/half_edges.h"
+#include "model/meshing/half_edges.h"
 
 namespace sline::model {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/geometry/edge_collapse.h"
+#include "model/meshing/edge_collapse.h"
 
 #include <algorithm>
 #include <cmath>

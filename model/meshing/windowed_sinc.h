@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "model/import/vertex_rings.h"
+#include "model/meshing/vertex_rings.h"
 
 namespace sline::model {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "model/import/half_edges.h"
-#include "model/import/repair.h"
+#include "model/meshing/half_edges.h"
+#include "model/meshing/repair.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 
@@ -237,4 +237,4 @@ void RepairTest::nothing() {
 }
 
 SLINE_TEST(RepairTest)
-#include "test_repair.moc"
+#include "repair_test.moc"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/geometry/simplification.h"
+#include "model/meshing/simplification.h"
 
 #include <QtTest>
 #include <cmath>

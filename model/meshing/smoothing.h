@@ -7,10 +7,17 @@
 #include <vector>
 
 #include "model/geometry/mesh.h"
-#include "model/import/import.h"
-#include "model/import/roughness.h"
+#include "model/meshing/roughness.h"
 
 namespace sline::model {
+
+/// `automatic` smooths what shows the steps of a label map and refines what is too coarse to draw;
+/// `off` leaves every vertex where the file has it; `steps` smooths everything that many times.
+struct Smoothing {
+  enum class Mode { automatic, off, steps } mode = Mode::automatic;
+  int steps = 0;
+  bool operator==(const Smoothing&) const = default;
+};
 
 /// What a surface says about itself before it is decided what to do with it.
 struct SurfaceMeasure {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/import/smoothing.h"
+#include "model/meshing/smoothing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@
 #include "model/base/parallel.h"
 #include "model/geometry/bounding_sphere.h"
 #include "model/geometry/edge_length.h"
-#include "model/import/loop_subdivision.h"
-#include "model/import/vertex_rings.h"
-#include "model/import/windowed_sinc.h"
+#include "model/meshing/loop_subdivision.h"
+#include "model/meshing/vertex_rings.h"
+#include "model/meshing/windowed_sinc.h"
 
 namespace sline::model {
 

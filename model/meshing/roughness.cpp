@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/import/roughness.h"
+#include "model/meshing/roughness.h"
 
 #include <algorithm>
 #include <array>

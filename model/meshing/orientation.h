@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/geometry/mesh.h"
-#include "model/import/half_edges.h"
+#include "model/meshing/half_edges.h"
 
 namespace sline::model {
 

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "model/import/half_edges.h"
-#include "model/import/loop_subdivision.h"
-#include "model/import/smoothing.h"
-#include "model/import/windowed_sinc.h"
+#include "model/meshing/half_edges.h"
+#include "model/meshing/loop_subdivision.h"
+#include "model/meshing/smoothing.h"
+#include "model/meshing/windowed_sinc.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
@@ -316,4 +316,4 @@ void SmoothingTest::nonManifoldSurvives() {
 }
 
 SLINE_TEST(SmoothingTest)
-#include "test_smoothing.moc"
+#include "smoothing_test.moc"

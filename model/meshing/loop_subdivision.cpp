@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/import/loop_subdivision.h"
+#include "model/meshing/loop_subdivision.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "model/base/parallel.h"
-#include "model/import/half_edges.h"
+#include "model/meshing/half_edges.h"
 
 namespace sline::model {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/geometry/simplification.h"
+#include "model/meshing/simplification.h"
 
 #include <algorithm>
 #include <atomic>
@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 
 #include "model/base/parallel.h"
-#include "model/geometry/edge_collapse.h"
 #include "model/geometry/edge_length.h"
 #include "model/geometry/spatial_order.h"
+#include "model/meshing/edge_collapse.h"
 
 namespace sline::model {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/import/repair.h"
+#include "model/meshing/repair.h"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
-#include "model/import/half_edges.h"
-#include "model/import/orientation.h"
+#include "model/meshing/half_edges.h"
+#include "model/meshing/orientation.h"
 
 namespace sline::model {
 

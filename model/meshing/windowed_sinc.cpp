@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/import/windowed_sinc.h"
+#include "model/meshing/windowed_sinc.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/import/orientation.h"
+#include "model/meshing/orientation.h"
 
 #include <algorithm>
 #include <cmath>

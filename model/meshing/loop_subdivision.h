@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/geometry/mesh.h"
-#include "model/import/vertex_rings.h"
+#include "model/meshing/vertex_rings.h"
 
 namespace sline::model {
 
