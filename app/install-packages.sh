@@ -13,7 +13,7 @@ packages=(
   libgl-dev libglx-mesa0 libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri
   fonts-dejavu-core fonts-dejavu-extra
   # meshes and volumes, pixel files, films
-  libvtk9-dev libopenexr-dev libjpeg62-turbo-dev libwebp-dev libgif-dev
+  libvtk9-dev libopenmesh-dev libopenexr-dev libjpeg62-turbo-dev libwebp-dev libgif-dev
   # meshes of other programs, compressed glTF
   libassimp-dev libdraco-dev libmeshoptimizer-dev
   # small libraries

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fewer triangles by drawing edges together: Garland and Heckbert, "Surface simplification using
-// quadric error metrics", SIGGRAPH 1997.
+// quadric error metrics", SIGGRAPH 1997; in OpenMesh's framework of decimaters and their modules.
 #pragma once
 
 #include <functional>

@@ -136,7 +136,7 @@ const std::vector<Library>& libraries() {
   static const std::vector<Library> table{
       {"Qt", std::regex("Q[A-Z].*|Qt.*"), {"widgets", "app/main.cpp", "render/export", "tests"}},
       {"VTK", std::regex("vtk.*"), {"model/import", "model/isosurface", "tests/bench"}},
-      {"OpenMesh", std::regex("OpenMesh/.*"), {"model/meshing"}},
+      {"OpenMesh", std::regex("OpenMesh/.*"), {"model/meshing", "tests/bench"}},
       {"OpenGL", std::regex("(epoxy|GL|GLES[23]?|EGL|KHR)/.*"), {"render/gpu", "tests/bench"}},
       {"assimp, Draco, meshoptimizer",
        std::regex("assimp/.*|draco/.*|meshoptimizer\\.h"),

@@ -18,6 +18,7 @@
 #include "render/vectors/vector_drawing.h"
 #include "tests/bench/gamma_drag.h"
 #include "tests/bench/measure.h"
+#include "tests/bench/meshing.h"
 #include "tests/bench/report.h"
 #include "tests/bench/vtk_phong.h"
 #include "tests/support/process_memory.h"
@@ -31,6 +32,7 @@ struct Options {
   std::string size = "1280x720";
   std::optional<float> gamma;
   int drags = 0;
+  float meshingMm = 0.0f;
   bool json = false;
 };
 
@@ -204,6 +206,24 @@ Status runDrags(const Options& options, const glm::ivec2& size) {
   return Unit{};
 }
 
+/// Prints what is made of each surface, as its file has it, and what OpenMesh makes of it.
+Status runMeshing(const Options& options) {
+  model::ImportOptions unsmoothed;
+  unsmoothed.smoothing.mode = model::Smoothing::Mode::off;
+  const std::vector<std::filesystem::path> inputs(options.inputs.begin(), options.inputs.end());
+  const auto imported = model::importInputs(inputs, unsmoothed);
+  if (!imported)
+    return imported.error();
+  std::vector<bench::MeshingRow> rows;
+  for (const model::NodeId id : imported->scene.structuresBelow(model::rootId)) {
+    const model::Node& node = *imported->scene.find(id);
+    if (node.mesh->triangleCount() > 0)
+      rows.push_back(bench::measureMeshing(node.name, node.mesh, options.meshingMm));
+  }
+  std::cout << bench::asText(rows);
+  return Unit{};
+}
+
 Result<bench::Report> run(const Options& options, const glm::ivec2& size) {
   bench::Report report;
   auto context = render::gpu::HeadlessContext::create();
@@ -247,6 +267,10 @@ int main(int argc, char** argv) {
   app.add_option("--drag-gamma", options.drags,
                  "Instead of turning: drag Γ of so many structures, the largest and some others")
       ->check(CLI::Range(1, 10000));
+  app.add_option("--meshing", options.meshingMm,
+                 "Instead of turning: simplify each surface to so many mm, find its neighbours and "
+                 "subdivide it, here and by OpenMesh's own algorithms")
+      ->check(CLI::Range(0.001f, 1000.0f));
   app.add_flag("--json", options.json, "Print JSON");
   try {
     app.parse(argc, argv);
@@ -262,6 +286,10 @@ int main(int argc, char** argv) {
   if (options.drags > 0) {
     const Status dragged = runDrags(options, *size);
     return dragged ? 0 : fail(dragged.error());
+  }
+  if (options.meshingMm > 0.0f) {
+    const Status measured = runMeshing(options);
+    return measured ? 0 : fail(measured.error());
   }
   const auto report = run(options, *size);
   if (!report)

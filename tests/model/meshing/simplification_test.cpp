@@ -2,9 +2,13 @@
 #include "model/meshing/simplification.h"
 
 #include <QtTest>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <random>
+#include <set>
 
 #include "model/geometry/topology.h"
 #include "tests/support/shapes.h"
@@ -53,6 +57,83 @@ MeshPtr book() {
       }
   }
   return meshOf(std::move(positions), std::move(triangles));
+}
+
+/// Two quilted sheets: apart by 0.2 mm but at each third vertex, which they share.
+MeshPtr quilt() {
+  constexpr int cells = 30;
+  std::vector<glm::vec3> positions;
+  std::vector<model::Triangle> triangles;
+  std::map<std::array<int, 2>, std::uint32_t> stitches;
+  for (const float side : {0.1f, -0.1f}) {
+    std::map<std::array<int, 2>, std::uint32_t> at;
+    for (int x = 0; x <= cells; ++x)
+      for (int y = 0; y <= cells; ++y) {
+        const std::array<int, 2> place{x, y};
+        const bool stitched = x % 3 == 1 && y % 3 == 1;
+        if (stitched && stitches.contains(place)) {
+          at[place] = stitches[place];
+          continue;
+        }
+        at[place] = std::uint32_t(positions.size());
+        if (stitched)
+          stitches[place] = at[place];
+        positions.emplace_back(float(x), float(y), stitched ? 0.0f : side);
+      }
+    for (int x = 0; x < cells; ++x)
+      for (int y = 0; y < cells; ++y) {
+        const auto corner = [&](int i, int j) { return at[{x + i, y + j}]; };
+        model::Triangle lower{corner(0, 0), corner(1, 0), corner(1, 1)};
+        model::Triangle upper{corner(0, 0), corner(1, 1), corner(0, 1)};
+        if (side < 0.0f) {
+          std::swap(lower[1], lower[2]);
+          std::swap(upper[1], upper[2]);
+        }
+        triangles.insert(triangles.end(), {lower, upper});
+      }
+  }
+  return meshOf(std::move(positions), std::move(triangles));
+}
+
+/// A ball of which one half is inside out.
+MeshPtr halfTurned() {
+  const MeshPtr ball = test::sphere(20, 4);
+  std::vector<model::Triangle> triangles(ball->triangles().begin(), ball->triangles().end());
+  for (model::Triangle& t : triangles)
+    if (ball->positions()[t[0]].z + ball->positions()[t[1]].z + ball->positions()[t[2]].z > 0.0f)
+      std::swap(t[1], t[2]);
+  return meshOf({ball->positions().begin(), ball->positions().end()}, std::move(triangles));
+}
+
+/// Two balls with one vertex in common.
+MeshPtr touchingBalls() {
+  const MeshPtr ball = test::sphere(20, 4);
+  const auto ends =
+      std::minmax_element(ball->positions().begin(), ball->positions().end(),
+                          [](const glm::vec3& a, const glm::vec3& b) { return a.x < b.x; });
+  const auto last = std::uint32_t(ends.second - ball->positions().begin());
+  const auto first = std::uint32_t(ends.first - ball->positions().begin());
+  const auto count = std::uint32_t(ball->vertexCount());
+  std::vector<glm::vec3> positions(ball->positions().begin(), ball->positions().end());
+  std::vector<model::Triangle> triangles(ball->triangles().begin(), ball->triangles().end());
+  for (const glm::vec3& p : ball->positions())
+    positions.push_back(p + (*ends.second - *ends.first));
+  for (model::Triangle t : ball->triangles()) {
+    for (std::uint32_t& v : t)
+      v = v == first ? last : v + count;
+    triangles.push_back(t);
+  }
+  return meshOf(std::move(positions), std::move(triangles));
+}
+
+/// Pairs of triangles that disagree at their edge about which side is outside.
+std::size_t disagreements(const model::Mesh& mesh) {
+  std::map<std::array<std::uint32_t, 2>, int> seen;
+  for (const model::Triangle& t : mesh.triangles())
+    for (std::size_t k = 0; k < 3; ++k)
+      ++seen[{t[k], t[(k + 1) % 3]}];
+  return std::size_t(
+      std::count_if(seen.begin(), seen.end(), [](const auto& edge) { return edge.second == 2; }));
 }
 
 double distanceToSegment(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
@@ -107,9 +188,18 @@ double volume(const model::Mesh& mesh) {
   return sum / 6.0;
 }
 
-/// Vertices − edges + triangles of a closed mesh: 2 for a ball, 0 for a ring.
+/// Vertices − edges + triangles: 2 for a ball, 0 for a ring. Vertices without triangles do not
+/// count.
 int eulerOf(const model::Mesh& mesh) {
-  return int(mesh.vertexCount()) - int(mesh.triangleCount() / 2);
+  std::set<std::uint32_t> vertices;
+  std::set<std::array<std::uint32_t, 2>> edges;
+  for (const model::Triangle& t : mesh.triangles())
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t next = t[(k + 1) % 3];
+      vertices.insert(next);
+      edges.insert({std::min(t[k], next), std::max(t[k], next)});
+    }
+  return int(vertices.size()) - int(edges.size()) + int(mesh.triangleCount());
 }
 
 model::EdgeCount edgesOf(const model::Mesh& mesh) {
@@ -180,6 +270,31 @@ class SimplificationTest : public QObject {
     QCOMPARE(after.nonManifold, before.nonManifold);
     const double rim = model::rimLength(*mesh, model::VertexFaces(*mesh));
     QVERIFY(std::abs(model::rimLength(*fewer.mesh, model::VertexFaces(*fewer.mesh)) - rim) < 1e-3);
+  }
+
+  /// What a half-edge structure cannot hold is cut open on the way and whole again afterwards.
+  void cutsHeal_data() {
+    QTest::addColumn<MeshPtr>("mesh");
+    QTest::addColumn<int>("pieces");
+    QTest::newRow("two balls that touch") << touchingBalls() << 1;
+    QTest::newRow("half inside out") << halfTurned() << 1;
+    QTest::newRow("two sheets, quilted") << quilt() << 1;
+  }
+  void cutsHeal() {
+    QFETCH(MeshPtr, mesh);
+    QFETCH(int, pieces);
+    const model::Simplified fewer = model::simplified(mesh, 0.5f, always);
+    QVERIFY2(fewer.mesh->triangleCount() * 3 < mesh->triangleCount() * 2,
+             qPrintable(QString::number(fewer.mesh->triangleCount())));
+    QVERIFY(fewer.error <= 0.5f);
+    const model::EdgeCount before = edgesOf(*mesh);
+    const model::EdgeCount after = edgesOf(*fewer.mesh);
+    QCOMPARE(after.open, before.open);
+    QCOMPARE(after.nonManifold, before.nonManifold);
+    QCOMPARE(disagreements(*fewer.mesh), disagreements(*mesh));
+    QCOMPARE(int(model::connectedComponents(*mesh).count), pieces);
+    QCOMPARE(int(model::connectedComponents(*fewer.mesh).count), pieces);
+    QCOMPARE(eulerOf(*fewer.mesh), eulerOf(*mesh));
   }
 
   void nothingToDo() {
