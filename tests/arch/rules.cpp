@@ -144,6 +144,7 @@ const std::vector<Library>& libraries() {
       {"oneTBB", std::regex("(oneapi/)?tbb/.*|tbb\\.h"), {"model/base"}},
       {"OpenImageIO", std::regex("OpenImageIO/.*"), {"tests"}},
       {"libhyphen", std::regex("hyphen\\.h"), {"render/export"}},
+      {"qpdf", std::regex("qpdf/.*"), {"render/export/pdf", "tests"}},
       {"OpenEXR, libjpeg", std::regex("OpenEXR/.*|jpeglib\\.h"), {"render/export/pixels"}},
       {"CLI11", std::regex("CLI/.*"), {"app", "tests"}},
       {"libzip", std::regex("zip(conf)?\\.h"), {"model/files"}},

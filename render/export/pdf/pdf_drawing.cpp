@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
+#include <string_view>
 
 namespace sline::render {
 
@@ -26,7 +26,7 @@ class Operators {
     }
     if (digitsOnly == "-0")
       digitsOnly = "0";
-    m_text.append(digitsOnly.data(), qsizetype(digitsOnly.size()));
+    m_text += digitsOnly;
     m_text += ' ';
   }
   void point(const glm::vec2& p) {
@@ -37,7 +37,7 @@ class Operators {
     m_text += operation;
     m_text += '\n';
   }
-  void text(const QByteArray& bytes) { m_text += bytes; }
+  void text(std::string_view more) { m_text += more; }
 
   /// Black, white and grey as such: a printer then mixes no inks for them.
   void colour(const Colour& colour, bool stroke) {
@@ -83,16 +83,16 @@ class Operators {
     word("re");
   }
 
-  QByteArray take() { return std::move(m_text); }
+  std::string take() { return std::move(m_text); }
 
  private:
-  QByteArray m_text;
+  std::string m_text;
 };
 
 class DrawingContent {
  public:
-  DrawingContent(PdfContent& content, PdfObjects& objects, const VectorDrawing& drawing)
-      : m_content(content), m_objects(objects), m_drawing(drawing) {}
+  DrawingContent(PdfContent& content, const VectorDrawing& drawing)
+      : m_content(content), m_drawing(drawing) {}
 
   void append(const PdfPlace& place, double pageHeight) {
     Operators out;
@@ -132,23 +132,20 @@ class DrawingContent {
  private:
   static bool opaque(float opacity) { return opacity >= 0.999f; }
 
-  /// The name of the state in which all is that clear.
-  QByteArray state(float opacity) {
+  /// The name of the state in which all is that clear, which is noted.
+  static std::string state(float opacity, std::set<int>& opacities) {
     const int percent = std::clamp(int(std::lround(100.0f * opacity)), 0, 100);
-    QByteArray name = "/SlO" + QByteArray::number(percent);
-    if (!m_content.states.contains(name + "<<")) {
-      const QByteArray value = QByteArray::number(double(percent) / 100.0);
-      m_content.states += name + "<</ca " + value + "/CA " + value + ">>\n";
-    }
-    return name;
+    opacities.insert(percent);
+    return pdfStateName(percent);
   }
 
-  void shapes(Operators& out, const std::vector<VectorShape>& shapes, bool regions) {
+  static void shapes(Operators& out, const std::vector<VectorShape>& shapes, bool regions,
+                     std::set<int>& opacities) {
     for (const VectorShape& shape : shapes) {
       const bool stroke = shape.penWidth > 0.0f;
       if (!opaque(shape.opacity)) {
         out.word("q");
-        out.text(state(shape.opacity) + " gs\n");
+        out.text(state(shape.opacity, opacities) + " gs\n");
       }
       out.colour(shape.colour, stroke);
       if (stroke) {
@@ -164,39 +161,41 @@ class DrawingContent {
 
   void group(Operators& out, const std::vector<VectorShape>& all, float opacity, bool regions) {
     if (opaque(opacity) || all.empty()) {
-      shapes(out, all, regions);
+      shapes(out, all, regions, m_content.opacities);
       return;
     }
+    constexpr float beyond = 20.0f;  // pens reach over the page's edge
+    PdfForm form{
+        .operators = {}, .box = {glm::vec2(-beyond), m_drawing.sizeMm + beyond}, .opacities = {}};
     Operators inner;
     // Forms begin with their page's state, so that what is clear is so once.
     inner.word("1 J 1 j");
-    shapes(inner, all, regions);
-    constexpr float beyond = 20.0f;  // pens reach over the page's edge
-    const glm::vec2 high = m_drawing.sizeMm + beyond;
-    const PdfId form = m_objects.addStream(
-        inner.take(), "/Type/XObject/Subtype/Form/BBox[" + QByteArray::number(double(-beyond)) +
-                          ' ' + QByteArray::number(double(-beyond)) + ' ' +
-                          QByteArray::number(double(high.x)) + ' ' +
-                          QByteArray::number(double(high.y)) +
-                          "]/Group<</S/Transparency/CS/DeviceRGB/I true>>/Resources<</ExtGState<<" +
-                          m_content.states + ">>>>");
-    const QByteArray name = "/SlG" + QByteArray::number(form.value);
-    m_content.forms += name + ' ' + QByteArray::number(form.value) + " 0 R\n";
+    shapes(inner, all, regions, form.opacities);
+    form.operators = inner.take();
     out.word("q");
-    out.text(state(opacity) + " gs " + name + " Do\n");
+    out.text(state(opacity, m_content.opacities) + " gs " + pdfFormName(m_content.forms.size()) +
+             " Do\n");
     out.word("Q");
+    m_content.forms.push_back(std::move(form));
   }
 
   PdfContent& m_content;
-  PdfObjects& m_objects;
   const VectorDrawing& m_drawing;
 };
 
 }  // namespace
 
-void appendDrawing(PdfContent& content, PdfObjects& objects, const VectorDrawing& drawing,
-                   const PdfPlace& place, double pageHeight) {
-  DrawingContent(content, objects, drawing).append(place, pageHeight);
+std::string pdfStateName(int percent) {
+  return "/SlO" + std::to_string(percent);
+}
+
+std::string pdfFormName(std::size_t index) {
+  return "/SlG" + std::to_string(index);
+}
+
+void appendDrawing(PdfContent& content, const VectorDrawing& drawing, const PdfPlace& place,
+                   double pageHeight) {
+  DrawingContent(content, drawing).append(place, pageHeight);
 }
 
 }  // namespace sline::render

@@ -3,7 +3,10 @@
 // are.
 #pragma once
 
-#include "render/export/pdf/pdf_objects.h"
+#include <set>
+#include <string>
+#include <vector>
+
 #include "render/labels/shapes.h"
 #include "render/vectors/vector_drawing.h"
 
@@ -15,17 +18,26 @@ struct PdfPlace {
   LabelBox clip;       ///< nothing is drawn beside it
 };
 
-/// What a page's content says, and the names it uses.
-struct PdfContent {
-  QByteArray operators;
-  QByteArray states;  ///< entries of /ExtGState
-  QByteArray forms;   ///< entries of /XObject
+/// A group of paths that is clear as a whole: an object of its own, drawn by its name.
+struct PdfForm {
+  std::string operators;
+  LabelBox box;             ///< nothing is drawn beside it; in the units of what draws it
+  std::set<int> opacities;  ///< as those of `PdfContent`
 };
 
-/// Appends the drawing; groups that are clear as a whole become objects of their own. No name of a
-/// structure is written. The page's height is in points.
-void appendDrawing(PdfContent& content, PdfObjects& objects, const VectorDrawing& drawing,
-                   const PdfPlace& place, double pageHeight);
+/// What a page's content says, and what it names.
+struct PdfContent {
+  std::string operators;
+  std::set<int> opacities;     ///< percent; each has a state, called `pdfStateName`
+  std::vector<PdfForm> forms;  ///< called `pdfFormName`
+};
+
+std::string pdfStateName(int percent);
+std::string pdfFormName(std::size_t index);
+
+/// Appends the drawing. No name of a structure is written. The page's height is in points.
+void appendDrawing(PdfContent& content, const VectorDrawing& drawing, const PdfPlace& place,
+                   double pageHeight);
 
 inline constexpr double pointsPerMillimetre = 72.0 / 25.4;
 

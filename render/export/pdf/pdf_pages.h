@@ -42,7 +42,6 @@ class PdfPages {
     const VectorDrawing* drawing;
     PdfPlace place;
   };
-  void join(PdfObjects& objects, PdfId page, const PdfContent& content) const;
 
   glm::vec2 m_size;
   std::string m_language;

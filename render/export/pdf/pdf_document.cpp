@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/pdf/pdf_document.h"
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <memory>
+#include <qpdf/Buffer.hh>
+#include <qpdf/Pl_Flate.hh>
+#include <qpdf/QPDF.hh>
+#include <qpdf/QPDFPageDocumentHelper.hh>
+#include <qpdf/QPDFPageObjectHelper.hh>
+#include <qpdf/QPDFWriter.hh>
+#include <stdexcept>
+#include <string_view>
+
+#include "render/export/xmp_packet.h"
+
+namespace sline::render {
+
+namespace {
+
+using Object = QPDFObjectHandle;
+
+Object real(double value) {
+  return Object::newReal(value, 4);
+}
+
+/// Whether an entry says who or what made the file, or when, or is one of a kind.
+bool tellsOfMaking(const std::string& name, Object& value) {
+  static constexpr std::array<std::string_view, 9> names{
+      "/Metadata",     "/PieceInfo",   "/LastModified",
+      "/CreationDate", "/ModDate",     "/Producer",
+      "/Creator",      "/CreatorInfo", "/NM"};
+  if (std::find(names.begin(), names.end(), name) != names.end())
+    return true;
+  // A date, whatever it is called (ISO 32000-1, 7.9.4).
+  return value.isString() && value.getStringValue().starts_with("D:");
+}
+
+/// In all that the object holds itself; what it refers to is an object of its own.
+void removeTraces(Object object) {
+  if (object.isStream())
+    object = object.getDict();
+  if (object.isArray()) {
+    for (Object item : object.getArrayAsVector())
+      if (!item.isIndirect())
+        removeTraces(item);
+    return;
+  }
+  if (!object.isDictionary())
+    return;
+  for (const std::string& name : object.getKeys()) {
+    Object value = object.getKey(name);
+    if (tellsOfMaking(name, value))
+      object.removeKey(name);
+    else if (!value.isIndirect())
+      removeTraces(value);
+  }
+}
+
+void keepOnly(Object dictionary, std::initializer_list<std::string_view> names) {
+  for (const std::string& name : dictionary.getKeys())
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      dictionary.removeKey(name);
+}
+
+/// A dictionary below another that no other object shares.
+Object ownDictionary(Object& parent, const std::string& name) {
+  Object child = parent.getKey(name);
+  return parent.replaceKeyAndGetNew(
+      name, child.isDictionary() ? child.shallowCopy() : Object::newDictionary());
+}
+
+void addStates(Object& resources, const std::set<int>& opacities) {
+  if (opacities.empty())
+    return;
+  Object states = ownDictionary(resources, "/ExtGState");
+  for (const int percent : opacities) {
+    Object state = Object::newDictionary();
+    state.replaceKey("/ca", real(percent / 100.0));
+    state.replaceKey("/CA", real(percent / 100.0));
+    states.replaceKey(pdfStateName(percent), state);
+  }
+}
+
+/// A group that is clear as a whole (ISO 32000-1, 11.6.6).
+Object formObject(QPDF& file, const PdfForm& form) {
+  Object stream = file.newStream(form.operators);
+  Object group = Object::newDictionary();
+  group.replaceKey("/S", Object::newName("/Transparency"));
+  group.replaceKey("/CS", Object::newName("/DeviceRGB"));
+  group.replaceKey("/I", Object::newBool(true));
+  Object resources = Object::newDictionary();
+  addStates(resources, form.opacities);
+  Object entries = stream.getDict();
+  entries.replaceKey("/Type", Object::newName("/XObject"));
+  entries.replaceKey("/Subtype", Object::newName("/Form"));
+  entries.replaceKey(
+      "/BBox", Object::newArray({real(double(form.box.low.x)), real(double(form.box.low.y)),
+                                 real(double(form.box.high.x)), real(double(form.box.high.y))}));
+  entries.replaceKey("/Group", group);
+  entries.replaceKey("/Resources", resources);
+  return stream;
+}
+
+void putBelow(QPDF& file, QPDFPageObjectHelper& page, const PdfContent& content,
+              const glm::dvec2& size) {
+  Object object = page.getObjectHandle();
+  Object box = page.getAttribute("/MediaBox", false);
+  if (!box.isArray() || box.getArrayNItems() != 4 || !box.getArrayItem(3).isNumber())
+    throw std::runtime_error("a page without a size");
+  // QPdfWriter's pages are whole points high: its upper edge is moved to the page's.
+  const double raised = size.y - box.getArrayItem(3).getNumericValue();
+  page.addPageContents(
+      file.newStream(content.operators + "q 1 0 0 1 0 " + real(raised).unparse() + " cm\n"), true);
+  page.addPageContents(file.newStream("Q\n"), false);
+  for (const char* other : {"/CropBox", "/BleedBox", "/TrimBox", "/ArtBox"})
+    object.removeKey(other);
+  object.replaceKey("/MediaBox",
+                    Object::newArray({real(0.0), real(0.0), real(size.x), real(size.y)}));
+  Object resources = ownDictionary(object, "/Resources");
+  addStates(resources, content.opacities);
+  if (content.forms.empty())
+    return;
+  Object forms = ownDictionary(resources, "/XObject");
+  for (std::size_t i = 0; i < content.forms.size(); ++i)
+    forms.replaceKey(pdfFormName(i), formObject(file, content.forms[i]));
+}
+
+/// The credit stands in the document's information, where all programs look, and as XMP.
+void describe(QPDF& file, const PdfDescription& description) {
+  Object catalog = file.getRoot();
+  catalog.replaceKey("/Lang", Object::newUnicodeString(
+                                  description.language.empty() ? "en" : description.language));
+  Object info = Object::newDictionary();
+  const auto say = [&info](const char* name, const std::string& text) {
+    if (!text.empty())
+      info.replaceKey(name, Object::newUnicodeString(text));
+  };
+  say("/Title", description.title);
+  say("/Author", description.credit.author);
+  say("/Copyright", description.credit.copyright);
+  if (!info.getKeys().empty())
+    file.getTrailer().replaceKey("/Info", file.makeIndirectObject(info));
+  if (!description.title.empty()) {
+    Object preferences = Object::newDictionary();
+    preferences.replaceKey("/DisplayDocTitle", Object::newBool(true));
+    catalog.replaceKey("/ViewerPreferences", preferences);
+  }
+  if (description.credit.empty())
+    return;
+  Object xmp = file.newStream(xmpPacket(description.credit));
+  xmp.getDict().replaceKey("/Type", Object::newName("/Metadata"));
+  xmp.getDict().replaceKey("/Subtype", Object::newName("/XML"));
+  catalog.replaceKey("/Metadata", xmp);
+}
+
+/// Throws what qpdf throws.
+QByteArray joined(const QByteArray& painted, const std::vector<PdfContent>& below,
+                  const PdfDescription& description) {
+  QPDF file;
+  file.setSuppressWarnings(true);
+  file.setAttemptRecovery(false);
+  file.processMemoryFile("pages", painted.constData(), std::size_t(painted.size()));
+  std::vector<QPDFPageObjectHelper> pages = QPDFPageDocumentHelper(file).getAllPages();
+  if (pages.size() != below.size())
+    throw std::runtime_error("another number of pages than were painted");
+  keepOnly(file.getTrailer(), {"/Root", "/Size"});
+  keepOnly(file.getRoot(), {"/Type", "/Pages"});
+  for (const Object& object : file.getAllObjects())
+    removeTraces(object);
+  for (std::size_t i = 0; i < pages.size(); ++i)
+    putBelow(file, pages[i], below[i], description.pageSize);
+  describe(file, description);
+  if (file.anyWarnings())
+    throw file.getWarnings().front();
+
+  QPDFWriter writer(file);
+  writer.setOutputMemory();
+  writer.setLinearization(true);
+  writer.setDeterministicID(true);
+  writer.write();
+  const std::shared_ptr<Buffer> bytes = writer.getBufferSharedPointer();
+  return {reinterpret_cast<const char*>(bytes->getBuffer()), qsizetype(bytes->getSize())};
+}
+
+}  // namespace
+
+Result<QByteArray> joinedPdf(const QByteArray& painted, const std::vector<PdfContent>& below,
+                             const PdfDescription& description) {
+  try {
+    return joined(painted, below, description);
+  } catch (const std::exception& exception) {
+    return Error{.reason = std::string("Qt's pages cannot be put together: ") + exception.what(),
+                 .remedy = "Report this, with the versions of Qt and qpdf"};
+  }
+}
+
+}  // namespace sline::render
