@@ -13,7 +13,7 @@ packages=(
   libgl-dev libglx-mesa0 libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri
   fonts-dejavu-core fonts-dejavu-extra
   # meshes and volumes, pixel files, films
-  libvtk9-dev libopenmesh-dev libopenexr-dev libjpeg62-turbo-dev libwebp-dev libgif-dev
+  libvtk9-dev libopenmesh-dev libopenimageio-dev libwebp-dev libgif-dev
   # meshes of other programs, compressed glTF
   libassimp-dev libdraco-dev libmeshoptimizer-dev
   # PDF files
@@ -37,7 +37,7 @@ testing=(
   # the renderer that sline-bench compares with
   libglew-dev
   # other programs' opinion of our pictures, vector drawings, sheets and films
-  libopenimageio-dev openimageio-tools libopencv-dev librsvg2-bin inkscape poppler-utils ffmpeg
+  openimageio-tools librsvg2-bin inkscape poppler-utils ffmpeg
   # their opinion of what is installed, of man pages and completions, and of the Debian package
   lintian desktop-file-utils appstream shared-mime-info libglib2.0-bin libxml2-utils
   man-db groff mandoc zsh fish

@@ -99,6 +99,22 @@
         <translation>EXR-Bild</translation>
     </message>
     <message>
+        <source>WebP picture</source>
+        <translation>WebP-Bild</translation>
+    </message>
+    <message>
+        <source>A picture for web pages, smaller than PNG and as exact: 8 bits in colour</source>
+        <translation>Ein Bild für Webseiten, kleiner als PNG und ebenso genau: 8 Bit in Farbe</translation>
+    </message>
+    <message>
+        <source>JPEG 2000 picture</source>
+        <translation>JPEG-2000-Bild</translation>
+    </message>
+    <message>
+        <source>A picture for archives that ask for it, exact: 8 or 16 bits</source>
+        <translation>Ein Bild für Archive, die es verlangen, genau: 8 oder 16 Bit</translation>
+    </message>
+    <message>
         <source>SVG drawing</source>
         <translation>SVG-Zeichnung</translation>
     </message>

@@ -99,6 +99,22 @@
         <translation>EXR-bilde</translation>
     </message>
     <message>
+        <source>WebP picture</source>
+        <translation>WebP-bilde</translation>
+    </message>
+    <message>
+        <source>A picture for web pages, smaller than PNG and as exact: 8 bits in colour</source>
+        <translation>Et bilde for nettsider, mindre enn PNG og like nøyaktig: 8 biter i farger</translation>
+    </message>
+    <message>
+        <source>JPEG 2000 picture</source>
+        <translation>JPEG 2000-bilde</translation>
+    </message>
+    <message>
+        <source>A picture for archives that ask for it, exact: 8 or 16 bits</source>
+        <translation>Et bilde for arkiver som ber om det, nøyaktig: 8 eller 16 biter</translation>
+    </message>
+    <message>
         <source>SVG drawing</source>
         <translation>SVG-tegning</translation>
     </message>

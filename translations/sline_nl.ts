@@ -99,6 +99,22 @@
         <translation>EXR-afbeelding</translation>
     </message>
     <message>
+        <source>WebP picture</source>
+        <translation>WebP-afbeelding</translation>
+    </message>
+    <message>
+        <source>A picture for web pages, smaller than PNG and as exact: 8 bits in colour</source>
+        <translation>Een afbeelding voor webpagina&apos;s, kleiner dan PNG en even exact: 8 bits in kleur</translation>
+    </message>
+    <message>
+        <source>JPEG 2000 picture</source>
+        <translation>JPEG 2000-afbeelding</translation>
+    </message>
+    <message>
+        <source>A picture for archives that ask for it, exact: 8 or 16 bits</source>
+        <translation>Een afbeelding voor archieven die erom vragen, exact: 8 of 16 bits</translation>
+    </message>
+    <message>
         <source>SVG drawing</source>
         <translation>SVG-tekening</translation>
     </message>

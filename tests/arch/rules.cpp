@@ -78,6 +78,7 @@ const std::vector<Room>& rooms() {
       {"render/export/pixels",
        {"model/base", "model/files", "model/scene", "render/export", "render/gpu", "render/labels",
         "render/picture"}},
+      {"render/export/pixels/module", {"model/base", "render/export/pixels"}},
       {"render/export/proof",
        {"model/base", "model/edit", "model/geometry", "model/scene", "render/export", "render/gpu",
         "render/labels", "render/picture"}},
@@ -142,17 +143,18 @@ const std::vector<Library>& libraries() {
        std::regex("assimp/.*|draco/.*|meshoptimizer\\.h"),
        {"model/import/foreign", "tests"}},
       {"oneTBB", std::regex("(oneapi/)?tbb/.*|tbb\\.h"), {"model/base"}},
-      {"OpenImageIO", std::regex("OpenImageIO/.*"), {"tests"}},
+      {"OpenImageIO", std::regex("OpenImageIO/.*"), {"render/export/pixels/module", "tests"}},
       {"libhyphen", std::regex("hyphen\\.h"), {"render/export"}},
       {"qpdf", std::regex("qpdf/.*"), {"render/export/pdf", "tests"}},
-      {"OpenEXR, libjpeg", std::regex("OpenEXR/.*|jpeglib\\.h"), {"render/export/pixels"}},
       {"CLI11", std::regex("CLI/.*"), {"app", "tests"}},
       {"libzip", std::regex("zip(conf)?\\.h"), {"model/files"}},
       {"zlib, bzip2",
        std::regex("(zlib|bzlib)\\.h"),
        {"model/import", "render/export/pixels", "tests"}},
       {"sqlite3", std::regex("sqlite3\\.h"), {"render/export/anki", "tests"}},
-      {"libwebp, giflib", std::regex("webp/.*|gif_lib\\.h"), {"render/export/motion", "tests"}},
+      {"libwebp, giflib",
+       std::regex("webp/.*|gif_lib\\.h"),
+       {"render/export/motion", "render/export/pixels", "tests"}},
       {"nlohmann-json",
        std::regex("nlohmann/.*"),
        {"app", "model/files", "model/import", "render/export/anki", "render/export/gltf", "tests"}},
@@ -349,11 +351,11 @@ Complaints checkTopLevel(const std::vector<std::string>& names) {
   return out;
 }
 
-Complaints checkNoWidgets(const std::string& neededLibraries) {
+Complaints checkNeeded(const std::string& neededLibraries) {
   std::smatch match;
   // Gui sets text, and needs the other two.
   if (std::regex_search(neededLibraries, match,
-                        std::regex("libQt[0-9](?!(Core|Gui|DBus)\\.)[0-9A-Za-z]*")))
+                        std::regex("libQt[0-9](?!(Core|Gui|DBus)\\.)[0-9A-Za-z]*|libOpenImageIO")))
     return {"the program needs " + match.str()};
   return {};
 }

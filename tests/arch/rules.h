@@ -31,7 +31,8 @@ Complaints checkOwnHeaderFirst(const File& file, const std::set<std::string>& pa
 Complaints checkLicenceLine(const File& file);
 /// The top level holds exactly what was agreed.
 Complaints checkTopLevel(const std::vector<std::string>& names);
-/// The shared libraries a program needs hold no Qt but what sets text.
-Complaints checkNoWidgets(const std::string& neededLibraries);
+/// The shared libraries a program needs hold no Qt but what sets text, and none of those that are
+/// loaded only when a picture needs them.
+Complaints checkNeeded(const std::string& neededLibraries);
 
 }  // namespace sline::arch

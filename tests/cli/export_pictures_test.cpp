@@ -20,6 +20,7 @@ class ExportPicturesTest : public QObject {
   void severalKindsAtOnce();
   void throughAPipe_data();
   void throughAPipe();
+  void withoutTheModule();
   void blackAndWhiteIsPure();
   void wrongUse_data();
   void wrongUse();
@@ -59,7 +60,7 @@ void ExportPicturesTest::severalKindsAtOnce() {
   QStringList flags{"export", m_sample, "--size-mm",    "40x30",      "--dpi",
                     "72",     "--grey", "--background", "transparent"};
   QStringList files;
-  for (const char* kind : {"png", "tiff", "jpeg", "exr", "svg"}) {
+  for (const char* kind : {"png", "tiff", "jpeg", "exr", "jp2", "svg"}) {
     files << m_folder.filePath(QString("Bäcken 盆.") + kind);
     flags << QString("--") + kind << files.back();
   }
@@ -78,6 +79,7 @@ void ExportPicturesTest::throughAPipe_data() {
   QTest::newRow("svg") << "svg" << true;
   QTest::newRow("tiff") << "tiff" << false;
   QTest::newRow("exr") << "exr" << false;
+  QTest::newRow("WebP") << "webp-picture" << true;
 }
 
 void ExportPicturesTest::throughAPipe() {
@@ -86,7 +88,7 @@ void ExportPicturesTest::throughAPipe() {
   const auto exported = [&](const QString& target) {
     return runSline({"export", m_sample, "--" + kind, target, "--size-mm", "30x20", "--dpi", "96"});
   };
-  const QString file = m_folder.filePath("whole." + kind);
+  const QString file = m_folder.filePath("whole." + kind.section('-', 0, 0));
   QCOMPARE(exported(file).code, 0);
   QFile whole(file);
   QVERIFY(whole.open(QIODevice::ReadOnly));
@@ -97,6 +99,25 @@ void ExportPicturesTest::throughAPipe() {
   else
     QVERIFY2(piped.err.contains("through a pipe") && piped.err.contains("Name a file"),
              piped.err.constData());
+}
+
+/// The program alone, as somebody may have copied it: it draws PNG, and says what others need.
+void ExportPicturesTest::withoutTheModule() {
+  const QString folder = m_folder.filePath("alone");
+  QVERIFY(QDir().mkpath(folder));
+  const auto exported = [&](const QString& kind, const QString& name) {
+    return runSlineCopiedTo(
+        folder, {"export", m_sample, "--" + kind, folder + '/' + name, "--size-px", "40x30"});
+  };
+  for (const char* kind : {"tiff", "jpeg", "exr", "jp2"}) {
+    const Finished refused = exported(kind, "figure");
+    QCOMPARE(refused.code, 1);
+    QVERIFY2(
+        refused.err.contains("libsline-pixels.so") && refused.err.contains("Install OpenImageIO"),
+        refused.err.constData());
+  }
+  QCOMPARE(exported("png", "a.png").code, 0);
+  QCOMPARE(QDir(folder).entryList(QDir::Files), QStringList({"a.png", "sline"}));
 }
 
 void ExportPicturesTest::blackAndWhiteIsPure() {

@@ -33,6 +33,13 @@ Finished runSline(const QStringList& arguments) {
   return finished(QStringLiteral(SLINE_PROGRAM), arguments);
 }
 
+Finished runSlineCopiedTo(const QString& folder, const QStringList& arguments) {
+  const QString copy = folder + "/sline";
+  if (!QFile::exists(copy) && !QFile::copy(QStringLiteral(SLINE_PROGRAM), copy))
+    qFatal("cannot write %s", qPrintable(copy));
+  return finished(copy, arguments);
+}
+
 Finished runSlineLed(const QString& streams, const QStringList& arguments) {
   return finished(QStringLiteral("/bin/sh"), QStringList{"-c", "exec \"$0\" \"$@\" " + streams,
                                                          QStringLiteral(SLINE_PROGRAM)} +

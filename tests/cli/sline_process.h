@@ -17,6 +17,8 @@ struct Finished {
   QByteArray err;
 };
 Finished runSline(const QStringList& arguments);
+/// A copy of the program alone in that folder, without what lies beside it.
+Finished runSlineCopiedTo(const QString& folder, const QStringList& arguments);
 /// With its streams led elsewhere by a shell, as in ">/dev/full 2>&1" or ">&-".
 Finished runSlineLed(const QString& streams, const QStringList& arguments);
 

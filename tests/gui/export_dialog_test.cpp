@@ -33,6 +33,7 @@ bool beginsRight(const QString& extension, const QByteArray& bytes) {
       {"tiff", {QByteArray("II*\0", 4), QByteArray("MM\0*", 4)}},
       {"exr", {"\x76\x2f\x31\x01"}},
       {"jpg", {"\xff\xd8\xff"}},
+      {"jp2", {QByteArray("\0\0\0\x0cjP", 6)}},
       {"pdf", {"%PDF-"}},
       {"glb", {"glTF"}},
       {"webp", {"RIFF"}},

@@ -33,12 +33,20 @@ layout() {
     zsh/site-functions/_sline fish/vendor_completions.d/sline.fish man/man1/sline.1; do
     [ -s "$share/$file" ] || fail "$file is not installed"
   done
+  [ -s "$prefix/lib/sline/libsline-pixels.so" ] || fail "the part for TIFF and others is not installed"
   "$sline" --version | grep -q '^sline [0-9]' || fail "the installed program does not start"
   # DICOM is read by another program, which it must find: this file is one, and holds nothing.
   head -c 128 /dev/zero >"$prefix/none.dcm"
   printf DICM >>"$prefix/none.dcm"
   ! "$sline" info "$prefix/none.dcm" 2>"$prefix/said" || fail "an empty DICOM file was read"
   ! grep -q sline-reader "$prefix/said" || fail "$(cat "$prefix/said")"
+}
+
+# What the program loads for other pictures than PNG is found from where it is installed.
+pictures() {
+  printf 'v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n' >"$prefix/t.obj"
+  "$sline" render "$prefix/t.obj" -o "$prefix/t.tiff" --size 64x64 >/dev/null
+  [ "$(head -c 2 "$prefix/t.tiff")" = II ] || fail "no TIFF was written"
 }
 
 desktop() {
@@ -121,6 +129,7 @@ completions() {
 }
 
 layout
+pictures
 desktop
 mime_type
 page_is_sound "$share/man/man1/sline.1"

@@ -28,6 +28,8 @@ for program in sline sline-workstation; do
 done
 apt-get install --simulate "$debian" >/dev/null || fail "what the package depends on is not to be had"
 
+[ -s "$folder/debian/usr/lib/sline/libsline-pixels.so" ] || fail "the package lacks its part for pictures"
+
 tar -C "$folder" -xzf "$archive"
 cd "$folder"/sline-*
 unset LD_LIBRARY_PATH QT_PLUGIN_PATH QT_QPA_PLATFORM
@@ -37,7 +39,9 @@ mkdir -m 700 "$XDG_RUNTIME_DIR"
 bin/sline --version
 bin/sline demo kidney -o k.png
 [ "$(head -c 4 k.png | tail -c 3)" = PNG ] || fail "no picture was drawn"
-! ldd bin/sline bin/sline-workstation | grep 'not found' || fail "a library is absent"
+bin/sline demo kidney -o k.tiff
+[ "$(head -c 2 k.tiff)" = II ] || fail "no TIFF was written"
+! ldd bin/sline bin/sline-workstation lib/sline/libsline-pixels.so | grep 'not found' || fail "a library is absent"
 
 # What the window has loaded once it stands: Qt and VTK from here alone.
 xvfb-run -a bash -c '

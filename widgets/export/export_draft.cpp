@@ -26,6 +26,8 @@ constexpr std::array traits{
     KindTraits{.kind = "tiff"},
     KindTraits{.kind = "jpeg"},
     KindTraits{.kind = "exr"},
+    KindTraits{.kind = "webp-picture"},
+    KindTraits{.kind = "jp2"},
     KindTraits{.kind = "svg", .page = PageUse::drawing, .names = true},
     KindTraits{.kind = "pdf", .page = PageUse::drawing, .names = true},
     KindTraits{.kind = "glb", .oneView = false, .page = PageUse::none, .names = true},

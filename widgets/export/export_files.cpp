@@ -17,7 +17,8 @@ namespace {
 
 /// Kinds that have a choice of depth; what was chosen for them is not asked of others.
 bool isFine(const QString& kind) {
-  return kind == QLatin1String("png") || kind == QLatin1String("tiff");
+  return kind == QLatin1String("png") || kind == QLatin1String("tiff") ||
+         kind == QLatin1String("jp2");
 }
 
 /// Of a film's picture: the page's shape, so small that letters are read on a screen, whatever

@@ -31,6 +31,12 @@ namespace {
     QT_TRANSLATE_NOOP(
         "sline::render::ExportFormat",
         "A picture in linear light, as halves with alpha multiplied in, for compositing"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "WebP picture"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat",
+                      "A picture for web pages, smaller than PNG and as exact: 8 bits in colour"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "JPEG 2000 picture"),
+    QT_TRANSLATE_NOOP("sline::render::ExportFormat",
+                      "A picture for archives that ask for it, exact: 8 or 16 bits"),
     QT_TRANSLATE_NOOP("sline::render::ExportFormat", "SVG drawing"),
     QT_TRANSLATE_NOOP("sline::render::ExportFormat",
                       "Vectors for Inkscape, Illustrator and print: lines and hatching as smooth "
@@ -71,10 +77,10 @@ struct Weight {
   double perPixel;
   double perTriangle;
 };
-constexpr std::array weights{Weight{"png", 0.4, 0.0}, Weight{"tiff", 1.0, 0.0},
-                             Weight{"exr", 2.0, 0.0}, Weight{"jpeg", 0.25, 0.0},
-                             Weight{"svg", 0.0, 2.0}, Weight{"pdf", 0.0, 1.0},
-                             Weight{"glb", 0.0, 30.0}};
+constexpr std::array weights{
+    Weight{"png", 0.4, 0.0},   Weight{"tiff", 1.0, 0.0},          Weight{"exr", 2.0, 0.0},
+    Weight{"jpeg", 0.25, 0.0}, Weight{"webp-picture", 0.25, 0.0}, Weight{"jp2", 1.0, 0.0},
+    Weight{"svg", 0.0, 2.0},   Weight{"pdf", 0.0, 1.0},           Weight{"glb", 0.0, 30.0}};
 
 std::size_t shownTriangles(const model::Scene& scene) {
   std::size_t triangles = 0;

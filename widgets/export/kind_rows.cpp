@@ -43,21 +43,21 @@ std::vector<ExportRow> pixelRows() {
   const QStringList fine{QStringLiteral("png"), QStringLiteral("tiff")};
   const RowChoice depths{
       {{QStringLiteral("8"), tr("8 bits"), 8}, {QStringLiteral("16"), tr("16 bits"), 16}}};
-  return {
-      bound(
-          with(row("bits", tr("&Depth"), tr("Of each colour; 16 bits for work that follows"), fine),
-               depths),
-          [](auto& o) -> auto& { return o.pixels.bits; }),
-      bound(
-          row("grey", tr("&Grey"), tr("Without colours, with a grey profile"),
-              fine + QStringList{QStringLiteral("jpeg")}),
-          [](auto& o) -> auto& { return o.pixels.grey; }),
-      bound(
-          row("pureInk", tr("Black in&k alone"),
-              tr("For print without tones: each pixel is ink or paper; what is shaded is "
-                 "hatched instead"),
-              fine + QStringList{QStringLiteral("svg"), QStringLiteral("pdf")}),
-          [](auto& o) -> auto& { return o.pixels.pureInk; })};
+  return {bound(
+              with(row("bits", tr("&Depth"), tr("Of each colour; 16 bits for work that follows"),
+                       fine + QStringList{QStringLiteral("jp2")}),
+                   depths),
+              [](auto& o) -> auto& { return o.pixels.bits; }),
+          bound(
+              row("grey", tr("&Grey"), tr("Without colours, with a grey profile"),
+                  fine + QStringList{QStringLiteral("jpeg"), QStringLiteral("jp2")}),
+              [](auto& o) -> auto& { return o.pixels.grey; }),
+          bound(
+              row("pureInk", tr("Black in&k alone"),
+                  tr("For print without tones: each pixel is ink or paper; what is shaded is "
+                     "hatched instead"),
+                  fine + QStringList{QStringLiteral("svg"), QStringLiteral("pdf")}),
+              [](auto& o) -> auto& { return o.pixels.pureInk; })};
 }
 
 std::vector<ExportRow> sheetRows() {

@@ -45,6 +45,12 @@ std::span<const ExportFormat> exportFormats() {
       ExportFormat{"exr", "EXR picture",
                    "A picture in linear light, as halves with alpha multiplied in, for compositing",
                    "exr", "", writeExr, pixelNotesOf<PixelKind::exr>},
+      ExportFormat{"webp-picture", "WebP picture",
+                   "A picture for web pages, smaller than PNG and as exact: 8 bits in colour",
+                   "webp", "", writeWebpPicture, pixelNotesOf<PixelKind::webp>},
+      ExportFormat{"jp2", "JPEG 2000 picture",
+                   "A picture for archives that ask for it, exact: 8 or 16 bits", "jp2", "",
+                   writeJp2, pixelNotesOf<PixelKind::jp2>},
       ExportFormat{"svg", "SVG drawing",
                    "Vectors for Inkscape, Illustrator and print: lines and hatching as smooth "
                    "paths, hidden ones removed, a named group for each structure",

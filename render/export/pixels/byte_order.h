@@ -15,12 +15,4 @@ inline std::string bigEndian(std::uint64_t value, std::size_t count) {
   return bytes;
 }
 
-/// The same, the lowest first.
-inline std::string littleEndian(std::uint64_t value, std::size_t count) {
-  std::string bytes;
-  for (std::size_t i = 0; i < count; ++i)
-    bytes.push_back(char((value >> (8 * i)) & 0xFF));
-  return bytes;
-}
-
 }  // namespace sline::render

@@ -6,7 +6,10 @@
 #include <string_view>
 
 #include "model/files/whole_file.h"
+#include "render/export/pixels/colour_profile.h"
+#include "render/export/pixels/pixel_module.h"
 #include "render/export/pixels/pixel_rows.h"
+#include "render/export/xmp_packet.h"
 
 namespace sline::render {
 
@@ -14,13 +17,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, PixelKind>, 6> extensions{
+constexpr std::array<std::pair<std::string_view, PixelKind>, 8> extensions{
     {{".png", PixelKind::png},
      {".tiff", PixelKind::tiff},
      {".tif", PixelKind::tiff},
      {".exr", PixelKind::exr},
      {".jpg", PixelKind::jpeg},
-     {".jpeg", PixelKind::jpeg}}};
+     {".jpeg", PixelKind::jpeg},
+     {".webp", PixelKind::webp},
+     {".jp2", PixelKind::jp2}}};
 
 std::optional<PixelKind> kindOf(const fs::path& file) {
   std::string extension = file.extension().string();
@@ -41,7 +46,7 @@ bool opaque(const Image& image) {
 PixelLayout layoutFor(const Image& image, PixelKind kind) {
   return {.width = image.width,
           .height = image.height,
-          .channels = kind == PixelKind::jpeg || opaque(image) ? 3 : 4,
+          .channels = !traitsOf(kind).alpha || opaque(image) ? 3 : 4,
           .bits = kind == PixelKind::exr ? 32 : 8};
 }
 
@@ -74,7 +79,93 @@ class PngRowFile : public RowFile {
   std::unique_ptr<RowFile> m_png;
 };
 
+/// A file that the module writes to.
+class GrowingTarget : public ByteTarget {
+ public:
+  explicit GrowingTarget(std::unique_ptr<model::GrowingFile> file) : m_file(std::move(file)) {}
+
+  Status write(std::uint64_t at, std::string_view bytes) override {
+    // Writers go back to say what they know only in the end, and leave a byte out so that what
+    // comes next begins at an even place.
+    if (at > m_file->size())
+      if (Status filled = m_file->add(std::string(at - m_file->size(), '\0')); !filled.ok())
+        return filled;
+    const std::size_t over = std::min<std::uint64_t>(bytes.size(), m_file->size() - at);
+    if (over > 0)
+      if (Status written = m_file->replace(at, bytes.substr(0, over)); !written.ok())
+        return written;
+    return over < bytes.size() ? m_file->add(bytes.substr(over)) : Status(Unit{});
+  }
+  Status close() override { return m_file->close(); }
+
+ private:
+  std::unique_ptr<model::GrowingFile> m_file;
+};
+
+/// What the module writes, with its errors told of the file.
+class ModuleRowFile : public RowFile {
+ public:
+  ModuleRowFile(std::unique_ptr<RowFile> rows, fs::path file)
+      : m_rows(std::move(rows)), m_file(std::move(file)) {}
+
+  Status add(std::span<const std::byte> rows) override { return named(m_rows->add(rows)); }
+  Status finish() override { return named(m_rows->finish()); }
+
+ private:
+  Status named(Status status) const {
+    if (status.ok())
+      return status;
+    Error error = status.error();
+    error.file = m_file.string();
+    return error;
+  }
+
+  std::unique_ptr<RowFile> m_rows;
+  fs::path m_file;
+};
+
+Result<std::unique_ptr<RowFile>> moduleRows(PixelKind kind, const PixelLayout& layout,
+                                            const fs::path& file) {
+  const Result<const PixelModule*> module = pixelModule();
+  if (!module.ok())
+    return module.error();
+  Result<std::unique_ptr<model::GrowingFile>> growing = model::GrowingFile::create(file);
+  if (!growing.ok())
+    return growing.error();
+  Result<std::unique_ptr<RowFile>> rows =
+      (*module)->rows(kind, layout,
+                      {.software = "Sline " SLINE_VERSION,
+                       .profile = layout.isGrey() ? greyProfile() : srgbProfile(),
+                       .xmp = xmpPacket(layout.credit)},
+                      std::make_unique<GrowingTarget>(std::move(*growing)));
+  if (!rows.ok()) {
+    Error error = rows.error();
+    error.file = file.string();
+    return error;
+  }
+  return std::unique_ptr<RowFile>(std::make_unique<ModuleRowFile>(std::move(*rows), file));
+}
+
 }  // namespace
+
+PixelTraits traitsOf(PixelKind kind) {
+  // Of kinds that are packed as a whole, which takes 20 to 30 bytes for each.
+  constexpr double mostPacked = 100e6;
+  switch (kind) {
+    case PixelKind::png:
+    case PixelKind::tiff:
+      return {.ink = true, .deep = true};
+    case PixelKind::exr:
+      return {};
+    case PixelKind::jpeg:
+      return {.alpha = false};
+    case PixelKind::webp:
+      return {.grey = false, .largestSide = 16383, .mostPixels = mostPacked};
+    case PixelKind::jp2:
+      return {.deep = true, .mostPixels = mostPacked};
+  }
+  return {};
+}
 
 Status checkImageName(const fs::path& file) {
   if (kindOf(file))
@@ -91,12 +182,10 @@ Status checkImageName(const fs::path& file) {
 
 Result<std::unique_ptr<RowFile>> rowFile(PixelKind kind, const PixelLayout& layout,
                                          const fs::path& file) {
-  if (kind == PixelKind::tiff)
-    return tiffRows(layout, file);
-  if (kind == PixelKind::exr)
-    return exrRows(layout, file);
-  if (kind == PixelKind::jpeg)
-    return jpegRows(layout, file);
+  if (kind == PixelKind::webp)
+    return webpRows(layout, file);
+  if (kind != PixelKind::png)
+    return moduleRows(kind, layout, file);
   Result<std::unique_ptr<model::GrowingFile>> growing = model::GrowingFile::create(file);
   if (!growing.ok())
     return growing.error();

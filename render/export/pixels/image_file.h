@@ -16,8 +16,8 @@ Status checkImageName(const std::filesystem::path& file);
 
 /// Writes the picture in the format of the file's extension: png and tiff (8 bit sRGB, straight
 /// alpha, marked as such), exr (half floats in linear light, alpha multiplied in, as OpenEXR
-/// wants), jpg (no alpha: on white). Where every pixel is opaque no alpha is written. The file
-/// appears whole or not at all, and carries no path, user or date.
+/// wants), jpg (no alpha: on white), webp and jp2 (lossless). Where every pixel is opaque no alpha
+/// is written. The file appears whole or not at all, and carries no path, user or date.
 Status writeImage(const Image& image, const std::filesystem::path& file);
 
 /// The same as the bytes of a PNG file.

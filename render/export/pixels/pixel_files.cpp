@@ -12,33 +12,43 @@ namespace sline::render {
 
 namespace {
 
-bool holdsInkAlone(PixelKind kind) {
-  return kind == PixelKind::png || kind == PixelKind::tiff;
-}
-
 PixelLayout layoutOf(const ExportOrder& order, PixelKind kind, glm::ivec2 size) {
   const ExportPixels& pixels = order.pixels;
   PixelLayout layout{
       .width = size.x, .height = size.y, .dpi = order.page.dpi, .credit = order.credit};
-  const bool ink = holdsInkAlone(kind) && (pixels.pureInk || pixels.bits == 1);
-  const bool alpha = kind != PixelKind::jpeg && !(ink && pixels.bits == 1) &&
+  const PixelTraits traits = traitsOf(kind);
+  const bool ink = traits.ink && (pixels.pureInk || pixels.bits == 1);
+  const bool alpha = traits.alpha && !(ink && pixels.bits == 1) &&
                      order.look.background == Background::transparent;
-  layout.channels = (pixels.grey || ink ? 1 : 3) + (alpha ? 1 : 0);
+  layout.channels = ((pixels.grey && traits.grey) || ink ? 1 : 3) + (alpha ? 1 : 0);
   if (kind == PixelKind::exr)
     layout.bits = 32;
-  else if (holdsInkAlone(kind))
+  else if (traits.ink)
     layout.bits = ink ? std::min(pixels.bits, 8) : pixels.bits;
+  else if (traits.deep)
+    layout.bits = std::max(pixels.bits, 8);
   return layout;
 }
 
-Status checkOrder(const ExportOrder& order, glm::ivec2 size, const std::filesystem::path& target) {
+Status checkOrder(PixelKind kind, const ExportOrder& order, glm::ivec2 size,
+                  const std::filesystem::path& target) {
   const int bits = order.pixels.bits;
-  if (std::max(size.x, size.y) > largestPixelSide)
+  const int largest = std::min(traitsOf(kind).largestSide, largestPixelSide);
+  if (std::max(size.x, size.y) > largest)
     return Error{.file = target.string(),
                  .reason = "a picture of " + std::to_string(size.x) + "×" + std::to_string(size.y) +
                            " pixels is too large",
                  .remedy = "Choose fewer dots per inch or a smaller page; a side may have " +
-                           std::to_string(largestPixelSide) + " pixels"};
+                           std::to_string(largest) + " pixels in this kind of file"};
+  if (double(size.x) * double(size.y) > traitsOf(kind).mostPixels)
+    return Error{.file = target.string(),
+                 .reason = "a picture of " + std::to_string(size.x) + "×" + std::to_string(size.y) +
+                           " pixels is too large for this kind of file",
+                 .remedy =
+                     "Choose fewer dots per inch or a smaller page, or PNG or TIFF; a "
+                     "picture may have " +
+                     std::to_string(int(traitsOf(kind).mostPixels * 1e-6)) +
+                     " million pixels here"};
   if (bits != 1 && bits != 8 && bits != 16)
     return Error{.file = target.string(),
                  .reason = "no picture has " + std::to_string(bits) + " bits a channel",
@@ -49,10 +59,10 @@ Status checkOrder(const ExportOrder& order, glm::ivec2 size, const std::filesyst
 Status writePixels(PixelKind kind, const ExportOrder& order, const std::filesystem::path& target,
                    const ExportProgress& progress) {
   const glm::ivec2 size = pixelsOf(order.page);
-  if (Status sound = checkOrder(order, size, target); !sound.ok())
+  if (Status sound = checkOrder(kind, order, size, target); !sound.ok())
     return sound;
   const PixelLayout layout = layoutOf(order, kind, size);
-  const bool ink = holdsInkAlone(kind) && (order.pixels.pureInk || order.pixels.bits == 1);
+  const bool ink = traitsOf(kind).ink && (order.pixels.pureInk || order.pixels.bits == 1);
   progress.note(pixelNotes(order, kind));
   const PageBands bands{
       .size = size, .samples = usualSamples(size, order.pixels), .deep = layout.bits > 8};
@@ -103,6 +113,16 @@ Status writeExr(const ExportOrder& order, const std::filesystem::path& target,
 Status writeJpeg(const ExportOrder& order, const std::filesystem::path& target,
                  const ExportProgress& progress) {
   return writePixels(PixelKind::jpeg, order, target, progress);
+}
+
+Status writeWebpPicture(const ExportOrder& order, const std::filesystem::path& target,
+                        const ExportProgress& progress) {
+  return writePixels(PixelKind::webp, order, target, progress);
+}
+
+Status writeJp2(const ExportOrder& order, const std::filesystem::path& target,
+                const ExportProgress& progress) {
+  return writePixels(PixelKind::jp2, order, target, progress);
 }
 
 }  // namespace sline::render

@@ -20,6 +20,13 @@ Status writeExr(const ExportOrder& order, const std::filesystem::path& target,
 Status writeJpeg(const ExportOrder& order, const std::filesystem::path& target,
                  const ExportProgress& progress);
 
+/// Lossless, 8 bits in colour; packed as a whole, so memory grows with the picture.
+Status writeWebpPicture(const ExportOrder& order, const std::filesystem::path& target,
+                        const ExportProgress& progress);
+/// JPEG 2000: lossless, 8 or 16 bits; packed as a whole, too.
+Status writeJp2(const ExportOrder& order, const std::filesystem::path& target,
+                const ExportProgress& progress);
+
 /// What of the order the kind does not hold: clear pixels, more bits.
 ExportNotes pixelNotes(const ExportOrder& order, PixelKind kind);
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -14,7 +15,18 @@
 
 namespace sline::render {
 
-enum class PixelKind { png, tiff, exr, jpeg };
+enum class PixelKind { png, tiff, exr, jpeg, webp, jp2 };
+
+/// What files of a kind can hold.
+struct PixelTraits {
+  bool alpha = true;
+  bool grey = true;                                   ///< one channel where there is no colour
+  bool ink = false;                                   ///< bits, or black and white alone
+  bool deep = false;                                  ///< 16 bits a channel
+  int largestSide = std::numeric_limits<int>::max();  ///< in pixels
+  double mostPixels = std::numeric_limits<double>::max();
+};
+PixelTraits traitsOf(PixelKind kind);
 
 /// What a file's pixels are.
 struct PixelLayout {
@@ -50,14 +62,8 @@ using ByteSink = std::function<Status(std::string_view)>;
 
 /// PNG: 1, 8 or 16 bits.
 std::unique_ptr<RowFile> pngRows(const PixelLayout& layout, ByteSink sink);
-/// TIFF: 1, 8 or 16 bits; BigTIFF where the plain kind would be too short.
-Result<std::unique_ptr<RowFile>> tiffRows(const PixelLayout& layout,
-                                          const std::filesystem::path& file);
-/// EXR: 32 bits in, halves in the file.
-Result<std::unique_ptr<RowFile>> exrRows(const PixelLayout& layout,
-                                         const std::filesystem::path& file);
-/// JPEG: 8 bits, no alpha.
-Result<std::unique_ptr<RowFile>> jpegRows(const PixelLayout& layout,
+/// WebP: 8 bits in colour.
+Result<std::unique_ptr<RowFile>> webpRows(const PixelLayout& layout,
                                           const std::filesystem::path& file);
 
 }  // namespace sline::render

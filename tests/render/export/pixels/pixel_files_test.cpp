@@ -26,10 +26,12 @@ struct Kind {
   const char* extension;
   Writer write;
 };
-constexpr std::array<Kind, 4> kinds{{{"png", render::writePng},
+constexpr std::array<Kind, 6> kinds{{{"png", render::writePng},
                                      {"tiff", render::writeTiff},
                                      {"jpg", render::writeJpeg},
-                                     {"exr", render::writeExr}}};
+                                     {"exr", render::writeExr},
+                                     {"webp", render::writeWebpPicture},
+                                     {"jp2", render::writeJp2}}};
 
 Writer writerOf(const QString& extension) {
   for (const Kind& kind : kinds)
@@ -209,6 +211,8 @@ void PixelFilesTest::kindsAgree() {
   const Read deepTiff = readBack(written("b.tiff", order));
   QCOMPARE(png.values, tiff.values);
   QCOMPARE(deep.values, deepTiff.values);
+  QCOMPARE(deep.values, readBack(written("b.jp2", order)).values);
+  QCOMPARE(png.values, readBack(written("a.webp", order)).values);
   QCOMPARE(jpeg.values.size(), png.values.size());
   double apart = 0.0;
   for (std::size_t i = 0; i < png.values.size(); ++i) {
