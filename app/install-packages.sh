@@ -16,8 +16,8 @@ packages=(
   libvtk9-dev libopenmesh-dev libopenimageio-dev libwebp-dev libgif-dev
   # meshes of other programs, compressed glTF
   libassimp-dev libdraco-dev libmeshoptimizer-dev
-  # PDF files
-  libqpdf-dev
+  # PDF files, colours
+  libqpdf-dev liblcms2-dev
   # small libraries
   libtbb-dev libglm-dev nlohmann-json3-dev libcli11-dev libpugixml-dev libzip-dev
   zlib1g-dev libbz2-dev libsqlite3-dev

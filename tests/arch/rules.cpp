@@ -146,6 +146,7 @@ const std::vector<Library>& libraries() {
       {"OpenImageIO", std::regex("OpenImageIO/.*"), {"render/export/pixels/module", "tests"}},
       {"libhyphen", std::regex("hyphen\\.h"), {"render/export"}},
       {"qpdf", std::regex("qpdf/.*"), {"render/export/pdf", "tests"}},
+      {"lcms2", std::regex("lcms2\\.h"), {"render/export/pixels", "render/export/proof"}},
       {"CLI11", std::regex("CLI/.*"), {"app", "tests"}},
       {"libzip", std::regex("zip(conf)?\\.h"), {"model/files"}},
       {"zlib, bzip2",

@@ -1,78 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/pixels/colour_profile.h"
 
+#include <lcms2.h>
+
 #include <array>
 #include <cmath>
+#include <memory>
 #include <string_view>
-#include <utility>
-#include <vector>
-
-#include "render/export/pixels/byte_order.h"
 
 namespace sline::render {
 
 namespace {
 
-using Tag = std::pair<std::string_view, std::string>;
+struct ProfileEnd {
+  void operator()(void* profile) const { cmsCloseProfile(profile); }
+};
+using Profile = std::unique_ptr<void, ProfileEnd>;
 
-std::string fixed(double value) {
-  return bigEndian(std::uint64_t(std::int64_t(std::lround(value * 65536.0))), 4);
+struct CurveEnd {
+  void operator()(cmsToneCurve* curve) const { cmsFreeToneCurve(curve); }
+};
+using Curve = std::unique_ptr<cmsToneCurve, CurveEnd>;
+
+Curve toneCurve() {
+  std::array<cmsUInt16Number, 1024> steps{};
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    steps[i] =
+        cmsUInt16Number(std::lround(65535.0f * toLinearLight(float(i) / float(steps.size() - 1))));
+  return Curve(cmsBuildTabulatedToneCurve16(nullptr, steps.size(), steps.data()));
 }
 
-std::string xyz(double x, double y, double z) {
-  return "XYZ " + bigEndian(0, 4) + fixed(x) + fixed(y) + fixed(z);
+void write(const Profile& profile, cmsTagSignature tag, const char* text) {
+  const std::unique_ptr<cmsMLU, decltype(&cmsMLUfree)> words(cmsMLUalloc(nullptr, 1), &cmsMLUfree);
+  cmsMLUsetASCII(words.get(), "en", "US", text);
+  cmsWriteTag(profile.get(), tag, words.get());
 }
 
-/// textDescriptionType with its ASCII part alone.
-std::string description(std::string_view text) {
-  return "desc" + bigEndian(0, 4) + bigEndian(text.size() + 1, 4) + std::string(text) + '\0' +
-         std::string(8 + 3 + 67, '\0');
-}
-
-std::string toneCurve() {
-  constexpr std::size_t steps = 1024;
-  std::string curve = "curv" + bigEndian(0, 4) + bigEndian(steps, 4);
-  for (std::size_t i = 0; i < steps; ++i)
-    curve += bigEndian(
-        std::uint64_t(std::lround(65535.0f * toLinearLight(float(i) / float(steps - 1)))), 2);
-  return curve;
-}
-
-/// The header (ICC.1:2001-04, 6.1) without the size that comes first. The date is the same in every
-/// file.
-std::string header(std::string_view colourSpace) {
-  std::string bytes = bigEndian(0, 4) + bigEndian(0x02100000, 4) + "mntr";
-  bytes += colourSpace;
-  bytes += "XYZ ";
-  for (const unsigned part : {2000u, 1u, 1u, 0u, 0u, 0u})
-    bytes += bigEndian(part, 2);
-  bytes += "acsp" + std::string(28, '\0');
-  return bytes + fixed(0.9642) + fixed(1.0) + fixed(0.8249) + std::string(48, '\0');
-}
-
-std::string profile(std::string_view colourSpace, const std::vector<Tag>& tags) {
-  const std::size_t tableEnd = 128 + 4 + 12 * tags.size();
-  std::string table = bigEndian(tags.size(), 4);
-  std::string data;
-  std::vector<std::pair<std::string, std::size_t>> placed;
-  for (const auto& [name, content] : tags) {
-    std::size_t offset = tableEnd + data.size();
-    for (const auto& [other, place] : placed)
-      if (other == content)
-        offset = place;
-    if (offset == tableEnd + data.size()) {
-      placed.emplace_back(content, offset);
-      data += content;
-      data.append((4 - data.size() % 4) % 4, '\0');
-    }
-    table += std::string(name) + bigEndian(offset, 4) + bigEndian(content.size(), 4);
-  }
-  return bigEndian(tableEnd + data.size(), 4) + header(colourSpace) + table + data;
-}
-
-const std::string& publicDomain() {
-  static const std::string text = "text" + bigEndian(0, 4) + "Public domain" + '\0';
-  return text;
+/// The profile's bytes, of a version (2.1) that every reader knows.
+std::string bytesOf(const Profile& profile, const char* description) {
+  cmsSetProfileVersion(profile.get(), 2.1);
+  write(profile, cmsSigProfileDescriptionTag, description);
+  write(profile, cmsSigCopyrightTag, "Public domain");
+  cmsUInt32Number size = 0;
+  cmsSaveProfileToMem(profile.get(), nullptr, &size);
+  std::string bytes(size, '\0');
+  cmsSaveProfileToMem(profile.get(), bytes.data(), &size);
+  // The date (ICC.1:2001-04, 6.1.6), which the library takes from the clock, is the same in all.
+  constexpr std::string_view date("\x07\xD0\0\x01\0\x01\0\0\0\0\0\0", 12);
+  return bytes.replace(24, date.size(), date);
 }
 
 }  // namespace
@@ -86,24 +61,16 @@ float fromLinearLight(float light) {
 }
 
 std::string srgbProfile() {
-  const std::string curve = toneCurve();
-  // The primaries adapted to D50 (Bradford).
-  return profile("RGB ", {{"desc", description("sRGB")},
-                          {"cprt", publicDomain()},
-                          {"wtpt", xyz(0.9642, 1.0, 0.8249)},
-                          {"rXYZ", xyz(0.43607, 0.22249, 0.01392)},
-                          {"gXYZ", xyz(0.38515, 0.71687, 0.09708)},
-                          {"bXYZ", xyz(0.14307, 0.06061, 0.71410)},
-                          {"rTRC", curve},
-                          {"gTRC", curve},
-                          {"bTRC", curve}});
+  constexpr cmsCIExyY white{0.3127, 0.3290, 1.0};
+  constexpr cmsCIExyYTRIPLE primaries{{0.64, 0.33, 1.0}, {0.30, 0.60, 1.0}, {0.15, 0.06, 1.0}};
+  const Curve curve = toneCurve();
+  const std::array<cmsToneCurve*, 3> curves{curve.get(), curve.get(), curve.get()};
+  return bytesOf(Profile(cmsCreateRGBProfile(&white, &primaries, curves.data())), "sRGB");
 }
 
 std::string greyProfile() {
-  return profile("GRAY", {{"desc", description("Grey with the tone curve of sRGB")},
-                          {"cprt", publicDomain()},
-                          {"wtpt", xyz(0.9642, 1.0, 0.8249)},
-                          {"kTRC", toneCurve()}});
+  return bytesOf(Profile(cmsCreateGrayProfile(cmsD50_xyY(), toneCurve().get())),
+                 "Grey with the tone curve of sRGB");
 }
 
 }  // namespace sline::render

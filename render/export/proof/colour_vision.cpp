@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/proof/colour_vision.h"
 
+#include <lcms2.h>
+
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
-#include <numbers>
 
 #include "model/base/parallel.h"
 #include "render/export/pixels/colour_profile.h"
@@ -55,48 +56,10 @@ const glm::dmat3& toXyz() {
       glm::dvec3(0.0193339, 0.1191920, 0.9503041)));
   return matrix;
 }
-constexpr glm::dvec3 white(0.95047, 1.0, 1.08883);
-constexpr double darkEnd = 216.0 / 24389.0;
-constexpr double darkSlope = 24389.0 / 27.0;
+constexpr cmsCIEXYZ white{0.95047, 1.0, 1.08883};
 
-double degrees(double radians) {
-  const double angle = radians * 180.0 / std::numbers::pi;
-  return angle < 0.0 ? angle + 360.0 : angle;
-}
-double radians(double degrees) {
-  return degrees * std::numbers::pi / 180.0;
-}
-double pow7(double value) {
-  return std::pow(value, 7.0);
-}
-
-/// A colour as CIEDE2000 takes it: lightness, chroma, hue in degrees.
-struct Hued {
-  double lightness;
-  double chroma;
-  double hue;
-};
-
-Hued hued(const glm::dvec3& lab, double redder) {
-  const double a = (1.0 + redder) * lab.y;
-  const double chroma = std::hypot(a, lab.z);
-  return {lab.x, chroma, chroma == 0.0 ? 0.0 : degrees(std::atan2(lab.z, a))};
-}
-
-double hueStep(const Hued& a, const Hued& b) {
-  if (a.chroma * b.chroma == 0.0)
-    return 0.0;
-  const double step = b.hue - a.hue;
-  return step > 180.0 ? step - 360.0 : step < -180.0 ? step + 360.0 : step;
-}
-
-double meanHue(const Hued& a, const Hued& b) {
-  const double sum = a.hue + b.hue;
-  if (a.chroma * b.chroma == 0.0)
-    return sum;
-  if (std::abs(a.hue - b.hue) <= 180.0)
-    return 0.5 * sum;
-  return sum < 360.0 ? 0.5 * (sum + 360.0) : 0.5 * (sum - 360.0);
+cmsCIELab asLab(const glm::dvec3& lab) {
+  return {lab.x, lab.y, lab.z};
 }
 
 }  // namespace
@@ -138,47 +101,24 @@ Image seen(const Image& image, Vision vision) {
 }
 
 glm::dvec3 labOf(const glm::vec3& light) {
-  const auto f = [](double t) {
-    return t > darkEnd ? std::cbrt(t) : (darkSlope * t + 16.0) / 116.0;
-  };
-  const glm::dvec3 xyz = toXyz() * glm::dvec3(light) / white;
-  const double y = f(xyz.y);
-  return {116.0 * y - 16.0, 500.0 * (f(xyz.x) - y), 200.0 * (y - f(xyz.z))};
+  const glm::dvec3 xyz = toXyz() * glm::dvec3(light);
+  const cmsCIEXYZ colour{xyz.x, xyz.y, xyz.z};
+  cmsCIELab lab{};
+  cmsXYZ2Lab(&white, &lab, &colour);
+  return {lab.L, lab.a, lab.b};
 }
 
 glm::vec3 lightOf(const glm::dvec3& lab) {
-  const auto inverse = [](double f) {
-    const double cube = f * f * f;
-    return cube > darkEnd ? cube : (116.0 * f - 16.0) / darkSlope;
-  };
-  const double y = (lab.x + 16.0) / 116.0;
-  const glm::dvec3 xyz(inverse(y + lab.y / 500.0), inverse(y), inverse(y - lab.z / 200.0));
-  return glm::vec3(glm::inverse(toXyz()) * (xyz * white));
+  const cmsCIELab colour = asLab(lab);
+  cmsCIEXYZ xyz{};
+  cmsLab2XYZ(&white, &xyz, &colour);
+  return glm::vec3(glm::inverse(toXyz()) * glm::dvec3(xyz.X, xyz.Y, xyz.Z));
 }
 
 double colourDifference(const glm::dvec3& lab, const glm::dvec3& other) {
-  const double meanChroma = 0.5 * (std::hypot(lab.y, lab.z) + std::hypot(other.y, other.z));
-  const double far = pow7(25.0);
-  const double redder = 0.5 * (1.0 - std::sqrt(pow7(meanChroma) / (pow7(meanChroma) + far)));
-  const Hued a = hued(lab, redder);
-  const Hued b = hued(other, redder);
-  const double lightness = b.lightness - a.lightness;
-  const double chroma = b.chroma - a.chroma;
-  const double hue = 2.0 * std::sqrt(a.chroma * b.chroma) * std::sin(radians(0.5 * hueStep(a, b)));
-  const double midLightness = 0.5 * (a.lightness + b.lightness) - 50.0;
-  const double midChroma = 0.5 * (a.chroma + b.chroma);
-  const double mid = meanHue(a, b);
-  const double t = 1.0 - 0.17 * std::cos(radians(mid - 30.0)) +
-                   0.24 * std::cos(radians(2.0 * mid)) + 0.32 * std::cos(radians(3.0 * mid + 6.0)) -
-                   0.20 * std::cos(radians(4.0 * mid - 63.0));
-  const double bend = 30.0 * std::exp(-std::pow((mid - 275.0) / 25.0, 2.0));
-  const double turn =
-      -std::sin(radians(2.0 * bend)) * 2.0 * std::sqrt(pow7(midChroma) / (pow7(midChroma) + far));
-  const double l = lightness / (1.0 + 0.015 * midLightness * midLightness /
-                                          std::sqrt(20.0 + midLightness * midLightness));
-  const double c = chroma / (1.0 + 0.045 * midChroma);
-  const double h = hue / (1.0 + 0.015 * midChroma * t);
-  return std::sqrt(std::max(l * l + c * c + h * h + turn * c * h, 0.0));
+  const cmsCIELab a = asLab(lab);
+  const cmsCIELab b = asLab(other);
+  return cmsCIE2000DeltaE(&a, &b, 1.0, 1.0, 1.0);
 }
 
 }  // namespace sline::render

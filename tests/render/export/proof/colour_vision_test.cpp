@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "render/export/pixels/colour_profile.h"
 #include "tests/support/suite.h"
 
 namespace sline::render {
@@ -23,6 +24,9 @@ class ColourVisionTest : public QObject {
  private slots:
   void publishedDifferences_data();
   void publishedDifferences();
+  void asBefore_data();
+  void asBefore();
+  void profiles();
   void labGoesThereAndBack();
   void greyStaysGrey();
   void whatEachEyeLoses_data();
@@ -62,6 +66,65 @@ void ColourVisionTest::publishedDifferences() {
   const double found = colourDifference({l1, a1, b1}, {l2, a2, b2});
   QVERIFY2(std::abs(found - expected) < 5e-5, qPrintable(QString::number(found, 'f', 5)));
   QVERIFY(std::abs(found - colourDifference({l2, a2, b2}, {l1, a1, b1})) < 1e-9);
+}
+
+void ColourVisionTest::asBefore_data() {
+  QTest::addColumn<QList<int>>("a");
+  QTest::addColumn<QList<int>>("b");
+  QTest::addColumn<double>("expected");
+  const auto row = [](const QList<int>& a, const QList<int>& b, double expected) {
+    QTest::addRow("%d %d %d, %d %d %d", a[0], a[1], a[2], b[0], b[1], b[2]) << a << b << expected;
+  };
+  row({200, 30, 30}, {30, 160, 60}, 71.703806);
+  row({0, 0, 0}, {255, 255, 255}, 100.000004);
+  row({255, 255, 255}, {250, 250, 244}, 3.231605);
+  row({3, 2, 1}, {10, 8, 9}, 1.444208);
+  row({60, 120, 200}, {74, 128, 158}, 8.773749);
+  row({128, 128, 128}, {128, 128, 130}, 1.204548);
+  row({255, 0, 255}, {0, 255, 0}, 111.414331);
+  row({20, 40, 250}, {90, 10, 240}, 4.808757);
+  row({0, 0, 255}, {10, 0, 245}, 1.195431);
+  row({128, 128, 128}, {200, 40, 40}, 29.325576);
+}
+
+/// What was written here by the formulas before Little CMS did it.
+void ColourVisionTest::asBefore() {
+  QFETCH(QList<int>, a);
+  QFETCH(QList<int>, b);
+  QFETCH(double, expected);
+  const auto colour = [](const QList<int>& c) {
+    return Colour{std::uint8_t(c[0]), std::uint8_t(c[1]), std::uint8_t(c[2])};
+  };
+  const double found = differenceOf(colour(a), colour(b), Vision::normal);
+  QVERIFY2(std::abs(found - expected) < 1e-4, qPrintable(QString::number(found, 'f', 6)));
+}
+
+/// The numbers in them are those of IEC 61966-2-1 under D50, and there is no clock in them.
+void ColourVisionTest::profiles() {
+  const std::string srgb = srgbProfile();
+  const auto number = [](const std::string& bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      value = value << 8 | std::uint8_t(bytes[at + i]);
+    return value;
+  };
+  for (const auto& [tag, expected] : {std::pair("rXYZ", glm::dvec3(0.43607, 0.22249, 0.01392)),
+                                      std::pair("gXYZ", glm::dvec3(0.38515, 0.71687, 0.09708)),
+                                      std::pair("bXYZ", glm::dvec3(0.14307, 0.06061, 0.71410))}) {
+    const std::size_t entry = srgb.find(tag, 128);
+    QVERIFY(entry != std::string::npos);
+    const std::size_t at = number(srgb, entry + 4) + 8;
+    for (int i = 0; i < 3; ++i) {
+      const double found = double(std::int32_t(number(srgb, at + 4 * std::size_t(i)))) / 65536.0;
+      QVERIFY2(std::abs(found - expected[i]) < 2e-4, qPrintable(QString::number(found)));
+    }
+  }
+  for (const std::string& profile : {srgb, greyProfile()}) {
+    QCOMPARE(number(profile, 0), std::uint32_t(profile.size()));
+    QCOMPARE(number(profile, 8) >> 16, 0x0210u);
+    QCOMPARE(profile.substr(24, 12), std::string("\x07\xD0\0\x01\0\x01\0\0\0\0\0\0", 12));
+  }
+  QVERIFY(srgb.find("RGB XYZ ") == 16 && greyProfile().find("GRAYXYZ ") == 16);
 }
 
 void ColourVisionTest::labGoesThereAndBack() {
