@@ -21,6 +21,8 @@ packages=(
   # small libraries
   libtbb-dev libglm-dev nlohmann-json3-dev libcli11-dev libpugixml-dev libzip-dev
   zlib1g-dev libbz2-dev libsqlite3-dev
+  # DICOM
+  libdcmtk-dev libopenjp2-7-dev
   # syllables of labels
   libhyphen-dev hyphen-de hyphen-nl hyphen-no hyphen-en-us hyphen-en-gb
 )

@@ -5,8 +5,8 @@
 #include <array>
 #include <cstdio>
 
-#include "model/import/dicom/dicom_file.h"
 #include "model/import/molecules/molecules.h"
+#include "model/import/readers/dicom_kind.h"
 #include "model/import/readers/gltf_decoders.h"
 #include "model/import/readers/readers.h"
 #include "model/import/readers/source.h"

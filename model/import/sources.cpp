@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "model/import/dicom/left_out.h"
+#include "model/import/dicom_left_out.h"
 #include "model/import/file_kinds.h"
 #include "model/import/volumes/image_pair.h"
 

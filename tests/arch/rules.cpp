@@ -144,6 +144,8 @@ const std::vector<Library>& libraries() {
        {"model/import/foreign", "tests"}},
       {"oneTBB", std::regex("(oneapi/)?tbb/.*|tbb\\.h"), {"model/base"}},
       {"OpenImageIO", std::regex("OpenImageIO/.*"), {"render/export/pixels/module", "tests"}},
+      {"DCMTK", std::regex("dcmtk/.*"), {"model/import/dicom", "tests"}},
+      {"OpenJPEG", std::regex("openjpeg\\.h"), {"model/import/dicom", "tests"}},
       {"libhyphen", std::regex("hyphen\\.h"), {"render/export"}},
       {"qpdf", std::regex("qpdf/.*"), {"render/export/pdf", "tests"}},
       {"lcms2", std::regex("lcms2\\.h"), {"render/export/pixels", "render/export/proof"}},

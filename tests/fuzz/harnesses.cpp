@@ -2,7 +2,9 @@
 #include "tests/fuzz/harnesses.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/matrix.hpp>
 
 #include "model/edit/letter_style.h"
 #include "model/files/mesh_codec.h"
@@ -75,6 +77,21 @@ std::string imagePair(std::string_view bytes) {
   const std::size_t header = std::min<std::size_t>(352, bytes.size());
   folder.put(".hdr", bytes.substr(0, header));
   return faultOf(model::readSurfaces(folder.put(".img", bytes.substr(header))));
+}
+
+/// A file of several slices.
+std::string dicomSeries(std::string_view bytes) {
+  static const InputFolder folder;
+  const std::array files{folder.put(".dcm", bytes)};
+  model::seriesIn(files, {});
+  const Result<model::GreyVolume> read = model::readDicomSeries(files, {});
+  if (!read.ok())
+    return faultOf(read.error());
+  const std::size_t voxels =
+      std::size_t(read->size.x) * std::size_t(read->size.y) * std::size_t(read->size.z);
+  return read->voxels.size() == voxels && std::abs(glm::determinant(read->toLps)) > 0.0
+             ? ""
+             : "a volume that is none";
 }
 
 std::string slicerScene(std::string_view bytes) {
@@ -237,6 +254,7 @@ constexpr Harness table[] = {
     {"gii", surfaces<".gii">},
     {"obj_gz", surfaces<".obj.gz">},
     {"dcm", surfaces<".dcm", model::readDicom>},
+    {"dcm_series", dicomSeries},
     {"pdb", surfaces<".pdb">},
     {"cif", surfaces<".cif">},
     {"mrml", slicerScene},

@@ -1,16 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
-// The door to DICOM: which objects hold segmentations, and who makes surfaces of them.
+// The door to DICOM: which objects hold segmentations, who makes surfaces of them, and who makes
+// volumes of the slices of scanners. Of a patient nothing gets through it: shapes, grey values,
+// names, colours and groups of structures are all.
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "model/import/raw_mesh.h"
 #include "model/import/read_options.h"
+#include "model/import/volumes/grey_volume.h"
 
 namespace sline::model {
 
 /// RT structure sets and segmentations; other kinds of object are an error that names their kind.
-/// The scene gets shapes, names, colours and groups of structures and nothing else of the file.
 Result<RawMeshes> readDicom(const std::filesystem::path& file, const ReadOptions& options);
+
+/// Images that one scanner made in one go.
+struct DicomSeries {
+  std::string scanner;  ///< "CT", "MR" or "PET"
+  std::vector<std::filesystem::path> files;
+};
+
+/// The series of CT, MR and PET among the files, the one of most files first. Files of other kinds
+/// and files that cannot be read are left out. Of each no more is read than tells.
+std::vector<DicomSeries> seriesIn(std::span<const std::filesystem::path> files,
+                                  const ReadOptions& options);
+
+/// The slices of one series of CT, MR or PET (single ones in any order, or the frames of an
+/// enhanced image) as one volume, in Hounsfield units where the file says so. The distance of
+/// slices is that of their places; slices of a tilted gantry make a slanting grid. Errors: other
+/// kinds, slices of several series, sizes or orientations, fewer than two places, several images in
+/// one place, distances that differ (nothing is resampled).
+Result<GreyVolume> readDicomSeries(std::span<const std::filesystem::path> files,
+                                   const ReadOptions& options);
 
 }  // namespace sline::model

@@ -10,7 +10,8 @@
 #include <set>
 #include <utility>
 
-#include "model/import/dicom/segment_pixels.h"
+#include "model/import/dicom/frame_place.h"
+#include "model/import/dicom/pixel_frames.h"
 #include "model/import/dicom/segment_table.h"
 #include "model/import/volumes/label_surfaces.h"
 
@@ -21,6 +22,10 @@ namespace {
 /// Between the first slice and the last this many may lie for each that has a frame.
 constexpr double mostSlicesPerFrame = 8.0;
 constexpr std::size_t mostLabels = 65'000;
+constexpr std::size_t pixelValues = 65'536;
+constexpr Tag segmentationType{0x0062, 0x0001};
+constexpr Tag greatestFraction{0x0062, 0x000e};
+constexpr Tag pixelPadding{0x0028, 0x0120};
 
 /// Volumes of segments that overlap may have this many voxels together, and so many more for each
 /// byte of the file.
@@ -46,14 +51,13 @@ class SegmentationReader {
       : m_file(file), m_options(options) {}
 
   Result<LabelVolumes> read() {
-    Result<std::map<std::uint32_t, Segment>> segments = segmentsIn(m_file);
-    if (!segments)
-      return segments.error();
-    m_segments = std::move(*segments);
-    Result<SegmentPixels> pixels = SegmentPixels::open(m_file);
+    m_segments = segmentsIn(m_file);
+    Result<PixelFrames> pixels = PixelFrames::open(m_file);
     if (!pixels)
       return pixels.error();
     m_pixels = std::move(*pixels);
+    if (std::optional<Error> error = readType())
+      return *error;
     Result<std::vector<FramePlace>> frames = framesIn(m_file);
     if (!frames)
       return frames.error();
@@ -70,13 +74,45 @@ class SegmentationReader {
     if (m_region.empty())
       return m_file.source().whole("none of its segments has a pixel",
                                    "Draw a segment and export the segmentation again");
-    if (std::optional<Error> error = paint())
+    if (std::optional<Error> error = m_labelMap ? paintMap() : paint())
       return *error;
     return std::move(m_result);
   }
 
  private:
   Error given() const { return m_file.source().whole("was not read to its end"); }
+
+  /// What values mean: of a binary segmentation inside and outside, of fractions half the greatest
+  /// and more is inside, in a label map each is a segment's number and one the background.
+  std::optional<Error> readType() {
+    const std::string type = m_file.data().text(segmentationType);
+    const bool fractional = type == "FRACTIONAL";
+    m_labelMap = type == "LABELMAP" || m_file.sopClass() == labelMapClass;
+    const int bits = m_pixels->bits();
+    if (!m_labelMap && bits != 8 && (bits != 1 || fractional))
+      return m_file.source().whole(
+          "its pixels have " + std::to_string(bits) + " bits; masks have 1 or 8",
+          "Export it as a binary segmentation or a label map");
+    const std::uint32_t greatest = m_file.data().number(greatestFraction).value_or(255);
+    m_inside = fractional ? std::uint16_t(std::clamp((greatest + 1) / 2, 1u, 255u)) : 1;
+    m_background = std::uint16_t(m_file.data().number(pixelPadding).value_or(0));
+    return std::nullopt;
+  }
+
+  /// 0 outside; 1 inside or, in a label map, the segment's number.
+  Status values(std::size_t frame, std::vector<std::uint16_t>& values) const {
+    if (!m_options.goesOn())
+      return given();
+    if (Status status = m_pixels->frame(frame, values); !status)
+      return status;
+    if (!m_labelMap) {
+      for (std::uint16_t& value : values)
+        value = value >= m_inside ? 1 : 0;
+    } else if (m_background != 0) {
+      std::replace(values.begin(), values.end(), m_background, std::uint16_t(0));
+    }
+    return Unit{};
+  }
 
   /// Which slice each frame is.
   std::optional<Error> stack() {
@@ -95,6 +131,10 @@ class SegmentationReader {
         return m_file.source().at("frame " + std::to_string(&frame - m_frames.data() + 1),
                                   "does not lie above the first one on the same grid",
                                   "Export each orientation as a segmentation of its own");
+      if (!m_labelMap && !frame.segment)
+        return m_file.source().at("frame " + std::to_string(&frame - m_frames.data() + 1),
+                                  "does not say which segment it shows",
+                                  "Export the segmentation again");
       places.insert(glm::dot(way, m_normal));
     }
     m_low = *places.begin();
@@ -140,17 +180,18 @@ class SegmentationReader {
   }
 
   std::optional<Error> measure() {
-    std::vector<std::uint8_t> inside;
+    std::vector<std::uint16_t> inside;
     for (std::size_t f = 0; f < m_frames.size(); ++f) {
-      if (!m_options.goesOn())
-        return given();
-      if (const Status status = m_pixels->mask(f, inside); !status)
+      if (const Status status = values(f, inside); !status)
         return status.error();
+      if (m_labelMap)
+        for (const std::uint16_t value : inside)
+          m_occurs[value] = true;
       const int z = sliceOf(m_frames[f]);
       for (int y = 0; y < m_pixels->rows(); ++y) {
         const auto row = inside.begin() + std::ptrdiff_t(y) * m_pixels->columns();
         const auto end = row + m_pixels->columns();
-        const auto first = std::find(row, end, 1);
+        const auto first = std::find_if(row, end, [](std::uint16_t value) { return value != 0; });
         if (first == end)
           continue;
         auto last = end;
@@ -167,12 +208,10 @@ class SegmentationReader {
   std::optional<Error> paint() {
     std::map<std::uint32_t, std::vector<std::size_t>> framesOf;
     for (std::size_t f = 0; f < m_frames.size(); ++f)
-      framesOf[m_frames[f].segment].push_back(f);
+      framesOf[m_frames[f].segment.value_or(0)].push_back(f);
     if (framesOf.size() > mostLabels)
       return m_file.source().whole("has more than 65,000 segments", "Export fewer segments");
     for (const auto& [number, frames] : framesOf) {
-      if (!m_options.goesOn())
-        return given();
       const auto known = m_segments.find(number);
       if (known == m_segments.end()) {
         m_result.warnings.push_back(
@@ -184,14 +223,12 @@ class SegmentationReader {
       if (std::optional<Error> error = collect(frames, runs))
         return error;
       if (runs.empty()) {
-        m_result.warnings.push_back(
-            m_file.source().warning("\"" + known->second.name + "\" has no pixel; left out"));
+        warnEmpty(known->second);
         continue;
       }
       LabelVolume* volume = volumeFor(runs);
       if (!volume)
-        return m_file.source().whole("more of its segments overlap than memory allows",
-                                     "Export fewer segments at a time");
+        return tooLarge();
       volume->labels.push_back(
           {number, known->second.name, known->second.colour, known->second.groups});
       for (const Run& run : runs)
@@ -201,12 +238,65 @@ class SegmentationReader {
     return std::nullopt;
   }
 
+  void warnEmpty(const Segment& segment) {
+    m_result.warnings.push_back(
+        m_file.source().warning("\"" + segment.name + "\" has no pixel; left out"));
+  }
+  Error tooLarge() const {
+    return m_file.source().whole("more of its segments overlap than memory allows",
+                                 "Export fewer segments at a time");
+  }
+
+  /// All segments at once, into one volume.
+  std::optional<Error> paintMap() {
+    LabelVolume* volume = addVolume();
+    if (!volume)
+      return tooLarge();
+    std::vector<std::uint16_t> labels(pixelValues, 0);
+    for (const auto& [number, segment] : m_segments) {
+      if (number == m_background || number == 0 || number >= pixelValues)
+        continue;
+      if (!m_occurs[number]) {
+        warnEmpty(segment);
+        continue;
+      }
+      if (volume->labels.size() == mostLabels)
+        return m_file.source().whole("has more than 65,000 segments", "Export fewer segments");
+      volume->labels.push_back({number, segment.name, segment.colour, segment.groups});
+      labels[number] = std::uint16_t(volume->labels.size());
+    }
+    std::size_t strange = 0;
+    for (std::size_t value = 1; value < pixelValues; ++value)
+      if (m_occurs[value] && labels[value] == 0)
+        ++strange;
+    if (strange > 0)
+      m_result.warnings.push_back(m_file.source().warning(
+          std::to_string(strange) + " of its pixels' values are not described; left out"));
+    const glm::ivec3 size = volume->size;
+    std::vector<std::uint16_t> pixels;
+    for (std::size_t f = 0; f < m_frames.size(); ++f) {
+      if (const Status status = values(f, pixels); !status)
+        return status.error();
+      const int z = sliceOf(m_frames[f]) - m_region.low.z;
+      if (z < 0 || z >= size.z)
+        continue;  // an empty frame outside of what is not
+      for (int y = 0; y < size.y; ++y) {
+        const auto row = pixels.begin() + std::ptrdiff_t(y + m_region.low.y) * m_pixels->columns() +
+                         m_region.low.x;
+        std::transform(row, row + size.x,
+                       volume->voxels.begin() + std::ptrdiff_t(volume->at(0, y, z)),
+                       [&](std::uint16_t value) { return labels[value]; });
+      }
+    }
+    return std::nullopt;
+  }
+
   std::optional<Error> collect(const std::vector<std::size_t>& frames,
                                std::vector<Run>& runs) const {
     const glm::ivec3 size = m_region.high - m_region.low;
-    std::vector<std::uint8_t> inside;
+    std::vector<std::uint16_t> inside;
     for (const std::size_t f : frames) {
-      if (const Status status = m_pixels->mask(f, inside); !status)
+      if (const Status status = values(f, inside); !status)
         return status.error();
       const int z = sliceOf(m_frames[f]) - m_region.low.z;
       if (z < 0 || z >= size.z)
@@ -238,6 +328,10 @@ class SegmentationReader {
       if (std::all_of(runs.begin(), runs.end(),
                       [&](const Run& run) { return isFree(volume, run); }))
         return &volume;
+    return addVolume();
+  }
+
+  LabelVolume* addVolume() {
     const glm::ivec3 size = m_region.high - m_region.low;
     const std::size_t voxels = std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
     if ((m_result.volumes.size() + 1) * std::uint64_t(voxels) >
@@ -265,7 +359,11 @@ class SegmentationReader {
   const DicomFile& m_file;
   const ReadOptions& m_options;
   std::map<std::uint32_t, Segment> m_segments;
-  std::optional<SegmentPixels> m_pixels;
+  std::optional<PixelFrames> m_pixels;
+  bool m_labelMap = false;
+  std::uint16_t m_inside = 1;      ///< values from here on are inside
+  std::uint16_t m_background = 0;  ///< of a label map
+  std::vector<bool> m_occurs = std::vector<bool>(pixelValues, false);
   std::vector<FramePlace> m_frames;
   glm::dvec3 m_normal{0, 0, 1};
   double m_low = 0.0;  ///< of the lowest slice, mm from the first frame

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// DICOM segmentations (PS3.3 §A.51): one structure per segment.
+// DICOM segmentations (PS3.3 §A.51), of bits, of fractions and label maps: one structure per
+// segment.
 #pragma once
 
 #include "model/import/dicom/dicom_file.h"

@@ -15,16 +15,12 @@ namespace sline::model {
 
 namespace {
 
-constexpr Tag structureSetRois{0x3006, 0x0020};
 constexpr Tag roiNumber{0x3006, 0x0022};
 constexpr Tag roiName{0x3006, 0x0026};
 constexpr Tag displayColour{0x3006, 0x002a};
-constexpr Tag roiContours{0x3006, 0x0039};
-constexpr Tag contourSequence{0x3006, 0x0040};
 constexpr Tag geometricType{0x3006, 0x0042};
 constexpr Tag slabThickness{0x3006, 0x0044};
 constexpr Tag contourData{0x3006, 0x0050};
-constexpr Tag observations{0x3006, 0x0080};
 constexpr Tag referencedRoi{0x3006, 0x0084};
 constexpr Tag interpretedType{0x3006, 0x00a4};
 
@@ -80,8 +76,8 @@ std::string groupOf(std::string_view type) {
 }
 
 std::optional<Colour> colourIn(const DataSet& set) {
-  const auto values = set.decimals(displayColour);
-  if (!values || values->size() != 3)
+  const auto values = set.decimals(displayColour, 3);
+  if (!values)
     return std::nullopt;
   std::array<std::uint8_t, 3> channels{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -102,12 +98,9 @@ class StructureSetReader {
       : m_file(file), m_options(options) {}
 
   Result<RawMeshes> read() {
-    if (const Status status = readNames(); !status)
-      return status.error();
-    if (const Status status = readTypes(); !status)
-      return status.error();
-    if (const Status status = readContours(); !status)
-      return status.error();
+    readNames();
+    readTypes();
+    readContours();
     const double spacing = commonSpacing();
     double samples = 0.0;
     for (RegionOfInterest& region : m_regions) {
@@ -138,23 +131,19 @@ class StructureSetReader {
     m_result.warnings.push_back(m_file.source().warning("\"" + region.name + "\": " + reason));
   }
 
-  Status readNames() {
-    const Result<std::vector<DataSet>> items = m_file.data().items(structureSetRois);
-    if (!items)
-      return items.error();
-    for (const DataSet& item : *items) {
+  void readNames() {
+    for (const DataSet& item : m_file.data().items(structureSetRois)) {
       const std::optional<std::int64_t> number = item.integer(roiNumber);
       if (!number || m_byNumber.contains(*number))
         continue;
       RegionOfInterest region;
       region.number = *number;
-      region.name = m_file.utf8(item.text(roiName));
+      region.name = item.utf8(roiName);
       if (region.name.empty())
         region.name = "Structure " + std::to_string(*number);
       m_byNumber[*number] = m_regions.size();
       m_regions.push_back(std::move(region));
     }
-    return Unit{};
   }
 
   RegionOfInterest* regionOf(const DataSet& item) {
@@ -163,43 +152,32 @@ class StructureSetReader {
     return found == m_byNumber.end() ? nullptr : &m_regions[found->second];
   }
 
-  Status readTypes() {
-    const Result<std::vector<DataSet>> items = m_file.data().items(observations);
-    if (!items)
-      return items.error();
-    for (const DataSet& item : *items)
+  void readTypes() {
+    for (const DataSet& item : m_file.data().items(observations))
       if (RegionOfInterest* region = regionOf(item))
         if (std::string group = groupOf(item.text(interpretedType)); !group.empty())
           region->groups = {std::move(group)};
-    return Unit{};
   }
 
-  Status readContours() {
-    const Result<std::vector<DataSet>> items = m_file.data().items(roiContours);
-    if (!items)
-      return items.error();
-    for (const DataSet& item : *items) {
+  void readContours() {
+    for (const DataSet& item : m_file.data().items(roiContours)) {
       RegionOfInterest* region = regionOf(item);
       if (!region)
         continue;
       region->colour = colourIn(item);
-      const Result<std::vector<DataSet>> contours = item.items(contourSequence);
-      if (!contours)
-        return contours.error();
-      for (const DataSet& contour : *contours)
+      for (const DataSet& contour : item.items(contourSequence))
         addContour(*region, contour);
     }
-    return Unit{};
   }
 
   static void addContour(RegionOfInterest& region, const DataSet& item) {
-    const std::string_view type = item.text(geometricType);
+    const std::string type = item.text(geometricType);
     if (type != "CLOSED_PLANAR" && type != "CLOSEDPLANAR_XOR") {
       ++region.notClosed;
       return;
     }
-    if (const auto slab = item.decimals(slabThickness); slab && slab->front() > 0.0)
-      region.slab = std::min(slab->front(), 1000.0);
+    if (const auto slab = item.decimal(slabThickness); slab && *slab > 0.0)
+      region.slab = std::min(*slab, 1000.0);
     const auto numbers = item.decimals(contourData);
     const bool sound = numbers && numbers->size() >= 9 && numbers->size() % 3 == 0 &&
                        std::all_of(numbers->begin(), numbers->end(),

@@ -82,7 +82,8 @@ Status Source::unpack() {
   return Unit{};
 }
 
-Result<Source> Source::readStored(const std::filesystem::path& file, const ReadLimits& limits) {
+Result<Source> Source::readStored(const std::filesystem::path& file, const ReadLimits& limits,
+                                  std::size_t most) {
   if (std::optional<Error> error = refusal(file))
     return *error;
   const std::string name = file.string();
@@ -93,11 +94,12 @@ Result<Source> Source::readStored(const std::filesystem::path& file, const ReadL
                  std::string("cannot be opened: ") + std::strerror(errno),
                  "Check its permissions"};
   std::error_code code;
-  const std::uintmax_t size = std::filesystem::file_size(file, code);
+  const std::uintmax_t fileSize = std::filesystem::file_size(file, code);
   if (code)
     return Error{name, {}, "its size cannot be found: " + code.message(), "Check the disk"};
-  if (size == 0)
+  if (fileSize == 0)
     return Error{name, {}, "is empty", exportAgain};
+  const std::uintmax_t size = std::min<std::uintmax_t>(fileSize, most);
   if (size > limits.fileBytes)
     return Error{
         name,

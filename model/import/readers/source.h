@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -21,8 +22,10 @@ class Source {
   /// and packed by gzip is unpacked, within the same limit and what so many packed bytes are worth
   /// (mostOfSurface); places in it are then those in the unpacked text.
   static Result<Source> read(const std::filesystem::path& file, const ReadLimits& limits);
-  /// The same, packed or not as it is stored: for readers that unpack piece by piece.
-  static Result<Source> readStored(const std::filesystem::path& file, const ReadLimits& limits);
+  /// The same, packed or not as it is stored: for readers that unpack piece by piece. `most`:
+  /// no more than so many bytes from the file's beginning are read.
+  static Result<Source> readStored(const std::filesystem::path& file, const ReadLimits& limits,
+                                   std::size_t most = SIZE_MAX);
 
   std::string_view text() const { return {m_bytes.get(), m_size}; }
   const char* begin() const { return m_bytes.get(); }

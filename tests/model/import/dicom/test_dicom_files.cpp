@@ -2,7 +2,6 @@
 // Files that are cut short, broken, of other kinds, or real.
 #include <QtTest>
 
-#include "model/import/dicom/dicom_file.h"
 #include "model/import/file_kinds.h"
 #include "tests/model/import/dicom/surface_facts.h"
 #include "tests/model/import/dicom/written_dicom.h"
@@ -77,21 +76,17 @@ void TestDicomFiles::refusals_data() {
   QTest::newRow("text") << QByteArray("this is no DICOM file, but it is called one\n").repeated(9)
                         << "is not a DICOM file";
   QTest::newRow("empty") << QByteArray() << "is empty";
-  QTest::newRow("big endian") << ballFile({Syntax::explicitBig}) << "big endian";
-  QTest::newRow("deeply nested") << dicomFile(
-                                        [] {
-                                          WrittenSet set =
-                                              identifying("1.2.840.10008.5.1.4.1.1.481.3");
-                                          set.push_back(sequence({0x3006, 0x0020}, {nested(40)}));
-                                          return set;
-                                        }(),
-                                        {Syntax::explicitLittle, true})
-                                 << "nested more than 16 deep";
+  // Each level is a sequence and an item in it, both of open length.
+  const QByteArray level("\x40\x00\x30\xa7SQ\0\0\xff\xff\xff\xff\xfe\xff\x00\xe0\xff\xff\xff\xff",
+                         20);
+  QTest::newRow("deeply nested") << dicomFile(identifying("1.2.840.10008.5.1.4.1.1.481.3")) +
+                                        level.repeated(50'000)
+                                 << "nested too deep";
   // The length of the contours' sequence, which is the file's longest.
   QByteArray lying = ballFile({Syntax::implicitLittle});
   const qsizetype at = lying.indexOf(QByteArray("\x06\x30\x39\x00", 4));
   lying.replace(at + 4, 4, QByteArray("\xf0\xff\xff\x7f", 4));
-  QTest::newRow("a length beyond the file") << lying << "(3006,0039) promises 2147483632 bytes";
+  QTest::newRow("a length beyond the file") << lying << "elements are damaged";
   QByteArray bomb = dicomFile(identifying("1.2.840.10008.5.1.4.1.1.481.3"), {Syntax::deflated});
   QTest::newRow("damaged deflated data")
       << bomb.left(bomb.size() - 6) + QByteArray(40, '\x55') << "deflated data";
@@ -170,6 +165,35 @@ void TestDicomFiles::characterSets_data() {
   QTest::newRow("UTF-8") << QByteArray("ISO_IR 192") << QByteArray("Né") << QByteArray("Né");
   QTest::newRow("UTF-8, broken") << QByteArray("ISO_IR 192") << QByteArray("N\xe9t")
                                  << QByteArray("N?t");
+  QTest::newRow("several sets") << QByteArray("ISO 2022 IR 6\\ISO 2022 IR 100")
+                                << QByteArray("N\x1b-A\xe9") << QByteArray("Né");
+  QTest::newRow("Latin 2") << QByteArray("ISO_IR 101") << QByteArray("W\xb1tr")
+                           << QByteArray("Wątr");
+  QTest::newRow("Cyrillic") << QByteArray("ISO_IR 144") << QByteArray("\xbf\xd5\xe7\xd5\xdd\xec")
+                            << QByteArray("Печень");
+  QTest::newRow("Greek") << QByteArray("ISO_IR 126") << QByteArray("\xcd\xe5\xf6\xf1\xfc\xf2")
+                         << QByteArray("Νεφρός");
+  QTest::newRow("Hebrew") << QByteArray("ISO_IR 138") << QByteArray("\xeb\xe1\xe3")
+                          << QByteArray("כבד");
+  QTest::newRow("Thai") << QByteArray("ISO_IR 166") << QByteArray("\xb5\xd1\xba")
+                        << QByteArray("ตับ");
+  QTest::newRow("kanji") << QByteArray("\\ISO 2022 IR 87") << QByteArray("GTV \x1b$B4NB!\x1b(B")
+                         << QByteArray("GTV 肝臓");
+  QTest::newRow("kanji and kana of half width")
+      << QByteArray("ISO 2022 IR 13\\ISO 2022 IR 87") << QByteArray("\xb6\xdd \x1b$B4NB!\x1b(J")
+      << QByteArray("ｶﾝ 肝臓");
+  QTest::newRow("supplementary kanji")
+      << QByteArray("\\ISO 2022 IR 159") << QByteArray("\x1b$(D0!\x1b(B") << QByteArray("丂");
+  QTest::newRow("broken kanji") << QByteArray("\\ISO 2022 IR 87") << QByteArray("A\xff\x1b$B4")
+                                << QByteArray("A? $B4");
+  QTest::newRow("hangul") << QByteArray("\\ISO 2022 IR 149") << QByteArray("\x1b$)C\xb0\xa3")
+                          << QByteArray("간");
+  QTest::newRow("Chinese, GB 18030")
+      << QByteArray("GB18030") << QByteArray("\xb8\xce") << QByteArray("肝");
+  QTest::newRow("Chinese, GB 2312")
+      << QByteArray("\\ISO 2022 IR 58") << QByteArray("\x1b$)A\xb8\xce") << QByteArray("肝");
+  QTest::newRow("unknown set") << QByteArray("ISO_IR 999") << QByteArray("N\xe9t")
+                               << QByteArray("N?t");
   QTest::newRow("controls") << QByteArray("ISO_IR 192") << QByteArray("a\nb") << QByteArray("a b");
 }
 

@@ -96,6 +96,7 @@ QByteArray runs() {
   WrittenSegmentation written = frames(8192, 8192, 1);
   written.runLength = true;
   written.fractional = true;
+  written.bits = 8;
   std::fill(written.frames[0].pixels.begin(), written.frames[0].pixels.end(), 255);
   return dicomFile(segmentation(written), {Syntax::runLength});
 }

@@ -8,6 +8,7 @@
 #include "model/import/dicom/segmentation.h"
 #include "tests/model/import/dicom/surface_facts.h"
 #include "tests/model/import/dicom/written_dicom.h"
+#include "tests/model/import/dicom/written_images.h"
 #include "tests/support/suite.h"
 
 using namespace sline;
@@ -41,19 +42,17 @@ WrittenSegmentation empty() {
   return written;
 }
 
-Result<model::LabelVolumes> volumesOf(const WrittenSegmentation& written,
-                                      const Manner& manner = {}) {
+Result<model::LabelVolumes> volumesOf(const QByteArray& bytes) {
   const QTemporaryDir folder;
-  const QString path = folder.filePath("seg.dcm");
-  QFile file(path);
-  if (!file.open(QIODevice::WriteOnly))
-    qFatal("cannot write");
-  file.write(dicomFile(segmentation(written), manner));
-  file.close();
-  const auto dicom = model::DicomFile::read(path.toStdString(), {});
+  const auto dicom = model::DicomFile::read(put(folder, "seg.dcm", bytes), {});
   if (!dicom)
     return dicom.error();
   return model::segmentationVolumes(*dicom, {});
+}
+
+Result<model::LabelVolumes> volumesOf(const WrittenSegmentation& written,
+                                      const Manner& manner = {}) {
+  return volumesOf(dicomFile(segmentation(written), manner));
 }
 
 Result<model::RawMeshes> surfacesOf(const WrittenSegmentation& written, const Manner& manner = {}) {
@@ -93,6 +92,12 @@ class TestSegmentations : public QObject {
   void namesColoursGroups();
   void overlapsComeInLayers();
   void absentFramesAreEmpty();
+  void labelMaps_data();
+  void labelMaps();
+  void labelMapsSayWhatTheyLeaveOut();
+  void packedMasks_data();
+  void packedMasks();
+  void labelsInAnyScript();
   void surfaces();
   void refusals_data();
   void refusals();
@@ -116,6 +121,10 @@ void TestSegmentations::whereVoxelsLie_data() {
   QTest::newRow("bits, explicit") << explicitLittle << false << false << plain << upright;
   QTest::newRow("bits, deflated") << int(Syntax::deflated) << false << false << plain << upright;
   QTest::newRow("bits, runs") << int(Syntax::runLength) << false << false << plain << upright;
+  QTest::newRow("bits, big endian")
+      << int(Syntax::explicitBig) << false << false << plain << upright;
+  QTest::newRow("fractions, big endian")
+      << int(Syntax::explicitBig) << true << false << plain << upright;
   QTest::newRow("fractions") << explicitLittle << true << false << plain << upright;
   QTest::newRow("fractions, runs") << int(Syntax::runLength) << true << false << plain << upright;
   QTest::newRow("any order") << explicitLittle << false << true << plain << upright;
@@ -132,6 +141,7 @@ void TestSegmentations::whereVoxelsLie() {
   QFETCH(glm::dvec3, centre);
   WrittenSegmentation written = empty();
   written.fractional = fractional;
+  written.bits = fractional ? 8 : 1;
   written.runLength = Syntax(syntax) == Syntax::runLength;
   written.orientation = orientation;
   written.sharedOrientation = !shuffled;
@@ -192,6 +202,113 @@ void TestSegmentations::absentFramesAreEmpty() {
   QCOMPARE(facts.pieces, std::size_t(2));
 }
 
+void TestSegmentations::labelMaps_data() {
+  QTest::addColumn<int>("syntax");
+  QTest::addColumn<int>("bits");
+  QTest::addColumn<int>("packing");
+  QTest::addColumn<int>("background");
+  const int explicitLittle = int(Syntax::explicitLittle);
+  QTest::newRow("8 bits") << explicitLittle << 8 << int(Packing::none) << 0;
+  QTest::newRow("16 bits") << explicitLittle << 16 << int(Packing::none) << 0;
+  QTest::newRow("implicit") << int(Syntax::implicitLittle) << 16 << int(Packing::none) << 0;
+  QTest::newRow("big endian") << int(Syntax::explicitBig) << 16 << int(Packing::none) << 0;
+  QTest::newRow("deflated") << int(Syntax::deflated) << 8 << int(Packing::none) << 0;
+  QTest::newRow("runs") << int(Syntax::runLength) << 8 << int(Packing::none) << 0;
+  QTest::newRow("JPEG") << explicitLittle << 8 << int(Packing::jpegLossless) << 0;
+  QTest::newRow("JPEG-LS") << explicitLittle << 16 << int(Packing::jpegLs) << 0;
+  QTest::newRow("JPEG 2000") << int(Syntax::jpeg2000) << 8 << int(Packing::none) << 0;
+  QTest::newRow("another background") << explicitLittle << 8 << int(Packing::none) << 9;
+}
+
+void TestSegmentations::labelMaps() {
+  QFETCH(int, syntax);
+  QFETCH(int, bits);
+  QFETCH(int, packing);
+  QFETCH(int, background);
+  WrittenSegmentation written = empty();
+  written.labelMap = true;
+  written.bits = bits;
+  written.runLength = Syntax(syntax) == Syntax::runLength;
+  if (background != 0)
+    written.padding = std::uint16_t(background);
+  if (Syntax(syntax) == Syntax::jpeg2000)
+    written.pack = [](const WrittenFrame& frame) {
+      return jpeg2000({frame.pixels.begin(), frame.pixels.end()}, 20, 12, 8, false);
+    };
+  addBox(written, 0, {4, 10, 3, 8, 1, 4});
+  for (WrittenFrame& frame : written.frames)
+    for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
+      // The second segment touches the first.
+      const bool second = i % 20 == 10 && i / 20 == 4;
+      frame.pixels[i] = second ? 2 : frame.pixels[i] == 0 ? std::uint8_t(background) : 1;
+    }
+  const auto read =
+      volumesOf(packed(dicomFile(segmentation(written), {Syntax(syntax)}), Packing(packing)));
+  QVERIFY2(read.ok(), read.ok() ? "" : read.error().text().c_str());
+  QCOMPARE(read->volumes.size(), std::size_t(1));
+  const model::LabelVolume& volume = read->volumes[0];
+  QCOMPARE(volume.labels.size(), std::size_t(2));
+  QCOMPARE(volume.labels[0].name, std::string("Liver"));
+  QCOMPARE(volume.labels[1].name, std::string("Tumour"));
+  QCOMPARE(lumpOf(volume, 0).count, 6 * 5 * 3);
+  QVERIFY(near(lumpOf(volume, 0).centre, glm::dvec3(-10 + 6.5 * 0.5, -20 + 5.0, 104)));
+  QCOMPARE(lumpOf(volume, 1).count, 3);
+  QVERIFY(near(lumpOf(volume, 1).centre, glm::dvec3(-5, -16, 104)));
+  QVERIFY(read->warnings.empty());
+}
+
+void TestSegmentations::labelMapsSayWhatTheyLeaveOut() {
+  WrittenSegmentation written = empty();
+  written.labelMap = true;
+  written.bits = 8;
+  addBox(written, 0, {4, 10, 3, 8, 1, 4});
+  written.frames[1].pixels[50] = 77;
+  const auto read = surfacesOf(written);
+  QVERIFY2(read.ok(), read.ok() ? "" : read.error().text().c_str());
+  QCOMPARE(read->meshes.size(), std::size_t(1));
+  QVERIFY(warningsOf(*read).contains("1 of its pixels' values are not described"));
+  QVERIFY(warningsOf(*read).contains("\"Tumour\" has no pixel"));
+}
+
+void TestSegmentations::packedMasks_data() {
+  QTest::addColumn<int>("packing");
+  QTest::newRow("JPEG") << int(Packing::jpegLossless);
+  QTest::newRow("JPEG-LS") << int(Packing::jpegLs);
+}
+
+void TestSegmentations::packedMasks() {
+  QFETCH(int, packing);
+  WrittenSegmentation written = empty();
+  written.fractional = true;
+  written.bits = 8;
+  addBox(written, 1, {4, 10, 3, 8, 1, 4}, 200);
+  const auto read = volumesOf(packed(dicomFile(segmentation(written)), Packing(packing)));
+  QVERIFY2(read.ok(), read.ok() ? "" : read.error().text().c_str());
+  QCOMPARE(lumpOf(read->volumes.at(0), 0).count, 6 * 5 * 3);
+}
+
+/// Names come as UTF-8, and whose they are never comes at all, in whatever letters.
+void TestSegmentations::labelsInAnyScript() {
+  const QByteArray kanji("\x1b$B;3ED\x1b(B");  // Yamada
+  WrittenSegmentation written = empty();
+  written.segments = {{1, "\x1b$B4NB!\x1b(B", "\x1b$B4o41\x1b(B", {}}};
+  addBox(written, 1, {4, 10, 3, 8, 1, 4});
+  WrittenSet set = segmentation(written);
+  set.insert(set.begin() + 1, text({0x0008, 0x0005}, "CS", "\\ISO 2022 IR 87"));
+  for (WrittenElement& element : set)
+    if (element.tag == model::Tag{0x0010, 0x0010})
+      element.value = "YAMADA^TARO=" + kanji;
+  const auto read = readDicomBytes(QTemporaryDir(), dicomFile(set));
+  QVERIFY2(read.ok(), read.ok() ? "" : read.error().text().c_str());
+  const model::RawMesh& mesh = read->meshes.at(0);
+  QCOMPARE(mesh.name, std::string("肝臓"));
+  QCOMPARE(mesh.groups, std::vector<std::string>{"器官"});
+  const std::string all = mesh.name + mesh.groups[0] + mesh.origin + mesh.frameReason +
+                          mesh.unitReason + mesh.file + warningsOf(*read).toStdString();
+  for (const char* whose : {"YAMADA", "TARO", "山田", "\x1b"})
+    QVERIFY2(all.find(whose) == std::string::npos, whose);
+}
+
 void TestSegmentations::surfaces() {
   // A ball of 20 mm in voxels of 0.8 × 1 × 2 mm, patient left of the origin.
   WrittenSegmentation written = empty();
@@ -225,7 +342,7 @@ void TestSegmentations::surfaces() {
 void TestSegmentations::refusals_data() {
   QTest::addColumn<int>("fault");
   QTest::addColumn<QString>("message");
-  QTest::newRow("JPEG") << 0 << "compressed";
+  QTest::newRow("MPEG") << 0 << "compressed";
   QTest::newRow("nothing drawn") << 1 << "none of its segments has a pixel";
   QTest::newRow("too little data") << 2 << "too few for";
   QTest::newRow("turned frame") << 3 << "does not lie above the first";
@@ -244,6 +361,7 @@ void TestSegmentations::refusals() {
     written.frames[1].position.x += 3.0;
   if (fault == 4)
     written.frames[2].position.z += 5000.0;
+  written.runLength = fault == 0;
   WrittenSet set = segmentation(written);
   const auto element = [&](model::Tag tag) -> WrittenElement& {
     return *std::find_if(set.begin(), set.end(),
@@ -251,15 +369,17 @@ void TestSegmentations::refusals() {
   };
   if (fault == 2)
     element({0x7fe0, 0x0010}).value.chop(4);
-  if (fault == 5)
+  if (fault == 5) {
     element({0x0028, 0x0100}) = shorts({0x0028, 0x0100}, {16});
+    element({0x7fe0, 0x0010}).value.resize(2 * 20 * 12 * 3);
+  }
   if (fault == 6)
     element({0x5200, 0x9230}).items.pop_back();
   if (fault == 7)
     element({0x5200, 0x9230}).items[1].erase(element({0x5200, 0x9230}).items[1].begin() + 1);
   const QTemporaryDir folder;
   const auto read =
-      readDicomBytes(folder, dicomFile(set, {fault == 0 ? Syntax::jpeg : Syntax::explicitLittle}));
+      readDicomBytes(folder, dicomFile(set, {fault == 0 ? Syntax::mpeg : Syntax::explicitLittle}));
   QVERIFY(!read.ok());
   QVERIFY2(QString::fromStdString(read.error().text()).contains(message),
            read.error().text().c_str());

@@ -194,6 +194,8 @@ void TestStructureSets::syntaxChangesNothing_data() {
   QTest::newRow("implicit, open lengths") << int(Syntax::implicitLittle) << true << true;
   QTest::newRow("explicit, open lengths") << int(Syntax::explicitLittle) << true << true;
   QTest::newRow("deflated") << int(Syntax::deflated) << false << true;
+  QTest::newRow("big endian") << int(Syntax::explicitBig) << false << true;
+  QTest::newRow("big endian, open lengths") << int(Syntax::explicitBig) << true << true;
   QTest::newRow("implicit without preamble") << int(Syntax::implicitLittle) << false << false;
   QTest::newRow("explicit without preamble") << int(Syntax::explicitLittle) << true << false;
 }

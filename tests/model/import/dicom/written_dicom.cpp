@@ -3,10 +3,9 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "model/import/dicom/dicom_file.h"
 
 namespace sline::test {
 
@@ -29,56 +28,86 @@ void putTag(QByteArray& to, Tag tag) {
   put16(to, tag.element);
 }
 
+/// How elements are written.
+struct Coding {
+  bool explicitVr = true;
+  bool openLengths = false;
+  bool bigEndian = false;
+};
+
+/// Every `size` bytes the other way round.
+QByteArray turned(QByteArray bytes, qsizetype size) {
+  for (qsizetype i = 0; i + size <= bytes.size(); i += size)
+    std::reverse(bytes.begin() + i, bytes.begin() + i + size);
+  return bytes;
+}
+
+/// A head of an element or item, whose numbers have two and four bytes.
+class Head {
+ public:
+  Head(Tag tag, const Coding& coding) : m_big(coding.bigEndian) {
+    number(tag.group, 2);
+    number(tag.element, 2);
+  }
+  Head& number(std::uint32_t value, qsizetype size) {
+    QByteArray bytes;
+    put32(bytes, value);
+    bytes.truncate(size);
+    m_bytes += m_big ? turned(bytes, size) : bytes;
+    return *this;
+  }
+  Head& letters(const QByteArray& text) {
+    m_bytes += text;
+    return *this;
+  }
+  const QByteArray& bytes() const { return m_bytes; }
+
+ private:
+  QByteArray m_bytes;
+  bool m_big;
+};
+
 bool isLong(const QByteArray& vr) {
   return vr == "OB" || vr == "OW" || vr == "SQ" || vr == "UN" || vr == "UT";
 }
 
-QByteArray encoded(const WrittenSet& set, bool explicitVr, bool openLengths);
+QByteArray encoded(const WrittenSet& set, const Coding& coding);
 
-QByteArray encodedItems(const std::vector<WrittenSet>& items, bool explicitVr, bool openLengths) {
+QByteArray encodedItems(const std::vector<WrittenSet>& items, const Coding& coding) {
   QByteArray bytes;
   for (const WrittenSet& item : items) {
-    const QByteArray content = encoded(item, explicitVr, openLengths);
-    putTag(bytes, {0xfffe, 0xe000});
-    put32(bytes, openLengths ? openLength : std::uint32_t(content.size()));
-    bytes += content;
-    if (openLengths) {
-      putTag(bytes, {0xfffe, 0xe00d});
-      put32(bytes, 0);
-    }
+    const QByteArray content = encoded(item, coding);
+    const auto length = coding.openLengths ? openLength : std::uint32_t(content.size());
+    bytes += Head({0xfffe, 0xe000}, coding).number(length, 4).bytes() + content;
+    if (coding.openLengths)
+      bytes += Head({0xfffe, 0xe00d}, coding).number(0, 4).bytes();
   }
   return bytes;
 }
 
-QByteArray encoded(const WrittenSet& set, bool explicitVr, bool openLengths) {
+QByteArray encoded(const WrittenSet& set, const Coding& coding) {
   QByteArray bytes;
   for (const WrittenElement& element : set) {
     const bool isSequence = element.vr == "SQ";
     // Pieces of coded pixel data come with their items already written.
     const bool pieces = element.vr == "OB" && element.value.startsWith("\xfe\xff\x00\xe0");
-    const bool open = (isSequence && openLengths) || pieces;
-    QByteArray value =
-        isSequence ? encodedItems(element.items, explicitVr, openLengths) : element.value;
+    const bool open = (isSequence && coding.openLengths) || pieces;
+    QByteArray value = isSequence ? encodedItems(element.items, coding) : element.value;
     if (value.size() % 2 != 0)
       value += element.vr == "UI" || element.vr == "OB" ? '\0' : ' ';
+    if (coding.bigEndian && (element.vr == "US" || element.vr == "OW"))
+      value = turned(value, 2);
     const auto length = open ? openLength : std::uint32_t(value.size());
-    putTag(bytes, element.tag);
-    if (explicitVr) {
-      bytes += element.vr;
-      if (isLong(element.vr)) {
-        put16(bytes, 0);
-        put32(bytes, length);
-      } else {
-        put16(bytes, length & 0xffffu);
-      }
-    } else {
-      put32(bytes, length);
-    }
-    bytes += value;
-    if (open) {
-      putTag(bytes, {0xfffe, 0xe0dd});
-      put32(bytes, 0);
-    }
+    Head head(element.tag, coding);
+    if (!coding.explicitVr)
+      head.number(length, 4);
+    else if (isLong(element.vr))
+      head.letters(element.vr).number(0, 2).number(length, 4);
+    else
+      head.letters(element.vr).number(length, 2);
+    bytes += head.bytes() + value;
+    if (open)
+      bytes += Head({0xfffe, 0xe0dd}, coding).number(0, 4).bytes();
   }
   return bytes;
 }
@@ -95,8 +124,10 @@ const char* uidOf(Syntax syntax) {
       return "1.2.840.10008.1.2.5";
     case Syntax::explicitBig:
       return "1.2.840.10008.1.2.2";
-    case Syntax::jpeg:
-      return "1.2.840.10008.1.2.4.70";
+    case Syntax::jpeg2000:
+      return "1.2.840.10008.1.2.4.90";
+    case Syntax::mpeg:
+      return "1.2.840.10008.1.2.4.100";
   }
   return "";
 }
@@ -144,29 +175,6 @@ WrittenSet region(const WrittenRegion& written, int number) {
   return item;
 }
 
-QByteArray runs(const QByteArray& bytes) {
-  QByteArray packed;
-  put32(packed, 1);
-  put32(packed, 64);
-  packed.resize(64, '\0');
-  for (qsizetype at = 0; at < bytes.size();) {
-    qsizetype same = 1;
-    while (at + same < bytes.size() && same < 128 && bytes[at + same] == bytes[at])
-      ++same;
-    if (same > 1) {
-      packed += char(257 - same);
-      packed += bytes[at];
-    } else {
-      packed += char(0);
-      packed += bytes[at];
-    }
-    at += same;
-  }
-  if (packed.size() % 2 != 0)
-    packed += '\0';
-  return packed;
-}
-
 QByteArray bitsOf(const std::vector<std::uint8_t>& pixels) {
   QByteArray bytes(qsizetype((pixels.size() + 7) / 8), '\0');
   for (std::size_t i = 0; i < pixels.size(); ++i)
@@ -175,32 +183,36 @@ QByteArray bitsOf(const std::vector<std::uint8_t>& pixels) {
   return bytes;
 }
 
-WrittenElement pixelData(const WrittenSegmentation& written) {
-  if (written.runLength) {
-    QByteArray items;
-    putTag(items, {0xfffe, 0xe000});
-    put32(items, 0);
-    for (const WrittenFrame& frame : written.frames) {
-      QByteArray bytes;
-      for (const std::uint8_t pixel : frame.pixels)
-        bytes += char(pixel);
-      const QByteArray packed = runs(written.fractional ? bytes : bitsOf(frame.pixels));
-      putTag(items, {0xfffe, 0xe000});
-      put32(items, std::uint32_t(packed.size()));
-      items += packed;
-    }
-    return {{0x7fe0, 0x0010}, "OB", items, {}};
-  }
-  std::vector<std::uint8_t> all;
-  for (const WrittenFrame& frame : written.frames)
-    all.insert(all.end(), frame.pixels.begin(), frame.pixels.end());
+/// Of one frame, as it stands in the file; bits only where all frames' are whole bytes.
+QByteArray bytesOf(const WrittenSegmentation& written, const std::vector<std::uint8_t>& pixels) {
+  if (written.bits == 1)
+    return bitsOf(pixels);
   QByteArray bytes;
-  if (written.fractional)
-    for (const std::uint8_t pixel : all)
-      bytes += char(pixel);
-  else
-    bytes = bitsOf(all);
-  return {{0x7fe0, 0x0010}, "OB", bytes, {}};
+  for (const std::uint8_t pixel : pixels) {
+    bytes += char(pixel);
+    if (written.bits == 16)
+      bytes += '\0';
+  }
+  return bytes;
+}
+
+WrittenElement pixelsOf(const WrittenSegmentation& written) {
+  std::vector<QByteArray> packed;
+  std::vector<std::uint8_t> all;
+  for (const WrittenFrame& frame : written.frames) {
+    all.insert(all.end(), frame.pixels.begin(), frame.pixels.end());
+    if (written.runLength)
+      packed.push_back(runs({bytesOf(written, frame.pixels)}));
+    else if (written.pack)
+      packed.push_back(written.pack(frame));
+  }
+  if (!packed.empty())
+    return pieces(packed);
+  return {{0x7fe0, 0x0010}, written.bits == 16 ? "OW" : "OB", bytesOf(written, all), {}};
+}
+
+const char* typeOf(const WrittenSegmentation& written) {
+  return written.labelMap ? "LABELMAP" : written.fractional ? "FRACTIONAL" : "BINARY";
 }
 
 WrittenSet code(const QByteArray& meaning) {
@@ -220,17 +232,53 @@ WrittenElement shorts(Tag tag, const std::vector<std::uint16_t>& values) {
   return {tag, "US", bytes, {}};
 }
 
+QByteArray runs(const std::vector<QByteArray>& planes) {
+  QByteArray head;
+  QByteArray packed;
+  put32(head, std::uint32_t(planes.size()));
+  for (const QByteArray& bytes : planes) {
+    put32(head, std::uint32_t(64 + packed.size()));
+    for (qsizetype at = 0; at < bytes.size();) {
+      qsizetype same = 1;
+      while (at + same < bytes.size() && same < 128 && bytes[at + same] == bytes[at])
+        ++same;
+      packed += same > 1 ? char(257 - same) : char(0);
+      packed += bytes[at];
+      at += same;
+    }
+    if (packed.size() % 2 != 0)
+      packed += '\0';
+  }
+  head.resize(64, '\0');
+  return head + packed;
+}
+
+WrittenElement pieces(const std::vector<QByteArray>& frames) {
+  QByteArray items;
+  putTag(items, {0xfffe, 0xe000});
+  put32(items, 0);
+  for (const QByteArray& frame : frames) {
+    putTag(items, {0xfffe, 0xe000});
+    put32(items, std::uint32_t(frame.size() + frame.size() % 2));
+    items += frame;
+    if (frame.size() % 2 != 0)
+      items += '\0';
+  }
+  return {{0x7fe0, 0x0010}, "OB", items, {}};
+}
+
 WrittenElement sequence(Tag tag, std::vector<WrittenSet> items) {
   return {tag, "SQ", {}, std::move(items)};
 }
 
 QByteArray dicomFile(const WrittenSet& set, const Manner& manner) {
-  const QByteArray body = encoded(set, manner.syntax != Syntax::implicitLittle, manner.openLengths);
+  const QByteArray body = encoded(set, {manner.syntax != Syntax::implicitLittle, manner.openLengths,
+                                        manner.syntax == Syntax::explicitBig});
   if (!manner.preamble)
     return body;
   const WrittenSet meta{text({0x0002, 0x0002}, "UI", set.front().value),
                         text({0x0002, 0x0010}, "UI", uidOf(manner.syntax))};
-  const QByteArray rest = encoded(meta, true, false);
+  const QByteArray rest = encoded(meta, {});
   QByteArray file(128, '\0');
   file += "DICM";
   putTag(file, {0x0002, 0x0000});
@@ -323,12 +371,20 @@ std::vector<std::vector<glm::dvec3>> rod(const glm::dvec3& centre, double radius
 
 WrittenSet segmentation(const WrittenSegmentation& written) {
   const auto& id = identities();
-  WrittenSet set = identifying("1.2.840.10008.5.1.4.1.1.66.4");
+  WrittenSet set = identifying(written.labelMap ? "1.2.840.10008.5.1.4.1.1.66.7"
+                                                : "1.2.840.10008.5.1.4.1.1.66.4");
+  set.push_back(shorts({0x0028, 0x0002}, {1}));
+  set.push_back(text({0x0028, 0x0004}, "CS", "MONOCHROME2"));
   set.push_back(text({0x0028, 0x0008}, "IS", QByteArray::number(qsizetype(written.frames.size()))));
   set.push_back(shorts({0x0028, 0x0010}, {std::uint16_t(written.rows)}));
   set.push_back(shorts({0x0028, 0x0011}, {std::uint16_t(written.columns)}));
-  set.push_back(shorts({0x0028, 0x0100}, {std::uint16_t(written.fractional ? 8 : 1)}));
-  set.push_back(text({0x0062, 0x0001}, "CS", written.fractional ? "FRACTIONAL" : "BINARY"));
+  set.push_back(shorts({0x0028, 0x0100}, {std::uint16_t(written.bits)}));
+  set.push_back(shorts({0x0028, 0x0101}, {std::uint16_t(written.bits)}));
+  set.push_back(shorts({0x0028, 0x0102}, {std::uint16_t(written.bits - 1)}));
+  set.push_back(shorts({0x0028, 0x0103}, {0}));
+  if (written.padding)
+    set.push_back(shorts({0x0028, 0x0120}, {*written.padding}));
+  set.push_back(text({0x0062, 0x0001}, "CS", typeOf(written)));
   std::vector<WrittenSet> segments;
   for (const WrittenSegment& segment : written.segments) {
     WrittenSet item;
@@ -363,11 +419,12 @@ WrittenSet segmentation(const WrittenSegmentation& written) {
         sequence({0x0020, 0x9113}, {{text({0x0020, 0x0032}, "DS", decimals(frame.position))}})};
     if (!written.sharedOrientation)
       item.push_back(orientation);
-    item.push_back(sequence({0x0062, 0x000a}, {{shorts({0x0062, 0x000b}, {frame.segment})}}));
+    if (!written.labelMap)
+      item.push_back(sequence({0x0062, 0x000a}, {{shorts({0x0062, 0x000b}, {frame.segment})}}));
     frames.push_back(std::move(item));
   }
   set.push_back(sequence({0x5200, 0x9230}, std::move(frames)));
-  set.push_back(pixelData(written));
+  set.push_back(pixelsOf(written));
   return set;
 }
 

@@ -3,13 +3,14 @@
 #pragma once
 
 #include <QByteArray>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "model/base/units.h"
-#include "model/import/dicom/data_set.h"
+#include "model/import/dicom/tag.h"
 
 namespace sline::test {
 
@@ -26,8 +27,20 @@ struct WrittenElement {
 WrittenElement text(model::Tag tag, const char* vr, const QByteArray& value);
 WrittenElement shorts(model::Tag tag, const std::vector<std::uint16_t>& values);
 WrittenElement sequence(model::Tag tag, std::vector<WrittenSet> items);
+/// A frame in runs (PS3.5 annex G): of two bytes a pixel, the high ones' plane comes first.
+QByteArray runs(const std::vector<QByteArray>& planes);
+/// Packed pixel data, one piece a frame behind an empty offset table.
+WrittenElement pieces(const std::vector<QByteArray>& frames);
 
-enum class Syntax { implicitLittle, explicitLittle, deflated, runLength, explicitBig, jpeg };
+enum class Syntax {
+  implicitLittle,
+  explicitLittle,
+  deflated,
+  runLength,
+  explicitBig,
+  jpeg2000,
+  mpeg  ///< read by nobody here
+};
 
 struct Manner {
   Syntax syntax = Syntax::explicitLittle;
@@ -79,9 +92,13 @@ struct WrittenSegmentation {
   double rowSpacing = 1.0;
   double sliceSpacing = 2.0;
   QByteArray orientation = "1\\0\\0\\0\\1\\0";
+  int bits = 1;  ///< of a pixel: 1, 8 or 16
   bool fractional = false;
+  bool labelMap = false;                 ///< a pixel is the number of its segment
+  std::optional<std::uint16_t> padding;  ///< of a label map: its background
   bool sharedOrientation = true;
   bool runLength = false;
+  std::function<QByteArray(const WrittenFrame&)> pack;  ///< a frame's packed pixels
   std::vector<WrittenSegment> segments;
   std::vector<WrittenFrame> frames;
 };

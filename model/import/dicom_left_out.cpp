@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/import/dicom/left_out.h"
+#include "model/import/dicom_left_out.h"
 
 #include <algorithm>
 #include <cctype>
 
-#include "model/import/dicom/dicom_file.h"
+#include "model/import/readers/dicom_kind.h"
 
 namespace sline::model {
 
@@ -16,7 +16,7 @@ bool DicomLeftOut::takes(const std::filesystem::path& file) {
     return false;
   const std::string kind = sopClassOf(file);
   const std::string_view name = objectName(kind);
-  if (name.empty() || kind == structureSetClass || kind == segmentationClass)
+  if (name.empty() || holdsStructures(kind))
     return false;
   ++m_kinds[std::string(name)];
   ++m_count;

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where the frames of an image lie, and what their values mean.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/import/dicom/dicom_file.h"
+
+namespace sline::model {
+
+struct FramePlace {
+  std::optional<std::uint32_t> segment;  ///< which segment of a segmentation it shows
+  glm::dvec3 position{0.0};              ///< centre of the first pixel, mm LPS
+  glm::dvec3 along{1, 0, 0};             ///< unit; the direction in which columns follow
+  glm::dvec3 down{0, 1, 0};              ///< unit; the direction in which rows follow
+  double columnSpacing = 1.0;            ///< mm
+  double rowSpacing = 1.0;
+  double sliceSpacing = 0.0;  ///< mm; 0: not given
+  double slope = 1.0;         ///< value = slope × stored + intercept
+  double intercept = 0.0;
+  std::string unit;  ///< "HU"; empty: not given
+};
+
+/// In the order of the pixel data, from the functional groups (PS3.3 §C.7.6.16), a frame's own
+/// before the shared ones, or where there are none from the image itself, which then is one frame.
+/// An error where one has no position, orientation or pixel spacing.
+Result<std::vector<FramePlace>> framesIn(const DicomFile& file);
+
+}  // namespace sline::model

@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: Apache-2.0
+// Slices of CT, MR and PET as volumes of grey values.
+#include <QtTest>
+#include <cmath>
+
+#include "model/import/dicom/dicom.h"
+#include "tests/model/import/dicom/written_images.h"
+#include "tests/support/suite.h"
+
+using namespace sline;
+using namespace sline::test;
+
+namespace {
+
+using Path = std::filesystem::path;
+
+/// Values that no coder keeps by accident, within 12 bits.
+int pattern(int x, int y, int z) {
+  return (37 * x + 101 * y + 211 * z + (x * y) % 7) % 1500 - 200;
+}
+
+/// Five slices 2.5 mm apart.
+std::vector<WrittenImage> stack(const WrittenImage& like = {}) {
+  std::vector<WrittenImage> slices;
+  for (int z = 0; z < 5; ++z) {
+    WrittenImage slice = like;
+    slice.position = {-30, 20, 100 + 2.5 * z};
+    slice.value = [z](int x, int y) { return pattern(x, y, z); };
+    slices.push_back(slice);
+  }
+  return slices;
+}
+
+using Writer = std::function<QByteArray(const WrittenImage&)>;
+QByteArray plain(const WrittenImage& written) {
+  return dicomFile(image(written));
+}
+
+/// Read in an order that is not theirs.
+std::vector<Path> files(const QTemporaryDir& folder, const std::vector<WrittenImage>& slices,
+                        const Writer& writer = plain) {
+  std::vector<Path> paths;
+  for (std::size_t i = 0; i < slices.size(); ++i) {
+    const std::size_t k =
+        (2 * i) % slices.size() + (slices.size() % 2 == 0 && 2 * i >= slices.size());
+    paths.push_back(put(folder, QString("IM%1.dcm").arg(k), writer(slices[k])));
+  }
+  return paths;
+}
+
+Result<model::GreyVolume> volumeOf(const std::vector<WrittenImage>& slices,
+                                   const Writer& writer = plain) {
+  const QTemporaryDir folder;
+  return model::readDicomSeries(files(folder, slices, writer), {});
+}
+
+double valueAt(const model::GreyVolume& volume, int x, int y, int z) {
+  const auto at = std::size_t((z * volume.size.y + y) * volume.size.x + x);
+  return volume.slope * volume.voxels.at(at) + volume.intercept;
+}
+
+}  // namespace
+
+class TestDicomSeries : public QObject {
+  Q_OBJECT
+ private slots:
+  void everyCodingGivesTheSameValues_data();
+  void everyCodingGivesTheSameValues();
+  void valuesAndUnits_data();
+  void valuesAndUnits();
+  void eachSliceItsScale();
+  void whereVoxelsLie_data();
+  void whereVoxelsLie();
+  void enhancedImages_data();
+  void enhancedImages();
+  void refusals_data();
+  void refusals();
+  void seriesAreToldApart();
+  void nothingOfThePatient();
+  void realSlices();
+};
+
+void TestDicomSeries::everyCodingGivesTheSameValues_data() {
+  QTest::addColumn<Writer>("writer");
+  QTest::addColumn<int>("bits");
+  QTest::addColumn<double>("tolerance");
+  const auto native = [](Syntax syntax) {
+    return Writer(
+        [syntax](const WrittenImage& written) { return dicomFile(image(written), {syntax}); });
+  };
+  const auto by = [](Packing packing) {
+    return Writer([packing](const WrittenImage& written) {
+      return packed(dicomFile(image(written)), packing);
+    });
+  };
+  QTest::newRow("explicit") << Writer(plain) << 16 << 0.0;
+  QTest::newRow("implicit") << native(Syntax::implicitLittle) << 16 << 0.0;
+  QTest::newRow("big endian") << native(Syntax::explicitBig) << 16 << 0.0;
+  QTest::newRow("deflated") << native(Syntax::deflated) << 16 << 0.0;
+  QTest::newRow("runs") << Writer(runLengthFile) << 16 << 0.0;
+  QTest::newRow("JPEG, lossless") << by(Packing::jpegLossless) << 16 << 0.0;
+  QTest::newRow("JPEG, 12 bits") << by(Packing::jpegExtended) << 12 << 60.0;
+  QTest::newRow("JPEG, 8 bits") << by(Packing::jpegBaseline) << 8 << 12.0;
+  QTest::newRow("JPEG-LS") << by(Packing::jpegLs) << 16 << 0.0;
+  QTest::newRow("JPEG-LS, nearly lossless") << by(Packing::jpegLsNear) << 12 << 2.0;
+  QTest::newRow("JPEG 2000") << Writer(jpeg2000File) << 16 << 0.0;
+  QTest::newRow("JPEG 2000, 12 bits") << Writer(jpeg2000File) << 12 << 0.0;
+}
+
+void TestDicomSeries::everyCodingGivesTheSameValues() {
+  QFETCH(Writer, writer);
+  QFETCH(int, bits);
+  QFETCH(double, tolerance);
+  WrittenImage like;
+  like.stored = std::uint16_t(bits);
+  like.isSigned = bits == 16;
+  const bool lossy = bits == 8 || tolerance > 10;
+  std::vector<WrittenImage> slices = stack(like);
+  for (std::size_t z = 0; z < slices.size(); ++z)
+    if (lossy)  // something smooth
+      slices[z].value = [z, bits](int x, int y) {
+        return (6 * x + 5 * y + 7 * int(z)) << (bits - 8);
+      };
+    else if (bits == 12)
+      slices[z].value = [z](int x, int y) { return pattern(x, y, int(z)) + 200; };
+  const auto read = volumeOf(slices, writer);
+  QVERIFY2(read.ok(), read.ok() ? "" : read.error().text().c_str());
+  QVERIFY(read->size == glm::ivec3(16, 12, 5));
+  double worst = 0.0;
+  for (int z = 0; z < 5; ++z)
+    for (int y = 0; y < 12; ++y)
+      for (int x = 0; x < 16; ++x)
+        worst = std::max(worst, std::abs(valueAt(*read, x, y, z) -
+                                         (slices[std::size_t(z)].value(x, y) - 1024.0)));
+  QVERIFY2(worst <= tolerance, qPrintable(QString::number(worst)));
+}
+
+void TestDicomSeries::valuesAndUnits_data() {
+  QTest::addColumn<QByteArray>("sopClass");
+  QTest::addColumn<QByteArray>("unit");
+  QTest::addColumn<int>("bits");
+  QTest::addColumn<bool>("isSigned");
+  QTest::addColumn<int>("stored");
+  QTest::addColumn<bool>("hounsfield");
+  QTest::addColumn<QString>("name");
+  QTest::newRow("CT") << QByteArray(ctClass) << QByteArray() << 16 << true << -700 << true << "CT";
+  QTest::newRow("CT, said") << QByteArray(ctClass) << QByteArray("HU") << 16 << true << 3000 << true
+                            << "CT";
+  QTest::newRow("CT, another unit")
+      << QByteArray(ctClass) << QByteArray("US") << 16 << true << 3000 << false << "CT";
+  QTest::newRow("12 bits with sign")
+      << QByteArray(ctClass) << QByteArray() << 12 << true << -2000 << true << "CT";
+  QTest::newRow("12 bits without")
+      << QByteArray(mrClass) << QByteArray() << 12 << false << 4000 << false << "MR";
+  QTest::newRow("16 bits without")
+      << QByteArray(petClass) << QByteArray() << 16 << false << 65000 << false << "PET";
+}
+
+void TestDicomSeries::valuesAndUnits() {
+  QFETCH(QByteArray, sopClass);
+  QFETCH(QByteArray, unit);
+  QFETCH(int, bits);
+  QFETCH(bool, isSigned);
+  QFETCH(int, stored);
+  QFETCH(bool, hounsfield);
+  QFETCH(QString, name);
+  WrittenImage like;
+  like.sopClass = sopClass.constData();
+  like.stored = std::uint16_t(bits);
+  like.isSigned = isSigned;
+  like.slope = 0.5;
+  std::vector<WrittenImage> slices = stack(like);
+  for (WrittenImage& slice : slices)
+    slice.value = [stored](int x, int) { return x == 3 ? stored : 0; };
+  const auto read = volumeOf(slices, [&](const WrittenImage& written) {
+    WrittenSet set = image(written);
+    if (!unit.isEmpty())
+      set.insert(set.end() - 1, text({0x0028, 0x1054}, "LO", unit));
+    return dicomFile(set);
+  });
+  QVERIFY2(read.ok(), read.ok() ? "" : read.error().text().c_str());
+  QCOMPARE(valueAt(*read, 3, 2, 1), 0.5 * stored - 1024.0);
+  QCOMPARE(valueAt(*read, 4, 2, 1), -1024.0);
+  QCOMPARE(read->hounsfield, hounsfield);
+  QCOMPARE(QString::fromStdString(read->name), name);
+  QVERIFY(read->frame == model::Frame::lps);
+}
+
+/// PET gives each slice its own scale.
+void TestDicomSeries::eachSliceItsScale() {
+  WrittenImage like;
+  like.sopClass = petClass;
+  like.intercept = 0.0;
+  std::vector<WrittenImage> slices = stack(like);
+  for (std::size_t z = 0; z < slices.size(); ++z) {
+    slices[z].slope = 0.1 * double(z + 1);
+    slices[z].value = [](int x, int y) { return 100 * y + 7 * x; };
+  }
+  const auto read = volumeOf(slices);
+  QVERIFY2(read.ok(), read.ok() ? "" : read.error().text().c_str());
+  for (int z = 0; z < 5; ++z)
+    for (int x = 0; x < 16; ++x)
+      QVERIFY(std::abs(valueAt(*read, x, 5, z) - 0.1 * (z + 1) * (500 + 7 * x)) <= read->slope);
+  QVERIFY(read->slope < 0.02);
+}
+
+void TestDicomSeries::whereVoxelsLie_data() {
+  QTest::addColumn<QByteArray>("orientation");
+  QTest::addColumn<glm::dvec3>("step");
+  QTest::addColumn<glm::dvec3>("expected");
+  // Voxel (2, 3, 1) with columns 0.5 mm and rows 0.8 mm apart, from (−30, 20, 100).
+  QTest::newRow("axial") << QByteArray("1\\0\\0\\0\\1\\0") << glm::dvec3(0, 0, 2.5)
+                         << glm::dvec3(-29, 22.4, 102.5);
+  QTest::newRow("sagittal") << QByteArray("0\\1\\0\\0\\0\\-1") << glm::dvec3(-1.5, 0, 0)
+                            << glm::dvec3(-31.5, 21, 97.6);
+  QTest::newRow("tilted gantry") << QByteArray("1\\0\\0\\0\\1\\0") << glm::dvec3(0, 0.6, 2.5)
+                                 << glm::dvec3(-29, 23.0, 102.5);
+  // Rounded to a hundredth, as many scanners write.
+  QTest::newRow("rounded") << QByteArray("1\\0\\0\\0\\1\\0") << glm::dvec3(0, 0, 0.625)
+                           << glm::dvec3(-29, 22.4, 100.625);
+}
+
+void TestDicomSeries::whereVoxelsLie() {
+  QFETCH(QByteArray, orientation);
+  QFETCH(glm::dvec3, step);
+  QFETCH(glm::dvec3, expected);
+  std::vector<WrittenImage> slices = stack();
+  for (std::size_t z = 0; z < slices.size(); ++z) {
+    slices[z].orientation = orientation;
+    slices[z].position = glm::dvec3(-30, 20, 100) + double(z) * step;
+    slices[z].position.z = std::round(100.0 * slices[z].position.z) / 100.0;
+  }
+  const auto read = volumeOf(slices);
+  QVERIFY2(read.ok(), read.ok() ? "" : read.error().text().c_str());
+  const glm::dvec3 at(read->toLps * glm::dvec4(2, 3, 1, 1));
+  QVERIFY2(glm::length(at - expected) < 0.011,
+           qPrintable(QString("%1 %2 %3").arg(at.x).arg(at.y).arg(at.z)));
+  QCOMPARE(valueAt(*read, 2, 3, 1), pattern(2, 3, 1) - 1024.0);
+}
+
+void TestDicomSeries::enhancedImages_data() {
+  QTest::addColumn<int>("syntax");
+  QTest::newRow("explicit") << int(Syntax::explicitLittle);
+  QTest::newRow("implicit") << int(Syntax::implicitLittle);
+  QTest::newRow("big endian") << int(Syntax::explicitBig);
+}
+
+void TestDicomSeries::enhancedImages() {
+  QFETCH(int, syntax);
+  WrittenImage like;
+  like.sopClass = enhancedMrClass;
+  const QTemporaryDir folder;
+  const Path path = put(folder, "all.dcm", dicomFile(enhancedImage(stack(like)), {Syntax(syntax)}));
+  const auto read = model::readDicomSeries(std::array{path}, {});
+  QVERIFY2(read.ok(), read.ok() ? "" : read.error().text().c_str());
+  QVERIFY(read->size == glm::ivec3(16, 12, 5));
+  QCOMPARE(valueAt(*read, 7, 8, 4), pattern(7, 8, 4) - 1024.0);
+  QCOMPARE(read->toLps[2].z, 2.5);
+  QCOMPARE(read->name, std::string("MR"));
+}
+
+void TestDicomSeries::refusals_data() {
+  QTest::addColumn<std::function<void(std::vector<WrittenImage>&)>>("spoil");
+  QTest::addColumn<QString>("message");
+  using Slices = std::vector<WrittenImage>;
+  using Spoil = std::function<void(Slices&)>;
+  QTest::newRow("a slice is missing")
+      << Spoil([](Slices& s) { s.erase(s.begin() + 2); }) << "not evenly spaced: two lie 5 mm";
+  QTest::newRow("uneven") << Spoil([](Slices& s) { s[4].position.z += 0.4; })
+                          << "not evenly spaced";
+  QTest::newRow("one slice") << Spoil([](Slices& s) { s.resize(1); }) << "a single slice";
+  QTest::newRow("none") << Spoil([](Slices& s) { s.clear(); }) << "no slices";
+  QTest::newRow("two phases") << Spoil([](Slices& s) { s[3].position = s[2].position; })
+                              << "lie where another one does";
+  QTest::newRow("another size") << Spoil([](Slices& s) { s[3].rows = 14; }) << "16 × 14 pixels";
+  QTest::newRow("turned") << Spoil([](Slices& s) { s[3].orientation = "0\\1\\0\\-1\\0\\0"; })
+                          << "is turned or scaled otherwise";
+  QTest::newRow("no orientation") << Spoil([](Slices& s) { s[3].orientation = ""; })
+                                  << "does not say how it is turned";
+  QTest::newRow("another series") << Spoil([](Slices& s) { s[3].series = "9.9"; })
+                                  << "belongs to another series";
+  QTest::newRow("another kind") << Spoil([](Slices& s) {
+    s[0].sopClass = "1.2.840.10008.5.1.4.1.1.481.2";
+  }) << "its content is of the kind RT dose";
+  QTest::newRow("aside") << Spoil([](Slices& s) { s[2].position.x += 4; })
+                         << "do not lie above each other";
+}
+
+void TestDicomSeries::refusals() {
+  QFETCH(std::function<void(std::vector<WrittenImage>&)>, spoil);
+  QFETCH(QString, message);
+  std::vector<WrittenImage> slices = stack();
+  spoil(slices);
+  const auto read = volumeOf(slices);
+  QVERIFY(!read.ok());
+  const QString text = QString::fromStdString(read.error().text());
+  QVERIFY2(text.contains(message), qPrintable(text));
+  QVERIFY(!read.error().remedy.empty());
+}
+
+void TestDicomSeries::seriesAreToldApart() {
+  const QTemporaryDir folder;
+  std::vector<Path> all;
+  WrittenImage scout;
+  scout.series = "1.2.3";
+  all.push_back(put(folder, "scout", dicomFile(image(scout))));
+  for (const Path& path : files(folder, stack()))
+    all.push_back(path);
+  all.push_back(put(folder, "plan.dcm", dicomFile(identifying("1.2.840.10008.5.1.4.1.1.481.5"))));
+  all.push_back(put(folder, "text.dcm", "no DICOM"));
+  // The series' UID of a packed file is found as well, and that of one with a long beginning.
+  WrittenImage mr;
+  mr.sopClass = mrClass;
+  mr.series = "1.2.4";
+  all.push_back(put(folder, "deflated", dicomFile(image(mr), {Syntax::deflated})));
+  mr.position.z = 3;
+  WrittenSet longer = image(mr);
+  longer.insert(longer.begin() + 4,
+                WrittenElement{{0x0009, 0x1001}, "OB", QByteArray(200'000, 'x'), {}});
+  all.push_back(put(folder, "long", dicomFile(longer)));
+  const std::vector<model::DicomSeries> series = model::seriesIn(all, {});
+  QCOMPARE(series.size(), std::size_t(3));
+  QCOMPARE(series[0].files.size(), std::size_t(5));
+  QCOMPARE(series[0].scanner, std::string("CT"));
+  QCOMPARE(series[1].files.size(), std::size_t(2));
+  QCOMPARE(series[1].scanner, std::string("MR"));
+  QCOMPARE(series[2].files.size(), std::size_t(1));
+  QVERIFY(model::readDicomSeries(series[0].files, {}).ok());
+}
+
+void TestDicomSeries::nothingOfThePatient() {
+  std::vector<WrittenImage> slices = stack();
+  const auto good = volumeOf(slices);
+  QVERIFY(good.ok());
+  slices.erase(slices.begin() + 1);
+  const auto bad = volumeOf(slices);
+  QVERIFY(!bad.ok());
+  for (const std::string& said :
+       {good->name + good->frameReason + good->unitReason, bad.error().text()})
+    for (const QByteArray& identity : identities())
+      QVERIFY2(said.find(identity.toStdString()) == std::string::npos, said.c_str());
+}
+
+void TestDicomSeries::realSlices() {
+  const Path folder = std::string(SLINE_TEST_DATA) + "/formats/dicom";
+  if (!std::filesystem::exists(folder / "ct.0.dcm"))
+    SLINE_ABSENT("no such files");
+  const std::array files{folder / "ct.0.dcm", folder / "ct_image.dcm", folder / "rtss.dcm"};
+  const std::vector<model::DicomSeries> series = model::seriesIn(files, {});
+  QCOMPARE(series.size(), std::size_t(2));
+  const auto read = model::readDicomSeries(std::array{files[0]}, {});
+  QVERIFY(!read.ok());
+  QVERIFY2(read.error().reason.find("single slice") != std::string::npos,
+           read.error().text().c_str());
+}
+
+SLINE_TEST_WITH_EVENTS(TestDicomSeries)
+#include "test_dicom_series.moc"

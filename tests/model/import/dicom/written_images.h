@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Slices of scanners written by the tests, and pixel data packed by DCMTK's and OpenJPEG's
+// encoders.
+#pragma once
+
+#include <QTemporaryDir>
+#include <filesystem>
+#include <functional>
+
+#include "tests/model/import/dicom/written_dicom.h"
+
+namespace sline::test {
+
+inline constexpr const char* ctClass = "1.2.840.10008.5.1.4.1.1.2";
+inline constexpr const char* mrClass = "1.2.840.10008.5.1.4.1.1.4";
+inline constexpr const char* petClass = "1.2.840.10008.5.1.4.1.1.128";
+inline constexpr const char* enhancedMrClass = "1.2.840.10008.5.1.4.1.1.4.1";
+
+/// A slice of 16-bit pixels.
+struct WrittenImage {
+  const char* sopClass = ctClass;
+  QByteArray series = "QZX.9.87.SERIES";
+  int columns = 16;
+  int rows = 12;
+  glm::dvec3 position{0.0};
+  QByteArray orientation = "1\\0\\0\\0\\1\\0";
+  QByteArray spacing = "0.8\\0.5";  ///< of rows, then of columns
+  std::uint16_t stored = 16;        ///< bits
+  bool isSigned = true;
+  double slope = 1.0;
+  double intercept = -1024.0;
+  std::function<int(int x, int y)> value = [](int x, int y) { return 100 * y + x; };
+};
+std::vector<std::uint16_t> pixelsOf(const WrittenImage& written);
+WrittenSet image(const WrittenImage& written);
+/// One enhanced image of these slices, in their order.
+WrittenSet enhancedImage(const std::vector<WrittenImage>& slices);
+
+/// How the pixels of a file are packed.
+enum class Packing { none, jpegBaseline, jpegExtended, jpegLossless, jpegLs, jpegLsNear };
+/// The file again with its pixel data so; aborts the test program where the encoder refuses.
+QByteArray packed(const QByteArray& file, Packing packing);
+
+/// A frame's pixels as a bare codestream, without loss.
+QByteArray jpeg2000(const std::vector<std::uint16_t>& pixels, int columns, int rows, int bits,
+                    bool isSigned);
+/// The slice with its pixels packed so.
+QByteArray jpeg2000File(const WrittenImage& written);
+/// The slice with its pixels in two planes of runs.
+QByteArray runLengthFile(const WrittenImage& written);
+
+/// The file's bytes in the folder; returns where.
+std::filesystem::path put(const QTemporaryDir& folder, const QString& name,
+                          const QByteArray& bytes);
+
+}  // namespace sline::test
