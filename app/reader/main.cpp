@@ -3,6 +3,7 @@
 // (model/import/worker/reading_child.h); here is the list of what it can read.
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 
 #include "model/import/dicom/dicom.h"
 #include "model/import/foreign/foreign.h"
@@ -21,6 +22,9 @@ constexpr std::array readers = {ChildReader{"DICOM", readingFirst<readDicom>},
 }  // namespace
 
 int main() {
+  // DCMTK would read a dictionary of all elements at each start; what is needed of it is built in
+  // (dicom/toolkit.h).
+  setenv("DCMDICTPATH", "/none", 1);
   const int status = runReadingChild(readers);
   if (status == 2)
     std::fputs("sline-reader is started by Sline, to read files in a process of its own.\n",

@@ -87,6 +87,8 @@ class ArchTest : public QObject {
                                      << "#include <vtkPolyData.h>" << false;
     QTest::newRow("VTK in a header") << "model/import/a.h"
                                      << "#include <vtkPolyData.h>" << false;
+    QTest::newRow("DCMTK in a header") << "model/import/dicom/a.h"
+                                       << "#include <dcmtk/dcmdata/dcitem.h>" << false;
     QTest::newRow("VTK in import") << "model/import/a.cpp"
                                    << "#include <vtkPolyData.h>" << true;
     QTest::newRow("oneTBB") << "render/lines/a.cpp"

@@ -3,16 +3,17 @@
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcdatset.h>
+#include <dcmtk/dcmdata/dcistrma.h>
 #include <dcmtk/dcmdata/dcmetinf.h>
 #include <dcmtk/dcmdata/dcxfer.h>
 #include <zlib.h>
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <utility>
 #include <vector>
 
-#include "model/import/dicom/guarded_stream.h"
 #include "model/import/dicom/toolkit.h"
 
 namespace sline::model {
@@ -47,6 +48,90 @@ PixelCoding codingOf(const std::string& syntax) {
     if (syntax.starts_with(row.syntax))
       return row.coding;
   return PixelCoding::native;
+}
+
+/// Standard objects nest six deep; this is room for a few hundred levels, and an eighth of what
+/// threads have.
+constexpr std::size_t mostStack = std::size_t(1) << 20;
+/// About five million elements: the largest plans have a tenth of that.
+constexpr std::size_t mostReads = 20'000'000;
+
+/// An address in the frame of whoever calls.
+[[gnu::noinline]] const char* stackHere() {
+  return static_cast<const char*>(__builtin_frame_address(0));
+}
+
+/// DCMTK descends into sequences by recursion, as deep as a file says, and makes objects of a few
+/// hundred bytes from elements of eight. This producer watches the stack from whose frames it is
+/// called and counts how often it is, and ends the reading with an error where either grows beyond
+/// what any sound file needs.
+class GuardedBytes : public DcmProducer {
+ public:
+  enum class Fault { none, nestedTooDeep, tooManyElements, putBackTooFar };
+
+  explicit GuardedBytes(std::string_view bytes);
+
+  OFBool good() const override { return m_fault == Fault::none; }
+  OFCondition status() const override { return good() ? EC_Normal : EC_CorruptedData; }
+  OFBool eos() override { return m_at == m_bytes.size(); }
+  offile_off_t avail() override { return good() ? offile_off_t(m_bytes.size() - m_at) : 0; }
+  offile_off_t read(void* buffer, offile_off_t size) override;
+  offile_off_t skip(offile_off_t size) override;
+  void putback(offile_off_t size) override;
+
+  Fault fault() const { return m_fault; }
+  /// How many bytes have been read.
+  std::size_t position() const { return m_at; }
+
+ private:
+  void watch();
+
+  std::string_view m_bytes;
+  std::size_t m_at = 0;
+  const char* m_stack;
+  std::size_t m_reads = 0;
+  Fault m_fault = Fault::none;
+};
+
+/// A stream of them; the producer must outlive it. Values are read at once.
+class GuardedStream : public DcmInputStream {
+ public:
+  explicit GuardedStream(GuardedBytes& bytes) : DcmInputStream(&bytes) {}
+  DcmInputStreamFactory* newFactory() const override { return nullptr; }
+};
+
+GuardedBytes::GuardedBytes(std::string_view bytes) : m_bytes(bytes), m_stack(stackHere()) {}
+
+void GuardedBytes::watch() {
+  const char* here = stackHere();
+  const auto used = std::size_t(here < m_stack ? m_stack - here : here - m_stack);
+  if (used > mostStack)
+    m_fault = Fault::nestedTooDeep;
+  else if (++m_reads > mostReads)
+    m_fault = Fault::tooManyElements;
+}
+
+offile_off_t GuardedBytes::read(void* buffer, offile_off_t size) {
+  watch();
+  const offile_off_t count = std::clamp<offile_off_t>(size, 0, avail());
+  if (count > 0)
+    std::memcpy(buffer, m_bytes.data() + m_at, std::size_t(count));
+  m_at += std::size_t(count);
+  return count;
+}
+
+offile_off_t GuardedBytes::skip(offile_off_t size) {
+  watch();
+  const offile_off_t count = std::clamp<offile_off_t>(size, 0, avail());
+  m_at += std::size_t(count);
+  return count;
+}
+
+void GuardedBytes::putback(offile_off_t size) {
+  if (size < 0 || std::size_t(size) > m_at)
+    m_fault = Fault::putBackTooFar;
+  else
+    m_at -= std::size_t(size);
 }
 
 /// What went wrong in reading, in words; `end`: all bytes had been read.
@@ -165,7 +250,7 @@ Result<DicomFile> DicomFile::parsed(Source source, Extent extent) {
 }
 
 Result<DicomFile> DicomFile::read(const std::filesystem::path& file, const ReadLimits& limits) {
-  Result<Source> source = Source::read(file, limits);
+  Result<Source> source = Source::readStored(file, limits);
   if (!source)
     return source.error();
   return parsed(std::move(*source), Extent::whole);

@@ -21,9 +21,9 @@ constexpr Tag bitsStored{0x0028, 0x0101};
 constexpr Tag highestBit{0x0028, 0x0102};
 constexpr Tag pixelRepresentation{0x0028, 0x0103};
 /// 1024 slices of 1024 × 1024 pixels; and for a small file that asks for many, by its bytes.
-constexpr std::uint64_t mostVoxels = std::uint64_t(1) << 30;
+constexpr std::uint64_t mostSeriesVoxels = std::uint64_t(1) << 30;
 constexpr std::uint64_t voxelsOfAny = std::uint64_t(128) << 20;
-constexpr std::uint64_t voxelsPerByte = 1024;
+constexpr std::uint64_t seriesVoxelsPerByte = 1024;
 /// Images nearer to each other than this show one place, mm.
 constexpr double onePlace = 1e-4;
 /// What places may differ from an even grid: they are often rounded to 0.01 mm.
@@ -140,7 +140,7 @@ class SeriesReader {
                                  sortThem);
     const std::uint64_t voxels =
         std::uint64_t(pixels->frameSize()) * (m_slices.size() + pixels->frames());
-    if (voxels > std::min(mostVoxels, voxelsOfAny + voxelsPerByte * m_bytes))
+    if (voxels > std::min(mostSeriesVoxels, voxelsOfAny + seriesVoxelsPerByte * m_bytes))
       return file.source().whole("the series has more voxels than are read",
                                  "Have another program reduce its resolution");
     const StoredNumber number = StoredNumber::in(file.data(), pixels->bits());

@@ -4,8 +4,11 @@
 #include <openjpeg.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <memory>
+
+#include "model/import/readers/values.h"
 
 namespace sline::model {
 
@@ -52,10 +55,29 @@ struct DestroyImage {
   void operator()(opj_image_t* image) const { opj_image_destroy(image); }
 };
 
-/// "\xff\x4f\xff\x51" begins a bare codestream, which DICOM prescribes; some put it into a JP2
-/// file.
+/// SOC and SIZ, with which a bare codestream begins, as DICOM prescribes; some are in a JP2 file.
+constexpr std::string_view codestreamBegins = "\xff\x4f\xff\x51";
+
 OPJ_CODEC_FORMAT formatOf(std::string_view stream) {
-  return stream.starts_with("\xff\x4f\xff\x51") ? OPJ_CODEC_J2K : OPJ_CODEC_JP2;
+  return stream.starts_with(codestreamBegins) ? OPJ_CODEC_J2K : OPJ_CODEC_JP2;
+}
+
+/// Of its tiles, for each of which OpenJPEG takes some kilobytes before it can be asked anything,
+/// the head (SIZ, §A.5.1) may promise 65,535; an image of this size has no use for so many.
+bool hasFewTiles(std::string_view stream, const glm::ivec2& size) {
+  constexpr std::size_t ends = 8;    // two numbers, from the codestream's beginning
+  constexpr std::size_t tiles = 24;  // and two more
+  const std::size_t begin = stream.find(codestreamBegins);
+  if (begin == std::string_view::npos || stream.size() - begin < tiles + 8)
+    return false;
+  const auto number = [&](std::size_t at) {
+    return std::uint64_t(
+        loadAs<std::uint32_t>(&stream[begin + at], std::endian::native != std::endian::big));
+  };
+  const std::uint64_t across = number(ends) / std::max<std::uint64_t>(number(tiles), 1) + 1;
+  const std::uint64_t down = number(ends + 4) / std::max<std::uint64_t>(number(tiles + 4), 1) + 1;
+  const std::uint64_t most = 16 + std::uint64_t(size.x) * std::uint64_t(size.y) / 256;
+  return across <= most && down <= most / across;
 }
 
 bool isOneGreyPlane(const opj_image_t& image, const glm::ivec2& size) {
@@ -70,6 +92,8 @@ bool isOneGreyPlane(const opj_image_t& image, const glm::ivec2& size) {
 
 std::optional<std::string> decodeJpeg2000(std::string_view stream, const glm::ivec2& size,
                                           std::vector<std::uint16_t>& values) {
+  if (!hasFewTiles(stream, size))
+    return "it has no head of an image of this size";
   CodestreamBytes bytes{stream};
   const std::unique_ptr<opj_codec_t, DestroyCodec> codec(opj_create_decompress(formatOf(stream)));
   const std::unique_ptr<opj_stream_t, DestroyStream> input(opj_stream_default_create(OPJ_TRUE));

@@ -26,7 +26,11 @@ constexpr Tag columnCount{0x0028, 0x0011};
 constexpr Tag bitsAllocated{0x0028, 0x0100};
 /// No scanner makes larger slices; a packed file could ask for them.
 constexpr std::uint64_t largestFrame = std::uint64_t(64) << 20;
-constexpr const char* sendAgain = "Copy or export the file again; it is incomplete or damaged";
+/// Blank frames pack a thousandfold: so many pixels may any file have, and so many for each byte.
+constexpr std::uint64_t packedPixelsOfAny = std::uint64_t(256) << 20;
+constexpr std::uint64_t packedPixelsPerByte = 64;
+constexpr const char* exportPixelsAgain =
+    "Copy or export the file again; it is incomplete or damaged";
 
 DcmPixelData* pixelElement(const DicomFile& file) {
   DcmElement* element = nullptr;
@@ -112,7 +116,7 @@ Status PixelFrames::openNative() {
                                       " bytes, too few for " + std::to_string(m_frames) +
                                       " frames of " + std::to_string(m_columns) + " × " +
                                       std::to_string(m_rows) + " pixels",
-                                  sendAgain);
+                                  exportPixelsAgain);
   return Unit{};
 }
 
@@ -120,6 +124,10 @@ Status PixelFrames::openPacked() {
   if (m_file->pixelCoding() == PixelCoding::other)
     return m_file->source().whole("its pixel data is compressed in a way that is not read",
                                   "Export it uncompressed, or as JPEG, JPEG-LS or JPEG 2000");
+  if (m_frames > (packedPixelsOfAny + packedPixelsPerByte * m_file->source().size()) / frameSize())
+    return m_file->source().whole(
+        "its " + std::to_string(m_frames) + " packed frames have more pixels than are read",
+        "Export it in parts, or uncompressed");
   DcmPixelData* pixels = pixelElement(*m_file);
   return groupFragments(pixels ? fragmentsOf(*pixels) : std::vector<std::string_view>());
 }
@@ -146,14 +154,15 @@ Status PixelFrames::groupFragments(const std::vector<std::string_view>& fragment
   }
   if (m_coded.size() != m_frames)
     return m_file->source().whole("there are not as many pieces of packed pixel data as frames",
-                                  sendAgain);
+                                  exportPixelsAgain);
   return Unit{};
 }
 
 Error PixelFrames::damaged(std::size_t index, const std::string& why) const {
   return m_file->source().at(
       "frame " + std::to_string(index + 1),
-      "its packed pixel data is damaged" + (why.empty() ? "" : " (" + why + ")"), sendAgain);
+      "its packed pixel data is damaged" + (why.empty() ? "" : " (" + why + ")"),
+      exportPixelsAgain);
 }
 
 void PixelFrames::unpack(std::string_view bytes, std::size_t firstPixel,

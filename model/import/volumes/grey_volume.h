@@ -22,7 +22,7 @@ struct GreyVolume {
   double slope = 1.0;
   double intercept = 0.0;
   bool hounsfield = false;
-  std::string name;  ///< "CT"; never a patient's
+  std::string name;       ///< "CT"; never a patient's
   glm::dmat4 toLps{1.0};  ///< indices (a voxel's centre at whole numbers) → mm, LPS; invertible
   std::optional<Frame> frame;  ///< in which the file speaks, as LabelVolume::frame
   std::string frameReason;

@@ -93,6 +93,9 @@ void TestDicomSeries::everyCodingGivesTheSameValues_data() {
       return packed(dicomFile(image(written)), packing);
     });
   };
+  const auto byJpeg2000 = [](Syntax syntax) {
+    return Writer([syntax](const WrittenImage& written) { return jpeg2000File(written, syntax); });
+  };
   QTest::newRow("explicit") << Writer(plain) << 16 << 0.0;
   QTest::newRow("implicit") << native(Syntax::implicitLittle) << 16 << 0.0;
   QTest::newRow("big endian") << native(Syntax::explicitBig) << 16 << 0.0;
@@ -103,8 +106,9 @@ void TestDicomSeries::everyCodingGivesTheSameValues_data() {
   QTest::newRow("JPEG, 8 bits") << by(Packing::jpegBaseline) << 8 << 12.0;
   QTest::newRow("JPEG-LS") << by(Packing::jpegLs) << 16 << 0.0;
   QTest::newRow("JPEG-LS, nearly lossless") << by(Packing::jpegLsNear) << 12 << 2.0;
-  QTest::newRow("JPEG 2000") << Writer(jpeg2000File) << 16 << 0.0;
-  QTest::newRow("JPEG 2000, 12 bits") << Writer(jpeg2000File) << 12 << 0.0;
+  QTest::newRow("JPEG 2000") << byJpeg2000(Syntax::jpeg2000) << 16 << 0.0;
+  QTest::newRow("of a kind that DCMTK does not know") << byJpeg2000(Syntax::htj2k) << 16 << 0.0;
+  QTest::newRow("JPEG 2000, 12 bits") << byJpeg2000(Syntax::jpeg2000) << 12 << 0.0;
 }
 
 void TestDicomSeries::everyCodingGivesTheSameValues() {
@@ -240,6 +244,8 @@ void TestDicomSeries::whereVoxelsLie() {
 
 void TestDicomSeries::enhancedImages_data() {
   QTest::addColumn<int>("syntax");
+  QTest::newRow("JPEG 2000, frames in pieces") << int(Syntax::jpeg2000);
+  QTest::newRow("runs, frames in one piece each") << int(Syntax::runLength);
   QTest::newRow("explicit") << int(Syntax::explicitLittle);
   QTest::newRow("implicit") << int(Syntax::implicitLittle);
   QTest::newRow("big endian") << int(Syntax::explicitBig);
@@ -249,8 +255,18 @@ void TestDicomSeries::enhancedImages() {
   QFETCH(int, syntax);
   WrittenImage like;
   like.sopClass = enhancedMrClass;
+  WrittenSet set = enhancedImage(stack(like));
+  std::vector<QByteArray> frames;
+  for (const WrittenImage& slice : stack(like))
+    frames.push_back(Syntax(syntax) == Syntax::jpeg2000
+                         ? jpeg2000(pixelsOf(slice), slice.columns, slice.rows, 16, true)
+                         : runsOf(slice));
+  if (Syntax(syntax) == Syntax::jpeg2000)
+    set.back() = cutPieces(frames, 40);
+  if (Syntax(syntax) == Syntax::runLength)
+    set.back() = pieces(frames);
   const QTemporaryDir folder;
-  const Path path = put(folder, "all.dcm", dicomFile(enhancedImage(stack(like)), {Syntax(syntax)}));
+  const Path path = put(folder, "all.dcm", dicomFile(set, {Syntax(syntax)}));
   const auto read = model::readDicomSeries(std::array{path}, {});
   QVERIFY2(read.ok(), read.ok() ? "" : read.error().text().c_str());
   QVERIFY(read->size == glm::ivec3(16, 12, 5));

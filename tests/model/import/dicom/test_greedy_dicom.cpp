@@ -7,6 +7,7 @@
 
 #include "tests/model/import/dicom/surface_facts.h"
 #include "tests/model/import/dicom/written_dicom.h"
+#include "tests/model/import/dicom/written_images.h"
 #include "tests/support/process_memory.h"
 #include "tests/support/suite.h"
 
@@ -127,6 +128,34 @@ QByteArray layers() {
   return dicomFile(segmentation(written), {Syntax::deflated});
 }
 
+/// Frames of nothing, which pack a thousandfold.
+QByteArray packedMap(int side, std::size_t count, std::uint8_t value) {
+  WrittenSegmentation written = frames(side, side, int(count));
+  written.labelMap = true;
+  written.bits = 8;
+  std::fill(written.frames[0].pixels.begin(), written.frames[0].pixels.end(), value);
+  const std::vector<std::uint16_t> pixels(std::size_t(side) * std::size_t(side), value);
+  const QByteArray one = jpeg2000(pixels, side, side, 8, false);
+  written.pack = [&](const WrittenFrame&) { return one; };
+  return dicomFile(segmentation(written), {Syntax::jpeg2000});
+}
+QByteArray packedNothing() {
+  return packedMap(2048, 20, 0);
+}
+QByteArray packedSolid() {
+  return packedMap(1024, 40, 1);
+}
+QByteArray packedWithoutEnd() {
+  return packedMap(256, 3500, 0);
+}
+
+/// Half a million elements without a value.
+QByteArray crumbs() {
+  WrittenSet set = identifying("1.2.840.10008.5.1.4.1.1.481.3");
+  set.resize(set.size() + 500'000, text({0x0030, 0x1001}, "LO", ""));
+  return dicomFile(set, {Syntax::deflated});
+}
+
 using Maker = QByteArray (*)();
 
 }  // namespace
@@ -153,6 +182,10 @@ void TestGreedyDicom::answersSoon_data() {
   QTest::newRow("deflated masks") << Maker(deflatedMasks);
   QTest::newRow("deflated nothing") << Maker(deflatedNothing);
   QTest::newRow("many segments") << Maker(layers);
+  QTest::newRow("crumbs") << Maker(crumbs);
+  QTest::newRow("packed nothing") << Maker(packedNothing);
+  QTest::newRow("packed bricks") << Maker(packedSolid);
+  QTest::newRow("packed without end") << Maker(packedWithoutEnd);
 }
 
 void TestGreedyDicom::answersSoon() {

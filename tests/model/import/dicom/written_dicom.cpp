@@ -126,6 +126,8 @@ const char* uidOf(Syntax syntax) {
       return "1.2.840.10008.1.2.2";
     case Syntax::jpeg2000:
       return "1.2.840.10008.1.2.4.90";
+    case Syntax::htj2k:
+      return "1.2.840.10008.1.2.4.201";
     case Syntax::mpeg:
       return "1.2.840.10008.1.2.4.100";
   }
@@ -265,6 +267,24 @@ WrittenElement pieces(const std::vector<QByteArray>& frames) {
       items += '\0';
   }
   return {{0x7fe0, 0x0010}, "OB", items, {}};
+}
+
+WrittenElement cutPieces(const std::vector<QByteArray>& frames, qsizetype size) {
+  QByteArray table;
+  QByteArray items;
+  const auto put = [](QByteArray& to, const QByteArray& bytes) {
+    putTag(to, {0xfffe, 0xe000});
+    put32(to, std::uint32_t(bytes.size() + bytes.size() % 2));
+    to += bytes + QByteArray(bytes.size() % 2, '\0');
+  };
+  for (const QByteArray& frame : frames) {
+    put32(table, std::uint32_t(items.size()));
+    for (qsizetype at = 0; at < frame.size(); at += size)
+      put(items, frame.mid(at, size));
+  }
+  QByteArray all;
+  put(all, table);
+  return {{0x7fe0, 0x0010}, "OB", all + items, {}};
 }
 
 WrittenElement sequence(Tag tag, std::vector<WrittenSet> items) {

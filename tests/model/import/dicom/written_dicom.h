@@ -31,6 +31,8 @@ WrittenElement sequence(model::Tag tag, std::vector<WrittenSet> items);
 QByteArray runs(const std::vector<QByteArray>& planes);
 /// Packed pixel data, one piece a frame behind an empty offset table.
 WrittenElement pieces(const std::vector<QByteArray>& frames);
+/// The same, each frame in pieces of so many bytes, behind a table of where each begins.
+WrittenElement cutPieces(const std::vector<QByteArray>& frames, qsizetype size);
 
 enum class Syntax {
   implicitLittle,
@@ -39,7 +41,8 @@ enum class Syntax {
   runLength,
   explicitBig,
   jpeg2000,
-  mpeg  ///< read by nobody here
+  htj2k,  ///< younger than DCMTK here
+  mpeg    ///< read by nobody here
 };
 
 struct Manner {

@@ -203,22 +203,26 @@ QByteArray jpeg2000(const std::vector<std::uint16_t>& pixels, int columns, int r
   return made;
 }
 
-QByteArray jpeg2000File(const WrittenImage& written) {
+QByteArray jpeg2000File(const WrittenImage& written, Syntax syntax) {
   WrittenSet set = image(written);
   set.back() = pieces({jpeg2000(pixelsOf(written), written.columns, written.rows, written.stored,
                                 written.isSigned)});
-  return dicomFile(set, {Syntax::jpeg2000});
+  return dicomFile(set, {syntax});
 }
 
-QByteArray runLengthFile(const WrittenImage& written) {
+QByteArray runsOf(const WrittenImage& written) {
   QByteArray high;
   QByteArray low;
   for (const std::uint16_t pixel : pixelsOf(written)) {
     high += char(pixel >> 8);
     low += char(pixel & 0xff);
   }
+  return runs({high, low});
+}
+
+QByteArray runLengthFile(const WrittenImage& written) {
   WrittenSet set = image(written);
-  set.back() = pieces({runs({high, low})});
+  set.back() = pieces({runsOf(written)});
   return dicomFile(set, {Syntax::runLength});
 }
 

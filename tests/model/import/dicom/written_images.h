@@ -45,8 +45,10 @@ QByteArray packed(const QByteArray& file, Packing packing);
 QByteArray jpeg2000(const std::vector<std::uint16_t>& pixels, int columns, int rows, int bits,
                     bool isSigned);
 /// The slice with its pixels packed so.
-QByteArray jpeg2000File(const WrittenImage& written);
-/// The slice with its pixels in two planes of runs.
+QByteArray jpeg2000File(const WrittenImage& written, Syntax syntax = Syntax::jpeg2000);
+/// A slice's pixels in two planes of runs.
+QByteArray runsOf(const WrittenImage& written);
+/// The slice with its pixels so.
 QByteArray runLengthFile(const WrittenImage& written);
 
 /// The file's bytes in the folder; returns where.
