@@ -297,6 +297,36 @@ class SimplificationTest : public QObject {
     QCOMPARE(eulerOf(*fewer.mesh), eulerOf(*mesh));
   }
 
+  /// Sheets sewn to themselves at random, some triangles turned, some there twice.
+  void sewnSheets() {
+    std::mt19937 random(5);
+    const auto below = [&](std::size_t n) { return std::uint32_t(random() % n); };
+    int simplified = 0;
+    for (int sheet = 0; sheet < 200; ++sheet) {
+      const MeshPtr flat = test::paraboloid(0.001f, 0.001f, 10, int(4 + below(8)));
+      std::vector<model::Triangle> triangles(flat->triangles().begin(), flat->triangles().end());
+      for (std::uint32_t seams = below(6); seams > 0; --seams) {
+        const std::uint32_t from = below(flat->vertexCount());
+        const std::uint32_t to = below(flat->vertexCount());
+        for (model::Triangle& t : triangles)
+          std::replace(t.begin(), t.end(), from, to);
+      }
+      for (std::uint32_t turned = below(4); turned > 0; --turned) {
+        model::Triangle& t = triangles[below(triangles.size())];
+        std::swap(t[0], t[1]);
+      }
+      for (std::uint32_t twice = below(3); twice > 0; --twice)
+        triangles.push_back(triangles[below(triangles.size())]);
+      const MeshPtr sewn = meshOf({flat->positions().begin(), flat->positions().end()}, triangles);
+      const MeshPtr fewer = model::simplified(sewn, 2.0f, always).mesh;
+      simplified += fewer != sewn ? 1 : 0;
+      QCOMPARE(edgesOf(*fewer).open, edgesOf(*sewn).open);
+      QCOMPARE(edgesOf(*fewer).nonManifold, edgesOf(*sewn).nonManifold);
+      QCOMPARE(disagreements(*fewer), disagreements(*sewn));
+    }
+    QVERIFY(simplified > 100);
+  }
+
   void nothingToDo() {
     const MeshPtr ball = test::sphere(50, 3);
     QVERIFY(model::simplified(ball, 0.0f, always).mesh == ball);
