@@ -3,10 +3,12 @@
 // start page.
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QDir>
 #include <QSettings>
 #include <algorithm>
 #include <iostream>
 
+#include "widgets/instance/window_server.h"
 #include "widgets/language/language_switch.h"
 #include "widgets/session/demo_scenes.h"
 #include "widgets/theme/theme.h"
@@ -15,6 +17,7 @@
 namespace {
 
 constexpr const char* demoOption = "demo";
+constexpr const char* newWindowOption = "new-window";
 
 void declare(QCommandLineParser& parser) {
   parser.setApplicationDescription(QApplication::translate(
@@ -35,11 +38,25 @@ void declare(QCommandLineParser& parser) {
        QApplication::translate("main", "Opens a scene that the program models itself: %1.")
            .arg(names.join(QStringLiteral(", "))),
        QStringLiteral("scene")});
+  parser.addOption({QLatin1String(newWindowOption),
+                    QApplication::translate("main",
+                                            "Opens a window of its own, whatever the preferences "
+                                            "say of files from outside.")});
+}
+
+/// Files go to the window that is open, if there is one and the person wishes it so.
+bool wereHandedOver(const QStringList& named, const QString& token) {
+  QStringList paths;
+  for (const QString& path : named)
+    paths << QDir::cleanPath(QDir::current().absoluteFilePath(path));
+  using namespace sline::widgets;
+  return !paths.isEmpty() && handOver(windowSocket(), {paths, token});
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  const QString token = sline::widgets::takenActivationToken();
   QApplication application(argc, argv);
   QApplication::setApplicationName(QStringLiteral("Sline"));
   QApplication::setOrganizationName(QStringLiteral("Sline"));
@@ -68,6 +85,11 @@ int main(int argc, char** argv) {
   for (const QString& path : parser.positionalArguments())
     paths.emplace_back(path.toStdString());
 
+  if (!parser.isSet(QLatin1String(newWindowOption)) &&
+      Preferences(settings).choice(QStringLiteral("files/outside")) == QLatin1String("running") &&
+      wereHandedOver(parser.positionalArguments(), token))
+    return EXIT_SUCCESS;
+
   Session session;
   MainWindow window(session, settings);
   language.follow(window.preferences());
@@ -77,5 +99,11 @@ int main(int argc, char** argv) {
   else if (demo != demos.end())
     session.openMade(demo->title, demo->make);
   window.show();
+  WindowServer server(windowSocket(), [&window] { return window.isFree(); });
+  server.listen();
+  QObject::connect(&server, &WindowServer::handed, &window, &MainWindow::take);
+  // The window that is used takes calls when the one that took them is closed.
+  QObject::connect(&application, &QGuiApplication::applicationStateChanged, &server,
+                   [&server] { server.listen(); });
   return QApplication::exec();
 }

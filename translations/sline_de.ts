@@ -15,6 +15,10 @@
         <source>Opens a scene that the program models itself: %1.</source>
         <translation>Öffnet eine Szene, die das Programm selbst modelliert: %1.</translation>
     </message>
+    <message>
+        <source>Opens a window of its own, whatever the preferences say of files from outside.</source>
+        <translation>Öffnet ein eigenes Fenster, was auch immer die Einstellungen zu Dateien von außen sagen.</translation>
+    </message>
 </context>
 <context>
     <name>sline::render::ExportFormat</name>
@@ -2413,6 +2417,22 @@
     <message>
         <source>Landscape</source>
         <translation>Querformat</translation>
+    </message>
+    <message>
+        <source>Files from outside open in</source>
+        <translation>Dateien von außen öffnen in</translation>
+    </message>
+    <message>
+        <source>What a file manager or a command names while a window is open</source>
+        <translation>Was eine Dateiverwaltung oder ein Befehl nennt, während ein Fenster offen ist</translation>
+    </message>
+    <message>
+        <source>The open window</source>
+        <translation>Das offene Fenster</translation>
+    </message>
+    <message>
+        <source>A window of their own</source>
+        <translation>Ein eigenes Fenster</translation>
     </message>
 </context>
 <context>

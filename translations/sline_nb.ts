@@ -15,6 +15,10 @@
         <source>Opens a scene that the program models itself: %1.</source>
         <translation>Åpner en scene som programmet selv modellerer: %1.</translation>
     </message>
+    <message>
+        <source>Opens a window of its own, whatever the preferences say of files from outside.</source>
+        <translation>Åpner et eget vindu, uansett hva innstillingene sier om filer utenfra.</translation>
+    </message>
 </context>
 <context>
     <name>sline::render::ExportFormat</name>
@@ -2413,6 +2417,22 @@
     <message>
         <source>Landscape</source>
         <translation>Liggende</translation>
+    </message>
+    <message>
+        <source>Files from outside open in</source>
+        <translation>Filer utenfra åpnes i</translation>
+    </message>
+    <message>
+        <source>What a file manager or a command names while a window is open</source>
+        <translation>Det en filbehandler eller en kommando navngir mens et vindu er åpent</translation>
+    </message>
+    <message>
+        <source>The open window</source>
+        <translation>Det åpne vinduet</translation>
+    </message>
+    <message>
+        <source>A window of their own</source>
+        <translation>Et eget vindu</translation>
     </message>
 </context>
 <context>

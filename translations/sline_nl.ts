@@ -15,6 +15,10 @@
         <source>Opens a scene that the program models itself: %1.</source>
         <translation>Opent een scène die het programma zelf modelleert: %1.</translation>
     </message>
+    <message>
+        <source>Opens a window of its own, whatever the preferences say of files from outside.</source>
+        <translation>Opent een eigen venster, wat de voorkeuren ook zeggen over bestanden van buiten.</translation>
+    </message>
 </context>
 <context>
     <name>sline::render::ExportFormat</name>
@@ -2413,6 +2417,22 @@
     <message>
         <source>Landscape</source>
         <translation>Liggend</translation>
+    </message>
+    <message>
+        <source>Files from outside open in</source>
+        <translation>Bestanden van buiten openen in</translation>
+    </message>
+    <message>
+        <source>What a file manager or a command names while a window is open</source>
+        <translation>Wat een bestandsbeheerder of een opdracht noemt terwijl een venster open is</translation>
+    </message>
+    <message>
+        <source>The open window</source>
+        <translation>Het open venster</translation>
+    </message>
+    <message>
+        <source>A window of their own</source>
+        <translation>Een eigen venster</translation>
     </message>
 </context>
 <context>

@@ -90,6 +90,7 @@ const std::vector<Room>& rooms() {
       {"widgets/preferences", {"widgets/text"}},
       {"widgets/theme", {"widgets/preferences"}},
       {"widgets/help", {}},
+      {"widgets/instance", {}},
       {"widgets/language", {"model/anatomy", "widgets/preferences"}},
       {"widgets/session", {"model", "widgets/text"}},
       {"widgets/start", {"model", "render", "widgets/session", "widgets/theme"}},

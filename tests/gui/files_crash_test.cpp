@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The program itself, worked by keys and killed: what was not saved is there again.
+// The program itself, worked by keys and killed: what was not saved is there again. Started twice:
+// the window that is open takes what the second start names.
 #include <signal.h>
 
 #include <QProcess>
@@ -30,6 +31,10 @@ class FilesCrashTest : public QObject {
     for (const char* name : {"state", "config", "cache"})
       environment.insert(QStringLiteral("XDG_%1_HOME").arg(QString::fromLatin1(name).toUpper()),
                          m_folder.filePath(QString::fromLatin1(name)));
+    const QString sockets = m_folder.filePath(QStringLiteral("run"));
+    QDir().mkpath(sockets);
+    QFile::setPermissions(sockets, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    environment.insert(QStringLiteral("XDG_RUNTIME_DIR"), sockets);
     // Its driver is unloaded at the end, and what that leaks would be nobody's (tests/leaks.supp).
     environment.insert(QStringLiteral("ASAN_OPTIONS"), QStringLiteral("detect_leaks=0"));
     const QString settings = m_folder.filePath(QStringLiteral("config/Sline"));
@@ -106,6 +111,46 @@ class FilesCrashTest : public QObject {
     QVERIFY(second.waitForFinished(minute));
     QCOMPARE(second.exitStatus(), QProcess::NormalExit);
     QCOMPARE(second.exitCode(), 0);
+  }
+
+  void startedTwice() {
+    const QTemporaryDir body;
+    writeBody(body.path());
+    const std::string name = QFileInfo(body.path()).fileName().toStdString();
+    QProcess first;
+    start(first, {});
+    QVERIFY(first.waitForStarted());
+    ForeignWindow window(first.processId());
+    const QDir sockets(m_folder.filePath(QStringLiteral("run")));
+    QVERIFY(soon([&] {
+      return !window.title().empty() &&
+             !sockets.entryList({QStringLiteral("sline-*")}, QDir::System).isEmpty();
+    }));
+    // A path is told from where the second one was started.
+    QProcess second;
+    second.setWorkingDirectory(body.path());
+    start(second, {QStringLiteral(".")});
+    QVERIFY(second.waitForFinished(minute));
+    QCOMPARE(second.exitCode(), 0);
+    QVERIFY(soon([&] { return window.title().starts_with(name); }));
+
+    // Once, or always, a window of its own is wished for.
+    for (const bool once : {true, false}) {
+      if (!once)
+        QSettings(m_folder.filePath(QStringLiteral("config/Sline/Sline.conf")),
+                  QSettings::IniFormat)
+            .setValue(QStringLiteral("files/outside"), QStringLiteral("own"));
+      QProcess own;
+      start(own, QStringList(body.path()) +
+                     (once ? QStringList(QStringLiteral("--new-window")) : QStringList()));
+      QVERIFY(own.waitForStarted());
+      ForeignWindow another(own.processId());
+      QVERIFY(soon([&] { return another.title().starts_with(name); }));
+      own.kill();
+      QVERIFY(own.waitForFinished());
+    }
+    first.kill();
+    QVERIFY(first.waitForFinished());
   }
 };
 

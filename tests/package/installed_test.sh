@@ -27,7 +27,8 @@ layout() {
   cmake --install "$build" --prefix "$prefix" >/dev/null
   [ "$(cd "$prefix" && echo bin/*)" = "bin/sline bin/sline-workstation" ] || fail "bin holds something else"
   local file
-  for file in applications/$id.desktop metainfo/$id.metainfo.xml mime/packages/$id.xml \
+  for file in applications/$id.desktop kio/servicemenus/$id.folder.desktop \
+    nemo/actions/$id.nemo_action metainfo/$id.metainfo.xml mime/packages/$id.xml \
     icons/hicolor/scalable/apps/$id.svg icons/hicolor/scalable/mimetypes/application-x-sline.svg \
     doc/sline/copyright doc/sline/LICENSE bash-completion/completions/sline \
     zsh/site-functions/_sline fish/vendor_completions.d/sline.fish man/man1/sline.1; do
@@ -54,6 +55,11 @@ desktop() {
   said=$(desktop-file-validate "$entry" | grep -v ': hint: ' || true)
   [ -z "$said" ] || fail "$said"
   [ -x "$prefix/bin/$(sed -n 's/^Exec=\([^ ]*\).*/\1/p' "$entry")" ] || fail "Exec names no program"
+  ! grep -q 'inode/directory' "$entry" || fail "the program would become the file manager"
+  local menu
+  for menu in "$share/kio/servicemenus/$id.folder.desktop" "$share/nemo/actions/$id.nemo_action"; do
+    grep -q "^$(grep '^Exec=' "$entry")\$" "$menu" || fail "$menu starts something else"
+  done
   [ -s "$share/icons/hicolor/scalable/apps/$(sed -n 's/^Icon=//p' "$entry").svg" ] || fail "no icon"
   appstreamcli validate --no-net "$share/metainfo/$id.metainfo.xml"
   xmllint --noout "$share"/mime/packages/*.xml "$share"/icons/hicolor/scalable/*/*.svg

@@ -104,6 +104,11 @@ std::vector<PreferenceRow> fileRows() {
   constexpr int tenMinutes = 600;
   return {{QStringLiteral("files/importOptions"), tr("Files"), tr("Always show import options"),
            tr("Before meshes are opened: units, smoothing and what is left out"), Switch{false}},
+          {QStringLiteral("files/outside"), tr("Files"), tr("Files from outside open in"),
+           tr("What a file manager or a command names while a window is open"),
+           ChoiceOf{{{QStringLiteral("running"), tr("The open window")},
+                     {QStringLiteral("own"), tr("A window of their own")}},
+                    QStringLiteral("running")}},
           {QStringLiteral("files/autosaveSeconds"), tr("Files"), tr("Keep unsaved work after"),
            tr("How long after a change a copy is kept, which is offered after a crash"),
            WholeNumber{0, tenMinutes, 60, tr("s"), tr("Never")}}};

@@ -8,7 +8,6 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QMenu>
-#include <QMimeData>
 #include <QProgressBar>
 #include <QSettings>
 #include <QStatusBar>
@@ -90,11 +89,6 @@ QString summaryOf(const model::Scene& scene) {
   return (refined ? MainWindow::tr("Structures: %1   Triangles: %2 (refined)")
                   : MainWindow::tr("Structures: %1   Triangles: %2"))
       .arg(QLocale().toString(qulonglong(structures)), QLocale().toString(qulonglong(triangles)));
-}
-
-bool hasLocalFiles(const QMimeData& data) {
-  const QList<QUrl> urls = data.urls();
-  return std::any_of(urls.begin(), urls.end(), [](const QUrl& url) { return url.isLocalFile(); });
 }
 
 }  // namespace
@@ -465,21 +459,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   m_settings.setValue(QLatin1String(stateKey), saveState());
   m_session.cancelJob();
   QMainWindow::closeEvent(event);
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (hasLocalFiles(*event->mimeData()))
-    event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-  QStringList paths;
-  for (const QUrl& url : event->mimeData()->urls())
-    if (url.isLocalFile())
-      paths << url.toLocalFile();
-  event->acceptProposedAction();
-  if (!m_imports->asksFor(paths, event->modifiers()))
-    m_files->dropped(paths);
 }
 
 void MainWindow::documentChange(const Document& before, const Document& now) {

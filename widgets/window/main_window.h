@@ -22,6 +22,7 @@ namespace sline::widgets {
 class ExportActions;
 class FileActions;
 class FocusContext;
+struct HandedFiles;
 class GammaPanel;
 class ImportActions;
 class MessageBar;
@@ -47,6 +48,12 @@ class MainWindow : public QMainWindow {
   Preferences& preferences() { return m_preferences; }
   FileActions& files() { return *m_files; }
   FocusContext& focus() { return *m_focus; }
+
+  /// Whether nothing is asked that must be answered first.
+  bool isFree() const;
+  /// Files that another start of the program hands over: as if they were dropped, and the window
+  /// comes to the front.
+  void take(const HandedFiles& files);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -80,6 +87,7 @@ class MainWindow : public QMainWindow {
   /// The start page while nothing is open and nothing is on its way.
   void showStart();
   void placeMessage(bool onStartPage);
+  void openDropped(const QStringList& paths, Qt::KeyboardModifiers keys);
   void documentChange(const Document& before, const Document& now);
   void updateActions();
   void jobShown(bool running);
