@@ -23,6 +23,8 @@ packages=(
   zlib1g-dev libbz2-dev libsqlite3-dev
   # DICOM
   libdcmtk-dev libopenjp2-7-dev
+  # molecules: gemmi's headers, which need PEGTL's
+  gemmi-dev tao-pegtl-dev
   # syllables of labels
   libhyphen-dev hyphen-de hyphen-nl hyphen-no hyphen-en-us hyphen-en-gb
 )

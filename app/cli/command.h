@@ -60,8 +60,9 @@ void addCommand(CLI::App& program, Exit& exit,
 
 inline constexpr const char* inputHelp =
     "Mesh files (obj, stl, ply, off, vtk, vtp, vtu, gltf, glb, 3mf), scenes of 3D programs (fbx, "
-    "dae, blend, x3d, x3dv, wrl, 3ds), label volumes (nii, nii.gz, nrrd, nhdr, mha, mhd, mnc), "
-    "DICOM structure sets and segmentations (dcm), molecules (pdb, ent, cif, mmcif), folders of "
+    "dae, blend, x3d, x3dv, wrl, 3ds), surfaces of brains (gii, pial, white), label volumes (nii, "
+    "hdr, img, mgz, nrrd, nhdr, mha, mhd, mnc), DICOM structure sets and segmentations (dcm), "
+    "molecules (pdb, ent, cif, mmcif, json), many of them packed, too (stl.gz, cif.gz), folders of "
     "them, 3D Slicer scenes (mrml, mrb) and fiducials (fcsv, mrk.json), scene files (sline)";
 inline constexpr const char* frameHelp =
     "How the files' coordinates map to the patient: LPS or RAS overrides what the files say or "
@@ -69,6 +70,9 @@ inline constexpr const char* frameHelp =
 inline constexpr const char* verboseHelp = "Lists each surface that was repaired on reading";
 inline constexpr const char* overlayHelp =
     "Several molecules: auto lays them over the first by their backbones, off leaves them";
+inline constexpr const char* assemblyHelp =
+    "Molecules: the biological assembly to make, by its number in the file, in place of the atoms "
+    "as they stand there; its further copies of chain A are called A-2, A-3 …";
 inline constexpr const char* smoothHelp =
     "auto smooths surfaces that show the steps of a label map and refines coarse ones, off leaves "
     "all as they are, a number smooths all that many times";

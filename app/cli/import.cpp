@@ -82,6 +82,7 @@ void declareImport(CLI::App& command, ImportFlags& flags) {
   command.add_option("--overlay", flags.input.overlay, overlayHelp)
       ->type_name("auto|off")
       ->default_str("auto");
+  command.add_option("--assembly", flags.input.assembly, assemblyHelp)->type_name("ID");
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
       ->default_str("auto");
@@ -108,7 +109,8 @@ void declareImport(CLI::App& command, ImportFlags& flags) {
       "  sline import pelvis/ -o pelvis.sline --frame LPS\n"
       "  sline import pelvis/ -o small.sline --decimate-mm 0.05\n"
       "  sline import pelvis.sline tumour.stl -o together.sline\n"
-      "  sline import 2src.pdb -o kinase.sline");
+      "  sline import 2src.pdb -o kinase.sline\n"
+      "  sline import 4hhb.cif.gz --assembly 1 -o haemoglobin.sline");
 }
 
 }  // namespace

@@ -58,6 +58,7 @@ void declareInfo(CLI::App& command, InfoFlags& flags) {
   command.add_option("INPUT", flags.input.inputs, inputHelp)->required();
   command.add_flag("--verbose", flags.input.verbose, verboseHelp);
   command.add_flag("--json", flags.json, "For programs: one JSON object on standard output");
+  command.add_option("--assembly", flags.input.assembly, assemblyHelp)->type_name("ID");
   command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
   command.footer("Counts are of the surfaces as repaired on reading, without smoothing.");
 }

@@ -304,6 +304,7 @@ void declareProof(CLI::App& command, ProofFlags& flags) {
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
       ->default_str("auto");
+  command.add_option("--assembly", flags.input.assembly, assemblyHelp)->type_name("ID");
   command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
   command.footer(
       "Compares the mean colours of structures that lie side by side in the picture, in grey and\n"

@@ -41,6 +41,7 @@ void declareRender(CLI::App& command, RenderFlags& flags) {
   command.add_option("--overlay", flags.input.overlay, overlayHelp)
       ->type_name("auto|off")
       ->default_str("auto");
+  command.add_option("--assembly", flags.input.assembly, assemblyHelp)->type_name("ID");
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
       ->default_str("auto");

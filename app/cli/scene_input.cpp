@@ -40,6 +40,7 @@ Result<model::ImportOptions> importOptions(const InputFlags& flags) {
                  .remedy = "Give --overlay auto or --overlay off"};
   if (flags.overlay == "off")
     options.overlay = model::Overlay::off;
+  options.assembly = flags.assembly;
   if (!flags.smooth.empty()) {
     const auto smoothing = parseSmoothing(flags.smooth);
     if (!smoothing.ok())

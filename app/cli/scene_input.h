@@ -20,6 +20,7 @@ struct InputFlags {
   std::string unit;
   double decimateMm = 0;  ///< 0: not at all
   std::string overlay;
+  std::string assembly;
   bool verbose = false;  ///< tell of each surface that was repaired
 };
 

@@ -107,7 +107,7 @@ Status checkAgainst(const Target& target, const std::string& read) {
                  .remedy = "Give another name"};
   if (fs::is_directory(read, unknown) && fs::is_regular_file(target.name, unknown) &&
       isBelow(target.name, read) &&
-      (model::isSurfaceFile(target.name) || model::isFiducialFile(target.name)))
+      (model::isSurfaceFileInFolder(target.name) || model::isFiducialFile(target.name)))
     return Error{
         .file = target.name,
         .reason = target.flag + " would write over a file of the folder that is read, " + read,

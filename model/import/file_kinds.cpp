@@ -73,10 +73,11 @@ constexpr std::array kinds = {
     FileKind{".mhd", "MetaImage", readVolumeSurfaces, true},
     FileKind{".mnc", "MINC", readVolumeSurfaces, true},
     FileKind{".dcm", "DICOM", nullptr},
-    FileKind{".pdb", "PDB", readPdb},
-    FileKind{".ent", "PDB", readPdb},
-    FileKind{".cif", "mmCIF", readMmcif},
-    FileKind{".mmcif", "mmCIF", readMmcif}};
+    FileKind{".pdb", "PDB", readPdb, false, true},
+    FileKind{".ent", "PDB", readPdb, false, true},
+    FileKind{".cif", "mmCIF", readMmcif, false, true},
+    FileKind{".mmcif", "mmCIF", readMmcif, false, true},
+    FileKind{".json", "mmJSON", readMmjson, false, true, isMmjson}};
 
 constexpr std::string_view packedEnding = ".gz";
 
@@ -238,8 +239,10 @@ Result<RawMeshes> readSurfaces(const std::filesystem::path& file, const ReadOpti
   const bool gltf = kind->name == "glTF" || kind->name == "GLB";
   const bool packed = (kind->name == "3MF" && content == "a ZIP archive") ||
                       (content == "a gzip archive" && (kind->packs || kind->volume));
+  // Of JSON, no more than that it is JSON can be told.
+  const bool json = kind->name == "mmJSON" && content == "glTF";
   const bool same =
-      packed || content == kind->name || (gltf && (content == "glTF" || content == "GLB"));
+      packed || json || content == kind->name || (gltf && (content == "glTF" || content == "GLB"));
   if (!result && !content.empty() && !same) {
     Error error = result.error();
     error.reason += "; its content looks like " + std::string(content);

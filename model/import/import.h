@@ -29,6 +29,7 @@ struct ImportOptions {
   bool repair = true;
   float decimateMm = 0.0f;  ///< > 0: fewer triangles, no part of a surface moved by more than this
   Overlay overlay = Overlay::automatic;
+  std::string assembly;  ///< of molecules, as ReadOptions::assembly
   ReadLimits limits;
 };
 
@@ -45,8 +46,8 @@ struct ImportReport {
   Frame frame = Frame::lps;  ///< of the inputs that had no header of their own
   std::string frameReason;   ///< "header", "vote: 20 of 22 left/right names", …
   std::vector<ImportWarning> warnings;
-  std::vector<std::string>
-      notes;  ///< what was done that is no loss: molecules laid over each other
+  std::vector<std::string> notes;  ///< what was done that is no loss: molecules laid over each
+                                   ///< other, assemblies that they describe
   RepairNotes repairs;
 };
 

@@ -46,6 +46,9 @@ void recolour(RawMesh& raw, std::size_t entry, std::size_t chainsBefore) {
 std::vector<std::string> overlayMolecules(std::vector<Part>& parts, Overlay overlay) {
   const std::vector<BackbonePtr> entries = entriesOf(parts);
   std::vector<std::string> notes;
+  for (const BackbonePtr& entry : entries)
+    if (!entry->note.empty())
+      notes.push_back(entry->entry + ": " + entry->note);
   if (entries.size() < 2)
     return notes;
   const bool onlyMolecules = std::all_of(

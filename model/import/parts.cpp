@@ -195,7 +195,10 @@ std::vector<Part> loadFile(const Sources& sources, std::size_t index, const Impo
   std::vector<Part> parts;
   const SourceFile& source = sources.files[index];
   const std::string shown = source.file.filename().string();
-  const ReadOptions how{options.limits, options.smoothing, [&] { return meter.goesOn(shown); }};
+  const ReadOptions how{.limits = options.limits,
+                        .smoothing = options.smoothing,
+                        .assembly = options.assembly,
+                        .goesOn = [&] { return meter.goesOn(shown); }};
   Result<RawMeshes> read =
       source.together.empty() ? readSurfaces(source.file, how) : readTogether(source, how);
   if (!read) {

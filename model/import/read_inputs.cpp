@@ -36,7 +36,8 @@ Status readMeshes(ReadInputs& read, const std::vector<fs::path>& meshes,
 
 bool ReadInputs::holdsFor(std::span<const fs::path> others, const ImportOptions& with) const {
   return std::equal(others.begin(), others.end(), inputs.begin(), inputs.end()) &&
-         options.repair == with.repair && sameLimits(options.limits, with.limits);
+         options.repair == with.repair && options.assembly == with.assembly &&
+         sameLimits(options.limits, with.limits);
 }
 
 Result<ReadInputs> readInputs(std::span<const fs::path> inputs, const ImportOptions& options,

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 
 #include "model/meshing/smoothing.h"
 
@@ -23,6 +24,8 @@ struct ReadLimits {
 struct ReadOptions {
   ReadLimits limits;
   Smoothing smoothing;  ///< for readers that make their surfaces themselves (RawMesh::smooth)
+  std::string
+      assembly;  ///< of molecules: the biological assembly to make; empty: what the file has
   /// Asked now and then in a long piece of work, from any thread; false to give up, with an error
   /// that nobody will see.
   std::function<bool()> goesOn = [] { return true; };

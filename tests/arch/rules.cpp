@@ -148,6 +148,7 @@ const std::vector<Library>& libraries() {
       {"DCMTK", std::regex("dcmtk/.*"), {"model/import/dicom", "tests"}},
       {"OpenJPEG", std::regex("openjpeg\\.h"), {"model/import/dicom", "tests"}},
       {"libhyphen", std::regex("hyphen\\.h"), {"render/export"}},
+      {"gemmi, PEGTL", std::regex("(gemmi|tao)/.*"), {"model/import/molecules"}},
       {"qpdf", std::regex("qpdf/.*"), {"render/export/pdf", "tests"}},
       {"lcms2", std::regex("lcms2\\.h"), {"render/export/pixels", "render/export/proof"}},
       {"CLI11", std::regex("CLI/.*"), {"app", "tests"}},

@@ -94,6 +94,19 @@ std::string dicomSeries(std::string_view bytes) {
              : "a volume that is none";
 }
 
+/// The first assembly of an entry.
+std::string assembly(std::string_view bytes) {
+  static const InputFolder folder;
+  const Result<model::RawMeshes> read =
+      model::readSurfaces(folder.put(".cif", bytes), {.assembly = "1"});
+  if (!read.ok())
+    return faultOf(read.error());
+  for (const model::RawMesh& mesh : read->meshes)
+    if (std::string fault = faultOf(mesh); !fault.empty())
+      return fault;
+  return {};
+}
+
 std::string slicerScene(std::string_view bytes) {
   static const InputFolder folder;
   const Result<model::SlicerScene> read = model::readSlicerScene(folder.put(".mrml", bytes), {});
@@ -257,6 +270,9 @@ constexpr Harness table[] = {
     {"dcm_series", dicomSeries},
     {"pdb", surfaces<".pdb">},
     {"cif", surfaces<".cif">},
+    {"cif_gz", surfaces<".cif.gz">},
+    {"json", surfaces<".json">},
+    {"assembly", assembly},
     {"mrml", slicerScene},
     {"mrb", slicerBundle},
     {"fcsv", fiducials<".fcsv">},

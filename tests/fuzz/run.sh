@@ -48,7 +48,7 @@ fuzz() { # harness
   # Surfaces of molecules, which are arithmetic through and through, take forty times as long with
   # sanitizers as without: 18 s for what takes 0.45 s.
   local limit=5
-  case $name in pdb | cif) limit=60 ;; esac
+  case $name in pdb | cif | cif_gz | json | assembly) limit=60 ;; esac
   local options=(-max_total_time="$each" -max_len=1048576 -timeout="$limit" -rss_limit_mb=2048
     -malloc_limit_mb=2048 -print_final_stats=1 -artifact_prefix="$build/findings/$name-")
   [ -f "$here/dictionaries/$name.dict" ] && options+=(-dict="$here/dictionaries/$name.dict")

@@ -20,6 +20,7 @@ struct BackboneChain {
 struct Backbone {
   std::string entry;  ///< as people call it: "2SRC"
   std::vector<BackboneChain> chains;
+  std::string note;  ///< what there is to be told of the entry that is no loss; may be empty
 };
 
 /// A surface's part in its molecule.

@@ -18,12 +18,6 @@ bool isDigit(char c) {
   return c >= '0' && c <= '9';
 }
 
-std::string lowered(std::string text) {
-  for (char& c : text)
-    c = isUpper(c) ? char(c - 'A' + 'a') : c;
-  return text;
-}
-
 /// Short words that are no abbreviations.
 bool isParticle(const std::string& word) {
   static constexpr std::array particles = {"a",  "an", "and", "as",   "at",  "by",   "the", "for",
@@ -40,6 +34,13 @@ std::string readableWord(const std::string& word) {
 }
 
 }  // namespace
+
+std::string lowered(std::string_view text) {
+  std::string result(text);
+  for (char& c : result)
+    c = isUpper(c) ? char(c - 'A' + 'a') : c;
+  return result;
+}
 
 std::string asciiOf(std::string_view text) {
   std::string result(text);

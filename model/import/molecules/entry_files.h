@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The two files of the Protein Data Bank → the records in them.
+// The files of the Protein Data Bank → the records in them.
 #pragma once
 
 #include "model/base/result.h"
@@ -13,8 +13,10 @@ namespace sline::model {
 Result<EntryRecords> readPdbRecords(const Source& source);
 
 /// PDBx/mmCIF. Chains, residue numbers and atom names are the authors' (auth_…), as people know
-/// them.
+/// them. Text that is no CIF ends the reading, with what stands before it read.
 Result<EntryRecords> readMmcifRecords(const Source& source);
+/// The same in JSON, as the Protein Data Bank Japan hands it out.
+Result<EntryRecords> readMmjsonRecords(const Source& source);
 
 /// Judges how many atoms could not be read: an error where there are too many to draw the rest.
 Status judgeAtoms(const Source& source, const EntryRecords& records);
@@ -23,7 +25,10 @@ Status judgeAtoms(const Source& source, const EntryRecords& records);
 /// C-SRC". Text that has lower case is left alone, but for blanks.
 std::string readableCapitals(std::string_view text);
 
-/// Both formats are ASCII: other bytes become '?', so that names may stand anywhere.
+/// Capitals of ASCII as small letters.
+std::string lowered(std::string_view text);
+
+/// The formats are ASCII: other bytes become '?', so that names may stand anywhere.
 std::string asciiOf(std::string_view text);
 
 /// "C" of "CA" in an amino acid, "Ca" of "CA" in the ion of that name; by the PDB's rule that one

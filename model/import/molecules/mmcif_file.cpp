@@ -2,47 +2,29 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
-#include "model/import/molecules/cif_tokens.h"
 #include "model/import/molecules/entry_files.h"
+#include "model/import/molecules/entry_rows.h"
+#include "model/import/readers/text_cursor.h"
 
 namespace sline::model {
 
 namespace {
 
-std::string lowered(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-  return result;
-}
+using Row = std::span<const EntryValue>;
 
-/// The items of one category that stand together: one row, or those of a loop.
-struct Header {
-  std::vector<std::string> names;  ///< in lower case
-
-  bool isOf(std::string_view category) const {
-    return !names.empty() && names.front().starts_with(category);
-  }
-  /// Which column holds the item; past the last where none does.
-  std::size_t column(std::string_view name) const {
-    return std::size_t(std::find(names.begin(), names.end(), name) - names.begin());
-  }
-};
-
-using Row = std::vector<CifToken>;
-
-std::string textOf(const Row& row, std::size_t column) {
+std::string textOf(Row row, std::size_t column) {
   return column < row.size() && row[column].says() ? asciiOf(row[column].text) : std::string();
 }
 
 /// What the authors call it, or what the data bank does.
-std::string authorsOr(const Row& row, std::size_t authors, std::size_t label) {
+std::string authorsOr(Row row, std::size_t authors, std::size_t label) {
   std::string text = textOf(row, authors);
   return text.empty() ? textOf(row, label) : text;
 }
 
-bool realNumber(const Row& row, std::size_t column, double& value) {
+bool realNumber(Row row, std::size_t column, double& value) {
   if (column >= row.size() || !row[column].says())
     return false;
   // "1.234(5)" carries its uncertainty in brackets.
@@ -51,7 +33,7 @@ bool realNumber(const Row& row, std::size_t column, double& value) {
   return at.number(value) && at.atEnd() && std::isfinite(value);
 }
 
-std::int64_t wholeNumber(const Row& row, std::size_t column) {
+std::int64_t wholeNumber(Row row, std::size_t column) {
   std::int64_t value = 0;
   if (column < row.size())
     TextCursor(row[column].text).integer(value);
@@ -59,7 +41,7 @@ std::int64_t wholeNumber(const Row& row, std::size_t column) {
 }
 
 struct AtomColumns {
-  explicit AtomColumns(const Header& h)
+  explicit AtomColumns(const EntryColumns& h)
       : group(h.column("_atom_site.group_pdb")),
         id(h.column("_atom_site.id")),
         symbol(h.column("_atom_site.type_symbol")),
@@ -83,115 +65,106 @@ struct AtomColumns {
       labelChain, entity, number, labelNumber, insertion, x, y, z, occupancy, model;
 };
 
-class MmcifReader {
- public:
-  explicit MmcifReader(const Source& source) : m_source(source), m_tokens(source.text()) {}
+/// "_pdbx_struct_oper_list.matrix[2][3]" and the like; the identity where a number is missing.
+AssemblyOperator operatorOf(const EntryColumns& columns, Row row) {
+  const std::string category = "_pdbx_struct_oper_list.";
+  AssemblyOperator result;
+  for (int r = 0; r < 3; ++r) {
+    const std::string index = "[" + std::to_string(r + 1) + "]";
+    realNumber(row, columns.column(category + "vector" + index), result.shift[r]);
+    for (int c = 0; c < 3; ++c)
+      realNumber(row,
+                 columns.column(category + "matrix" + index + "[" + std::to_string(c + 1) + "]"),
+                 result.rotation[c][r]);
+  }
+  return result;
+}
 
-  Result<EntryRecords> read() {
-    using Kind = CifToken::Kind;
-    bool begun = false;
-    while (m_tokens.peek().kind != Kind::end) {
-      const Kind kind = m_tokens.peek().kind;
-      if (kind == Kind::data && !m_records.atoms.empty())
-        break;
-      if (!begun && kind != Kind::data)
-        return m_source.atLine(m_tokens.place(), "does not begin with a data block (data_…)",
-                               "Check that the file is an mmCIF file");
-      begun = true;
-      if (kind == Kind::loop)
-        readLoop();
-      else if (kind == Kind::name)
-        readItems();
-      else
-        m_tokens.next();
-    }
-    if (const Status status = judge(); !status)
+class MmcifRecords : public EntryRowReader {
+ public:
+  void readRow(const EntryColumns& columns, Row row) override {
+    if (columns.areOf("_atom_site."))
+      readAtom(columns, row);
+    else if (columns.areOf("_atom_site_"))
+      m_fractional = true;
+    else if (columns.areOf("_pdbx_struct_"))
+      readOther(columns, row);
+    else
+      readNote(columns, row);
+  }
+
+  void missRow(const EntryColumns& columns) override {
+    if (columns.areOf("_atom_site."))
+      ++m_records.unreadable;
+  }
+
+  bool hasEnough() const override { return !m_records.atoms.empty(); }
+
+  /// What was read, where it is worth drawing; `read` says how the reading ended.
+  Result<EntryRecords> finish(const Source& source, const Status& read) {
+    if (m_records.atoms.empty() && m_fractional)
+      return source.whole(
+          "is a crystal structure with fractional coordinates, as of small molecules, which are "
+          "not supported",
+          "Export it as PDB or mmCIF with orthogonal coordinates");
+    if (!read && m_records.atoms.empty())
+      return read.error();
+    if (m_records.atoms.empty() && m_records.unreadable == 0)
+      return source.whole("is an entry without the atoms of a molecule (_atom_site)",
+                          "Give an entry of the Protein Data Bank with coordinates");
+    if (const Status status = judgeAtoms(source, m_records); !status)
       return status.error();
+    if (!read)
+      m_records.cutShort = read.error().where + ": " + read.error().reason;
     finishNotes();
     return std::move(m_records);
   }
 
  private:
-  Status judge() const {
-    if (m_records.atoms.empty() && m_fractional)
-      return m_source.whole(
-          "is a crystal structure with fractional coordinates, as of small molecules, which are "
-          "not supported",
-          "Export it as PDB or mmCIF with orthogonal coordinates");
-    if (m_records.atoms.empty() && m_records.unreadable == 0)
-      return m_source.whole("is a CIF file without the atoms of a molecule (_atom_site)",
-                            "Give an entry of the Protein Data Bank with coordinates");
-    if (m_tokens.broken() && m_records.atoms.empty())
-      return m_source.whole("a quoted text never ends", "Get the entry again");
-    return judgeAtoms(m_source, m_records);
-  }
-
-  void readLoop() {
-    m_tokens.next();
-    Header header;
-    while (m_tokens.peek().kind == CifToken::Kind::name)
-      header.names.push_back(lowered(m_tokens.next().text));
-    if (header.names.empty())
-      return;
-    Row row;
-    while (m_tokens.peek().kind == CifToken::Kind::value) {
-      row.push_back(m_tokens.next());
-      if (row.size() == header.names.size()) {
-        readRow(header, row);
-        row.clear();
-      }
-    }
-    // The file ends in the middle of an atom.
-    if (!row.empty() && header.isOf("_atom_site."))
-      ++m_records.unreadable;
-  }
-
-  /// Items outside loops: those of one category in a run are its only row.
-  void readItems() {
-    Header header;
-    Row row;
-    std::string category;
-    while (m_tokens.peek().kind == CifToken::Kind::name) {
-      const std::string name = lowered(m_tokens.peek().text);
-      const std::string its = name.substr(0, name.find('.'));
-      if (!category.empty() && its != category)
-        break;
-      category = its;
-      m_tokens.next();
-      header.names.push_back(name);
-      const bool hasValue = m_tokens.peek().kind == CifToken::Kind::value;
-      row.push_back(hasValue ? m_tokens.next() : CifToken{CifToken::Kind::value, "?", false});
-    }
-    readRow(header, row);
-    while (m_tokens.peek().kind == CifToken::Kind::value)
-      m_tokens.next();
-  }
-
-  void readRow(const Header& header, const Row& row) {
+  void readNote(const EntryColumns& columns, Row row) {
     EntryNotes& notes = m_records.notes;
-    const auto text = [&](std::string_view name) { return textOf(row, header.column(name)); };
-    if (header.isOf("_atom_site.")) {
-      readAtom(header, row);
-    } else if (header.isOf("_atom_site_")) {
-      m_fractional = true;
-    } else if (header.isOf("_entity.")) {
+    const auto text = [&](std::string_view name) { return textOf(row, columns.column(name)); };
+    if (columns.areOf("_entity.")) {
       notes.entityTypes[text("_entity.id")] = lowered(text("_entity.type"));
       m_entityNames[text("_entity.id")] = text("_entity.pdbx_description");
-    } else if (header.isOf("_chem_comp.")) {
+    } else if (columns.areOf("_chem_comp.")) {
       notes.componentNames[text("_chem_comp.id")] = readableCapitals(text("_chem_comp.name"));
       if (const std::string parent = text("_chem_comp.mon_nstd_parent_comp_id"); !parent.empty())
         notes.parents[text("_chem_comp.id")] = parent;
-    } else if (header.isOf("_pdbx_struct_mod_residue.")) {
-      notes.parents[text("_pdbx_struct_mod_residue.auth_comp_id")] =
-          text("_pdbx_struct_mod_residue.parent_comp_id");
-    } else if (header.isOf("_struct.")) {
+    } else if (columns.areOf("_struct.")) {
       notes.title = readableCapitals(text("_struct.title"));
-    } else if (header.isOf("_entry.")) {
+    } else if (columns.areOf("_entry.")) {
       notes.id = text("_entry.id");
     }
   }
 
-  void readAtom(const Header& header, const Row& row) {
+  void readOther(const EntryColumns& columns, Row row) {
+    Assemblies& assemblies = m_records.assemblies;
+    const auto text = [&](std::string_view name) {
+      return textOf(row, columns.column("_pdbx_struct_" + std::string(name)));
+    };
+    if (columns.areOf("_pdbx_struct_mod_residue."))
+      m_records.notes.parents[text("mod_residue.auth_comp_id")] =
+          text("mod_residue.parent_comp_id");
+    else if (columns.areOf("_pdbx_struct_oper_list."))
+      assemblies.operators.emplace(text("oper_list.id"), operatorOf(columns, row));
+    else if (columns.areOf("_pdbx_struct_assembly."))
+      assemblyCalled(text("assembly.id")).details = text("assembly.oligomeric_details");
+    else if (columns.areOf("_pdbx_struct_assembly_gen."))
+      assemblyCalled(text("assembly_gen.assembly_id"))
+          .steps.push_back({namesInList(text("assembly_gen.asym_id_list")),
+                            text("assembly_gen.oper_expression")});
+  }
+
+  Assembly& assemblyCalled(const std::string& id) {
+    std::vector<Assembly>& all = m_records.assemblies.all;
+    const auto [known, isNew] = m_assemblies.try_emplace(id, all.size());
+    if (isNew)
+      all.push_back({id, {}, {}});
+    return all[known->second];
+  }
+
+  void readAtom(const EntryColumns& header, Row row) {
     if (m_header != header.names) {
       m_header = header.names;
       m_columns.emplace(header);
@@ -217,6 +190,9 @@ class MmcifReader {
     atom.residue = authorsOr(row, c.residue, c.labelResidue);
     atom.chain = authorsOr(row, c.chain, c.labelChain);
     atom.entity = textOf(row, c.entity);
+    atom.part = textOf(row, c.labelChain);
+    if (atom.part.empty())
+      atom.part = atom.chain;
     atom.insertion = textOf(row, c.insertion);
     atom.number = wholeNumber(row, textOf(row, c.number).empty() ? c.labelNumber : c.number);
     atom.serial = wholeNumber(row, c.id);
@@ -246,12 +222,11 @@ class MmcifReader {
     }
   }
 
-  const Source& m_source;
-  CifTokens m_tokens;
   EntryRecords m_records;
   std::vector<std::string> m_header;
   std::optional<AtomColumns> m_columns;
   std::map<std::string, std::string> m_entityNames;
+  std::map<std::string, std::size_t> m_assemblies;  ///< where they are, by id
   std::set<std::pair<std::string, std::string>> m_entityOfChain;
   std::set<std::string> m_models;
   std::string m_firstModel;
@@ -261,7 +236,15 @@ class MmcifReader {
 }  // namespace
 
 Result<EntryRecords> readMmcifRecords(const Source& source) {
-  return MmcifReader(source).read();
+  MmcifRecords records;
+  const Status read = readCifRows(source, records);
+  return records.finish(source, read);
+}
+
+Result<EntryRecords> readMmjsonRecords(const Source& source) {
+  MmcifRecords records;
+  const Status read = readMmjsonRows(source, records);
+  return records.finish(source, read);
 }
 
 }  // namespace sline::model

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/import/molecules/assemblies.h"
 #include "model/import/molecules/elements.h"
 
 namespace sline::model {
@@ -20,6 +21,7 @@ struct AtomRecord {
   std::string name;     ///< "CA"
   std::string residue;  ///< "GLY"
   std::string chain;
+  std::string part;    ///< what assemblies are made of: the chain, in mmCIF the data bank's own
   std::string entity;  ///< mmCIF: of the list of entities; else empty
   std::string insertion;
   std::int64_t number = 0;  ///< of the residue
@@ -36,6 +38,8 @@ struct AtomRecord {
 struct EntryNotes {
   std::string id;  ///< "2SRC"
   std::string title;
+  std::string assembly;  ///< which one the atoms make up; empty: they are as in the file
+  std::string told;      ///< as Backbone::note
   std::map<std::string, std::string> chainNames;      ///< by chain
   std::map<std::string, std::string> componentNames;  ///< by residue name
   std::map<std::string, std::string> entityTypes;     ///< mmCIF: "polymer", "water", …
@@ -47,6 +51,8 @@ struct EntryNotes {
 struct EntryRecords {
   std::vector<AtomRecord> atoms;  ///< of the first model
   EntryNotes notes;
+  Assemblies assemblies;
+  std::string cutShort;  ///< where and why the file was read no further
   std::size_t otherModels = 0;
   std::size_t unreadable = 0;  ///< atoms without a place
 };
@@ -83,7 +89,9 @@ struct Ligand {
 
 struct Molecule {
   std::string id;
-  std::string title;  ///< may be empty
+  std::string title;     ///< may be empty
+  std::string assembly;  ///< as in EntryNotes
+  std::string told;      ///< as in EntryNotes
   std::vector<Chain> chains;
   std::vector<Ligand> ligands;
   std::set<std::pair<std::int64_t, std::int64_t>> bonds;

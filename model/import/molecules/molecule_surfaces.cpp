@@ -51,6 +51,7 @@ const Atom* backboneAtom(const Residue& residue, bool nucleic) {
 Backbone backboneOf(const Molecule& molecule, const std::string& entry) {
   Backbone backbone;
   backbone.entry = entry;
+  backbone.note = molecule.told;
   for (const Chain& chain : molecule.chains) {
     BackboneChain& own = backbone.chains.emplace_back();
     own.id = chain.id;
@@ -79,6 +80,8 @@ class Surfacer {
 
   RawMeshes make(const std::string& stem) {
     m_entry = m_molecule.id.empty() ? stem : m_molecule.id;
+    if (!m_molecule.assembly.empty())
+      m_entry += ", assembly " + m_molecule.assembly;
     m_group = m_entry;
     if (!m_molecule.title.empty())
       m_group += " – " + shortened(m_molecule.title);

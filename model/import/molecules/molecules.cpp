@@ -5,9 +5,11 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "model/import/molecules/assemblies.h"
 #include "model/import/molecules/entry_files.h"
 #include "model/import/molecules/molecule_surfaces.h"
 #include "model/import/molecules/residues.h"
+#include "model/import/readers/text_cursor.h"
 
 namespace sline::model {
 
@@ -39,6 +41,31 @@ std::size_t leaveOutStrays(std::vector<AtomRecord>& atoms) {
   });
 }
 
+/// "1crn" of "1crn.pdb" and of "1crn.pdb.gz".
+std::string entryName(const std::filesystem::path& file) {
+  const bool packed = equalsIgnoringCase(file.extension().string(), ".gz");
+  return (packed ? file.stem() : file).stem().string();
+}
+
+/// What is left out of the records, told.
+std::vector<ImportWarning> leaveOut(EntryRecords& entry, const Source& source) {
+  std::vector<ImportWarning> warnings;
+  const auto warn = [&](std::size_t count, const std::string& one, const std::string& many) {
+    if (count > 0)
+      warnings.push_back(source.warning(std::to_string(count) + (count == 1 ? one : many)));
+  };
+  if (!entry.cutShort.empty())
+    warnings.push_back(source.warning(entry.cutShort + "; what stands there and behind it was "
+                                                       "not read"));
+  warn(entry.otherModels, " further model left out; the first is drawn",
+       " further models left out; the first is drawn");
+  warn(entry.unreadable, " atom without coordinates left out",
+       " atoms without coordinates left out");
+  warn(leaveOutStrays(entry.atoms), " atom more than 50,000 Å from the others left out",
+       " atoms more than 50,000 Å from the others left out");
+  return warnings;
+}
+
 Result<RawMeshes> read(const std::filesystem::path& file, const ReadOptions& options,
                        Result<EntryRecords> (*records)(const Source&)) {
   const Result<Source> source = Source::read(file, options.limits);
@@ -47,22 +74,18 @@ Result<RawMeshes> read(const std::filesystem::path& file, const ReadOptions& opt
   Result<EntryRecords> entry = records(*source);
   if (!entry)
     return entry.error();
-  std::vector<ImportWarning> warnings;
-  const auto warn = [&](std::size_t count, const std::string& one, const std::string& many) {
-    if (count > 0)
-      warnings.push_back(source->warning(std::to_string(count) + (count == 1 ? one : many)));
-  };
-  warn(entry->otherModels, " further model left out; the first is drawn",
-       " further models left out; the first is drawn");
-  warn(entry->unreadable, " atom without coordinates left out",
-       " atoms without coordinates left out");
-  warn(leaveOutStrays(entry->atoms), " atom more than 50,000 Å from the others left out",
-       " atoms more than 50,000 Å from the others left out");
+  if (!options.assembly.empty()) {
+    if (const Status status = assemble(*source, *entry, options.assembly); !status)
+      return status.error();
+  } else if (differFromTheirAtoms(entry->assemblies)) {
+    entry->notes.told = assembliesTold(entry->assemblies) + "; drawn are its atoms as they are";
+  }
+  const std::vector<ImportWarning> warnings = leaveOut(*entry, *source);
   if (entry->atoms.empty())
     return source->whole("its atoms lie too far from the origin to be drawn",
                          "Move the molecule to the origin");
   RawMeshes meshes =
-      surfacesOf(moleculeOf(std::move(*entry)), source->file(), file.stem().string(), options);
+      surfacesOf(moleculeOf(std::move(*entry)), source->file(), entryName(file), options);
   meshes.warnings.insert(meshes.warnings.begin(), warnings.begin(), warnings.end());
   if (meshes.meshes.empty())
     return source->whole("holds nothing that can be drawn" +
@@ -79,6 +102,10 @@ Result<RawMeshes> readPdb(const std::filesystem::path& file, const ReadOptions& 
 
 Result<RawMeshes> readMmcif(const std::filesystem::path& file, const ReadOptions& options) {
   return read(file, options, readMmcifRecords);
+}
+
+Result<RawMeshes> readMmjson(const std::filesystem::path& file, const ReadOptions& options) {
+  return read(file, options, readMmjsonRecords);
 }
 
 }  // namespace sline::model

@@ -11,8 +11,14 @@
 namespace sline::model {
 
 /// Errors name file, line, reason and remedy. Waters, models after the first and alternative
-/// locations are left out with a warning.
+/// locations are left out with a warning. The atoms are those of the file or of the assembly that
+/// the options ask for; without one, Backbone::note tells which there are.
 Result<RawMeshes> readPdb(const std::filesystem::path& file, const ReadOptions& options);
 Result<RawMeshes> readMmcif(const std::filesystem::path& file, const ReadOptions& options);
+Result<RawMeshes> readMmjson(const std::filesystem::path& file, const ReadOptions& options);
+
+/// Whether the file, packed or not, begins as mmJSON does: other kinds of files are called .json
+/// too.
+bool isMmjson(const std::filesystem::path& file);
 
 }  // namespace sline::model

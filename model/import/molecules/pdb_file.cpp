@@ -86,6 +86,7 @@ class PdbReader {
       at = end + 1;
     }
     m_records.otherModels = m_models > 1 ? m_models - 1 : 0;
+    m_records.assemblies = assembliesOfRemarks(m_assemblies);
     readCompounds();
     m_records.notes.title = readableCapitals(m_title);
     for (auto& [code, name] : m_records.notes.componentNames)
@@ -120,6 +121,8 @@ class PdbReader {
       append(m_title, field(line, 11, 80));
     else if (record == "COMPND")
       append(m_compounds, field(line, 11, 80));
+    else if (record == "REMARK" && field(line, 8, 10) == "350")
+      m_assemblies.append(line).append("\n");
     else if (record == "HETNAM")
       append(notes.componentNames[std::string(field(line, 12, 14))], field(line, 16, 70));
     else if (record == "MODRES")
@@ -141,6 +144,7 @@ class PdbReader {
     atom.name = field(line, 13, 16);
     atom.residue = asciiOf(field(line, 18, 21));
     atom.chain = chainOf(line, hetero);
+    atom.part = atom.chain;
     atom.insertion = asciiOf(field(line, 27, 27));
     atom.number = wholeNumber36(field(line, 23, 26), 4).value_or(0);
     atom.serial = wholeNumber36(field(line, 7, 11), 5).value_or(0);
@@ -207,6 +211,7 @@ class PdbReader {
   EntryRecords m_records;
   std::string m_title;
   std::string m_compounds;
+  std::string m_assemblies;  ///< lines of REMARK 350
   std::set<std::string> m_ended;
   std::size_t m_ends = 0;
   std::size_t m_unnamed = 0;

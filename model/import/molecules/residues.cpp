@@ -2,7 +2,7 @@
 #include "model/import/molecules/residues.h"
 
 #include <algorithm>
-#include <array>
+#include <gemmi/resinfo.hpp>
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <numeric>
@@ -13,24 +13,27 @@ namespace sline::model {
 
 namespace {
 
-struct Code {
+struct Alias {
   std::string_view name;
-  char letter;
-  bool nucleic;
+  const char* tabulated;
 };
 
-constexpr Code codes[] = {
-    {"ALA", 'A', false}, {"ARG", 'R', false}, {"ASN", 'N', false}, {"ASP", 'D', false},
-    {"CYS", 'C', false}, {"GLN", 'Q', false}, {"GLU", 'E', false}, {"GLY", 'G', false},
-    {"HIS", 'H', false}, {"ILE", 'I', false}, {"LEU", 'L', false}, {"LYS", 'K', false},
-    {"MET", 'M', false}, {"PHE", 'F', false}, {"PRO", 'P', false}, {"SER", 'S', false},
-    {"THR", 'T', false}, {"TRP", 'W', false}, {"TYR", 'Y', false}, {"VAL", 'V', false},
-    {"MSE", 'M', false}, {"SEC", 'C', false}, {"PYL", 'K', false}, {"UNK", 'X', false},
-    {"ASX", 'X', false}, {"GLX", 'X', false}, {"HID", 'H', false}, {"HIE", 'H', false},
-    {"HIP", 'H', false}, {"CYX", 'C', false}, {"A", 'A', true},    {"C", 'C', true},
-    {"G", 'G', true},    {"U", 'U', true},    {"I", 'I', true},    {"T", 'T', true},
-    {"N", 'X', true},    {"DA", 'A', true},   {"DC", 'C', true},   {"DG", 'G', true},
-    {"DT", 'T', true},   {"DU", 'U', true},   {"DI", 'I', true},   {"DN", 'X', true}};
+/// What force fields and old files call residues that gemmi tabulates under one name.
+constexpr Alias aliases[] = {{"HID", "HIS"}, {"HIE", "HIS"},  {"HIP", "HIS"},  {"HSD", "HIS"},
+                             {"HSE", "HIS"}, {"HSP", "HIS"},  {"CYX", "CYS"},  {"T", "DT"},
+                             {"TIP", "HOH"}, {"TIP3", "HOH"}, {"TIP4", "HOH"}, {"TIP5", "HOH"},
+                             {"SOL", "HOH"}, {"SPC", "HOH"}};
+
+gemmi::ResidueInfo infoOf(std::string_view residue) {
+  const auto* const alias = std::find_if(std::begin(aliases), std::end(aliases),
+                                         [&](const Alias& a) { return a.name == residue; });
+  return gemmi::find_tabulated_residue(alias == std::end(aliases) ? std::string(residue)
+                                                                  : alias->tabulated);
+}
+
+bool isOfChains(const gemmi::ResidueInfo& info) {
+  return info.is_amino_acid() || info.is_nucleic_acid();
+}
 
 struct CommonName {
   std::string_view code;
@@ -66,18 +69,6 @@ constexpr CommonName commonNames[] = {{"ACP", "AMP-PCP"},
                                       {"SAM", "S-adenosylmethionine"},
                                       {"SO4", "Sulphate"},
                                       {"STI", "Imatinib"}};
-
-const Code* codeOf(std::string_view residue) {
-  const auto* const found = std::find_if(std::begin(codes), std::end(codes),
-                                         [&](const Code& c) { return c.name == residue; });
-  return found == std::end(codes) ? nullptr : found;
-}
-
-bool isWater(std::string_view residue) {
-  static constexpr std::string_view waters[] = {"HOH",  "WAT",  "DOD",  "H2O", "TIP",
-                                                "TIP3", "TIP4", "TIP5", "SOL", "SPC"};
-  return std::find(std::begin(waters), std::end(waters), residue) != std::end(waters);
-}
 
 enum class Kind { polymer, ligand, water };
 
@@ -121,6 +112,8 @@ class Sorter {
   Molecule sort() {
     m_molecule.id = m_records.notes.id;
     m_molecule.title = m_records.notes.title;
+    m_molecule.assembly = m_records.notes.assembly;
+    m_molecule.told = m_records.notes.told;
     m_molecule.bonds = m_records.notes.bonds;
     gather();
     for (std::size_t i = 0; i < m_groups.size(); ++i)
@@ -190,10 +183,10 @@ class Sorter {
       return type->second == "polymer" ? Kind::polymer
              : type->second == "water" ? Kind::water
                                        : Kind::ligand;
-    if (isWater(group.residue.name))
+    const gemmi::ResidueInfo info = infoOf(group.residue.name);
+    if (info.is_water())
       return Kind::water;
-    const bool known = codeOf(group.residue.name) != nullptr;
-    if (!group.hetero && (known || hasBackbone(group.residue)))
+    if (!group.hetero && (isOfChains(info) || hasBackbone(group.residue)))
       return Kind::polymer;
     return isBondedIn(i) ? Kind::polymer : Kind::ligand;
   }
@@ -230,8 +223,8 @@ class Sorter {
     for (Chain& chain : m_molecule.chains) {
       const auto bases =
           std::count_if(chain.residues.begin(), chain.residues.end(), [](const Residue& residue) {
-            const Code* code = codeOf(residue.name);
-            return code ? code->nucleic : !atomNamed(residue, "CA");
+            const gemmi::ResidueInfo info = infoOf(residue.name);
+            return isOfChains(info) ? info.is_nucleic_acid() : !atomNamed(residue, "CA");
           });
       chain.nucleic = 2 * std::size_t(bases) > chain.residues.size();
     }
@@ -304,8 +297,16 @@ class Sorter {
 }  // namespace
 
 char letterOf(std::string_view residue) {
-  const Code* code = codeOf(residue);
-  return code ? code->letter : 'X';
+  const gemmi::ResidueInfo info = infoOf(residue);
+  const char letter = info.one_letter_code;
+  // Modified ones have the letter of what they were, in lower case.
+  const char capital = letter >= 'a' && letter <= 'z' ? char(letter - 'a' + 'A') : letter;
+  if (!isOfChains(info) || capital == ' ' || capital == 'B' || capital == 'Z')
+    return 'X';
+  // BLOSUM62 knows neither selenocysteine nor pyrrolysine.
+  if (info.is_amino_acid() && (capital == 'U' || capital == 'O'))
+    return capital == 'U' ? 'C' : 'K';
+  return capital;
 }
 
 Molecule moleculeOf(EntryRecords records) {

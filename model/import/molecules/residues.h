@@ -15,7 +15,8 @@ namespace sline::model {
 /// phosphotyrosine; waters out; the rest into ligands, those bonded to each other into one.
 Molecule moleculeOf(EntryRecords records);
 
-/// The one-letter code of an amino acid or nucleotide, 'X' for any other.
+/// The one-letter code of an amino acid or nucleotide, of a modified one that of what it was; 'X'
+/// for any other.
 char letterOf(std::string_view residue);
 
 /// Pairs of atoms that are bonded: nearer than their covalent radii and 0.45 Å allow, or listed in

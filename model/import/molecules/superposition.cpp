@@ -2,61 +2,17 @@
 #include "model/import/molecules/superposition.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <gemmi/qcp.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
 
 namespace sline::model {
 
 namespace {
 
 using PlacePair = std::pair<glm::dvec3, glm::dvec3>;
-using Symmetric4 = std::array<std::array<double, 4>, 4>;
-
 constexpr double nearEnough = 2.0;
 constexpr std::size_t mostCells = 400'000'000;
-
-/// One rotation of Jacobi's method: makes m[p][q] zero and keeps the eigenvectors in `v`.
-void rotate(Symmetric4& m, Symmetric4& v, int p, int q) {
-  if (m[p][q] == 0.0)
-    return;
-  const double theta = (m[q][q] - m[p][p]) / (2.0 * m[p][q]);
-  const double t = (theta >= 0.0 ? 1.0 : -1.0) / (std::abs(theta) + std::hypot(theta, 1.0));
-  const double c = 1.0 / std::hypot(t, 1.0);
-  const double s = t * c;
-  for (int k = 0; k < 4; ++k) {
-    const double a = m[k][p];
-    const double b = m[k][q];
-    m[k][p] = c * a - s * b;
-    m[k][q] = s * a + c * b;
-  }
-  for (int k = 0; k < 4; ++k) {
-    const double a = m[p][k];
-    const double b = m[q][k];
-    m[p][k] = c * a - s * b;
-    m[q][k] = s * a + c * b;
-    const double x = v[k][p];
-    const double y = v[k][q];
-    v[k][p] = c * x - s * y;
-    v[k][q] = s * x + c * y;
-  }
-}
-
-/// The eigenvector of the largest eigenvalue.
-std::array<double, 4> mainAxis(Symmetric4 m) {
-  Symmetric4 v{};
-  for (int i = 0; i < 4; ++i)
-    v[i][i] = 1.0;
-  for (int sweep = 0; sweep < 50; ++sweep)
-    for (int p = 0; p < 3; ++p)
-      for (int q = p + 1; q < 4; ++q)
-        rotate(m, v, p, q);
-  int best = 0;
-  for (int i = 1; i < 4; ++i)
-    best = m[i][i] > m[best][best] ? i : best;
-  return {v[0][best], v[1][best], v[2][best], v[3][best]};
-}
 
 double squaredDistance(const RigidMotion& motion, const PlacePair& pair) {
   const glm::dvec3 off = motion(pair.first) - pair.second;
@@ -133,33 +89,22 @@ RigidMotion rigidFit(std::span<const PlacePair> pairs) {
   RigidMotion motion;
   if (pairs.empty())
     return motion;
-  for (const auto& [a, b] : pairs) {
-    motion.from += a;
-    motion.to += b;
+  std::vector<gemmi::Position> moving;
+  std::vector<gemmi::Position> fixed;
+  for (const auto& [from, to] : pairs) {
+    moving.emplace_back(from.x, from.y, from.z);
+    fixed.emplace_back(to.x, to.y, to.z);
+    motion.from += from / double(pairs.size());
+    motion.to += to / double(pairs.size());
   }
-  motion.from /= double(pairs.size());
-  motion.to /= double(pairs.size());
-  glm::dmat3 s(0.0);  // s[i][k] = Σ aᵢ bₖ
-  for (const auto& [a, b] : pairs) {
-    const glm::dvec3 p = a - motion.from;
-    const glm::dvec3 q = b - motion.to;
-    for (int i = 0; i < 3; ++i)
-      s[i] += p[i] * q;
-  }
-  // Horn's matrix N, whose main axis is the quaternion w, x, y, z.
-  Symmetric4 n{};
-  n[0][0] = s[0][0] + s[1][1] + s[2][2];
-  n[1][1] = s[0][0] - s[1][1] - s[2][2];
-  n[2][2] = s[1][1] - s[0][0] - s[2][2];
-  n[3][3] = s[2][2] - s[0][0] - s[1][1];
-  n[0][1] = n[1][0] = s[1][2] - s[2][1];
-  n[0][2] = n[2][0] = s[2][0] - s[0][2];
-  n[0][3] = n[3][0] = s[0][1] - s[1][0];
-  n[1][2] = n[2][1] = s[0][1] + s[1][0];
-  n[1][3] = n[3][1] = s[2][0] + s[0][2];
-  n[2][3] = n[3][2] = s[1][2] + s[2][1];
-  const std::array<double, 4> q = mainAxis(n);
-  motion.rotation = glm::mat3_cast(glm::normalize(glm::dquat(q[0], q[1], q[2], q[3])));
+  const gemmi::Mat33 turn =
+      gemmi::superpose_positions(fixed.data(), moving.data(), pairs.size(), nullptr).transform.mat;
+  // Places in a line or in one point leave the rotation open: not a number, or none.
+  if (!(std::abs(turn.determinant() - 1.0) < 1e-6))
+    return motion;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      motion.rotation[column][row] = turn[row][column];
   return motion;
 }
 

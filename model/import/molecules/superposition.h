@@ -24,8 +24,8 @@ struct RigidMotion {
   glm::dvec3 operator()(const glm::dvec3& p) const { return rotation * (p - from) + to; }
 };
 
-/// The motion of least squares from the first points of the pairs to the second (Horn, J. Opt. Soc.
-/// Am. A 4, 1987, by unit quaternions).
+/// The motion of least squares from the first points of the pairs to the second (Theobald, Acta
+/// Cryst. A61, 2005, as gemmi has it); a translation alone where they leave the rotation open.
 RigidMotion rigidFit(std::span<const std::pair<glm::dvec3, glm::dvec3>> pairs);
 
 struct Alignment {

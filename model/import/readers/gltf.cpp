@@ -244,11 +244,22 @@ Result<RawMeshes> readGltfWith(const GltfDecoders& decoders, const std::filesyst
   }
 }
 
+namespace {
+bool speaksOfCompression(std::string_view json) {
+  return json.find(dracoExtension) != std::string_view::npos ||
+         json.find(meshoptExtension) != std::string_view::npos;
+}
+}  // namespace
+
 bool isCompressedGltf(const std::filesystem::path& file) {
   std::error_code code;
   const std::uintmax_t size = std::filesystem::file_size(file, code);
   if (code || !std::filesystem::is_regular_file(file, code) || size > ReadLimits{}.fileBytes)
     return false;
+  if (equalsIgnoringCase(file.extension().string(), ".gz")) {
+    const Result<Source> packed = Source::read(file, {});
+    return packed && speaksOfCompression(packed->text());
+  }
   std::ifstream in(file, std::ios::binary);
   // A GLB begins with its JSON; what follows may be long.
   std::array<char, 20> head{};
@@ -261,8 +272,7 @@ bool isCompressedGltf(const std::filesystem::path& file) {
   in.clear();
   in.seekg(glb ? std::streamoff(head.size()) : 0);
   in.read(json.data(), std::streamsize(json.size()));
-  return json.find(dracoExtension) != std::string::npos ||
-         json.find(meshoptExtension) != std::string::npos;
+  return speaksOfCompression(json);
 }
 
 }  // namespace sline::model

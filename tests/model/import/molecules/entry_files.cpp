@@ -67,6 +67,35 @@ QByteArray cifFile(std::span<const Written> atoms) {
   return file;
 }
 
+QByteArray jsonFile(std::span<const Written> atoms) {
+  const char* const items[] = {"group_PDB",     "id",           "type_symbol",
+                               "label_atom_id", "label_alt_id", "label_comp_id",
+                               "auth_asym_id",  "auth_seq_id",  "Cartn_x",
+                               "Cartn_y",       "Cartn_z",      "occupancy"};
+  QByteArrayList columns;
+  for (const char* item : items)
+    columns << "\"" + QByteArray(item) + "\":[";
+  int serial = 0;
+  for (const Written& atom : atoms) {
+    const auto text = [](const QByteArray& word) { return "\"" + word + "\""; };
+    const QByteArrayList row = {text(atom.hetero ? "HETATM" : "ATOM"),
+                                QByteArray::number(++serial),
+                                text(atom.element),
+                                text(QByteArray(atom.name).trimmed()),
+                                atom.alternate == ' ' ? "false" : text({1, atom.alternate}),
+                                text(atom.residue),
+                                text(atom.chain),
+                                QByteArray::number(atom.number),
+                                QByteArray::number(atom.place.x, 'f', 3),
+                                QByteArray::number(atom.place.y, 'f', 3),
+                                QByteArray::number(atom.place.z, 'f', 3),
+                                QByteArray::number(atom.occupancy, 'f', 2)};
+    for (qsizetype i = 0; i < columns.size(); ++i)
+      columns[i] += (serial == 1 ? "" : ",") + row[i];
+  }
+  return "{\"data_TEST\":{\"atom_site\":{" + columns.join("],") + "]}}}\n";
+}
+
 std::vector<Written> helix(const std::string& letters, const char* chain) {
   std::vector<Written> atoms;
   for (int i = 0; i < int(letters.size()); ++i) {
@@ -101,6 +130,8 @@ Result<model::EntryRecords> recordsOf(const QTemporaryDir& folder, const char* e
   const Result<model::Source> source = model::Source::read(path.toStdString(), {});
   if (!source)
     return source.error();
+  if (QString(extension) == ".json")
+    return model::readMmjsonRecords(*source);
   return QString(extension) == ".pdb" ? model::readPdbRecords(*source)
                                       : model::readMmcifRecords(*source);
 }

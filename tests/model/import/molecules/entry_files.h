@@ -34,6 +34,8 @@ QByteArray pdbLine(const Written& atom, int serial = 1);
 QByteArray pdbFile(std::span<const Written> atoms);
 /// The same as the atoms of an mmCIF file.
 QByteArray cifFile(std::span<const Written> atoms);
+/// And as mmJSON.
+QByteArray jsonFile(std::span<const Written> atoms);
 
 /// A peptide of that sequence: backbone atoms and Cβ along an ideal helix.
 std::vector<Written> helix(const std::string& letters, const char* chain = "A");

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "model/import/molecules/cif_tokens.h"
+#include "model/import/molecules/entry_rows.h"
 #include "tests/model/import/molecules/entry_files.h"
 #include "tests/support/suite.h"
 
@@ -76,6 +76,12 @@ class TestEntryRecords : public QObject {
     QTest::newRow("cif, second block ignored")
         << ".cif" << QByteArray(loopHead) + "1 C ALA 1 2 3\n" + loopHead + "1 C ALA 1 2 3\n"
         << 1 << 0 << 0;
+    QTest::newRow("json") << ".json" << jsonFile(helix("A")) << 5 << 0 << 0;
+    QTest::newRow("json, numbers as text, capitals as they like")
+        << ".json"
+        << QByteArray(R"({"data_X": {"atom_site": {"cartn_X": ["1.5", "2"], "Cartn_y": [0, 0],
+                        "Cartn_z": [-1e2, 3]}}})")
+        << 2 << 0 << 0;
     QTest::newRow("cif, models")
         << ".cif"
         << QByteArray(
@@ -119,7 +125,18 @@ class TestEntryRecords : public QObject {
     QTest::newRow("cif, ends in an atom") << ".cif" << QByteArray(loopHead) + "1 C ALA 1\n"
                                           << "1 of 1 atoms";
     QTest::newRow("cif, text never ends")
-        << ".cif" << QByteArray("data_x\n_struct.title\n;endless\n") << "without the atoms";
+        << ".cif" << QByteArray("data_x\n_struct.title\n;endless\n") << "unterminated text field";
+    QTest::newRow("no mmJSON") << ".json" << QByteArray("{\"format\": 1}") << "no mmJSON";
+    QTest::newRow("broken JSON") << ".json" << QByteArray("{\"data_X\": {\"a\": ") << "as JSON";
+    QTest::newRow("JSON, columns of different lengths")
+        << ".json" << QByteArray(R"({"data_X": {"atom_site": {"id": [1, 2], "Cartn_x": [1]}}})")
+        << "equally long";
+    QTest::newRow("JSON, deep") << ".json" << QByteArray("{\"data_X\":") + QByteArray(5000, '[')
+                                << "as JSON";
+    QTest::newRow("JSON, places unknown")
+        << ".json"
+        << QByteArray(R"({"data_X": {"atom_site": {"Cartn_x": [null], "Cartn_y": ["a"]}}})")
+        << "1 of 1 atoms";
   }
   void refuses() {
     QFETCH(QString, extension);
@@ -208,27 +225,53 @@ class TestEntryRecords : public QObject {
     QCOMPARE(records->atoms.front().place, glm::dvec3(1.5, -2.25, 3.125));
   }
 
-  void tokens() {
-    CifTokens tokens(
-        "data_one # comment\n_a.b 'it's one' \"two words\" ?\n;first\nsecond;\n;\n'?' loop_ . "
-        "#end");
-    using Kind = CifToken::Kind;
-    const std::vector<std::pair<Kind, std::string>> expected = {
-        {Kind::data, "one"},       {Kind::name, "_a.b"},
-        {Kind::value, "it's one"}, {Kind::value, "two words"},
-        {Kind::value, "?"},        {Kind::value, "first\nsecond;"},
-        {Kind::value, "?"},        {Kind::loop, "loop_"},
-        {Kind::value, "."},        {Kind::end, ""}};
-    std::vector<bool> says;
-    for (const auto& [kind, text] : expected) {
-      const CifToken token = tokens.next();
-      QVERIFY(token.kind == kind);
-      QCOMPARE(std::string(token.text), text);
-      says.push_back(token.says());
-    }
-    QVERIFY(!tokens.broken());
-    QCOMPARE(says,
-             std::vector<bool>({false, false, true, true, false, true, true, false, false, false}));
+  void valuesOfCif() {
+    // One row of items, then a table, then items again: words, quotes, text, comments.
+    const QTemporaryDir folder;
+    QFile file(folder.filePath("values.cif"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(
+        "data_one # comment\n_A.b 'it's one'\n_a.C \"two words\"\n_a.d\n;first\nsecond;\n;\n"
+        "_e.f ?\nLOOP_ _g.h _g.i\n'?' . #end\n3 ;4\n_a.b 5\n");
+    file.close();
+    const Result<Source> source = Source::read(file.fileName().toStdString(), {});
+    QVERIFY(source.ok());
+    struct Rows : EntryRowReader {
+      void readRow(const EntryColumns& columns, std::span<const EntryValue> values) override {
+        std::string row;
+        for (std::size_t i = 0; i < values.size(); ++i)
+          row += columns.names[i] + "=" + (values[i].says() ? "" : "!") +
+                 std::string(values[i].text) + " ";
+        rows << QString::fromStdString(row).trimmed();
+      }
+      void missRow(const EntryColumns&) override { rows << "missed"; }
+      bool hasEnough() const override { return false; }
+      QStringList rows;
+    } reader;
+    QVERIFY(readCifRows(*source, reader).ok());
+    QCOMPARE(reader.rows, QStringList({"_a.b=it's one _a.c=two words _a.d=first\nsecond;",
+                                       "_e.f=!?", "_g.h=? _g.i=!.", "_g.h=3 _g.i=;4", "_a.b=5"}));
+  }
+
+  void cutShort_data() {
+    QTest::addColumn<QByteArray>("behind");
+    QTest::addColumn<QString>("said");
+    QTest::newRow("a text never ends")
+        << QByteArray("_a.b\n;endless\n") << "line 13: unterminated text field";
+    QTest::newRow("a quote never ends")
+        << QByteArray("_a.b 'endless\n_c.d 1\n") << "line 11: unterminated 'string'";
+    QTest::newRow("a value without item")
+        << QByteArray("_a.b 1 2\n") << "line 11: cannot be read as CIF";
+  }
+  void cutShort() {
+    QFETCH(QByteArray, behind);
+    const QTemporaryDir folder;
+    const auto records =
+        recordsOf(folder, ".cif", QByteArray(loopHead) + "1 C ALA 1 2 3\n2 C ALA 4 5 6\n" + behind);
+    QVERIFY(records.ok());
+    QCOMPARE(records->atoms.size(), std::size_t(2));
+    QFETCH(QString, said);
+    QVERIFY2(QString::fromStdString(records->cutShort).startsWith(said), records->cutShort.c_str());
   }
 
   void names_data() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Entries spoiled at random, with a fixed seed, and entries meant to do harm: an answer comes, and
 // it is a sound surface or an error.
+#include <zlib.h>
+#include <QFile>
 #include <QTest>
 #include <random>
 
@@ -22,6 +24,23 @@ void overwrite(Mutator& random, QByteArray& bytes, qsizetype at) {
                                        "999999999999", "\xff", "TER\n", "MODEL\n"};
   const QByteArray piece = pieces[random.below(std::size(pieces))];
   bytes.replace(at, piece.size(), piece);
+}
+
+/// As gzip packs it.
+QByteArray packed(const QByteArray& bytes) {
+  z_stream stream{};
+  if (deflateInit2(&stream, 9, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY) != Z_OK)
+    qFatal("zlib");
+  QByteArray result(qsizetype(deflateBound(&stream, uLong(bytes.size()))), '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = uInt(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(result.data());
+  stream.avail_out = uInt(result.size());
+  if (deflate(&stream, Z_FINISH) != Z_STREAM_END)
+    qFatal("zlib");
+  result.truncate(qsizetype(stream.total_out));
+  deflateEnd(&stream);
+  return result;
 }
 
 std::vector<Written> scattered(int count, double size) {
@@ -49,6 +68,9 @@ class TestMutatedEntries : public QObject {
     QTest::newRow("pdb") << ".pdb"
                          << "HEADER\n" + pdbFile(atoms) + "CONECT    1    2    3\n";
     QTest::newRow("cif") << ".cif" << cifFile(atoms);
+    QTest::newRow("json") << ".json" << jsonFile(atoms);
+    QTest::newRow("packed") << ".pdb.gz" << packed(pdbFile(atoms));
+    QTest::newRow("packed mmCIF") << ".cif.gz" << packed(cifFile(atoms));
   }
   void mutations() {
     QFETCH(QString, extension);
@@ -56,14 +78,94 @@ class TestMutatedEntries : public QObject {
     const QTemporaryDir folder;
     Mutator mutate(20240611, {overwrite, overwrite});
     int refused = 0;
-    for (int i = 0; i < 150; ++i) {
+    for (int i = 0; i < 200; ++i) {
       const Result<RawMeshes> read = readBytes(folder, "spoiled" + extension, mutate(bytes));
       if (read)
         QVERIFY2(isSound(*read), qPrintable(QString("mutation %1").arg(i)));
       else
         QVERIFY(!read.error().reason.empty() && !read.error().remedy.empty() && ++refused > 0);
     }
-    QVERIFY2(refused > 5 && refused < 150, qPrintable(QString::number(refused)));
+    // Of what is packed a checksum tells that it is spoiled.
+    QVERIFY2(refused > 5 && (refused < 200 || extension.endsWith(".gz")),
+             qPrintable(QString::number(refused)));
+  }
+
+  void assembliesSpoiled_data() {
+    QTest::addColumn<QString>("extension");
+    QTest::addColumn<QByteArray>("bytes");
+    const QByteArray lines =
+        "REMARK 350 BIOMOLECULE: 1\nREMARK 350 APPLY THE FOLLOWING TO CHAINS: A\n"
+        "REMARK 350   BIOMT1   1 -1.000000  0.000000  0.000000       30.00000\n"
+        "REMARK 350   BIOMT2   1  0.000000 -1.000000  0.000000        0.00000\n"
+        "REMARK 350   BIOMT3   1  0.000000  0.000000  1.000000        0.00000\n";
+    QTest::newRow("pdb") << ".pdb" << lines + pdbFile(helix("AY"));
+    QTest::newRow("cif") << ".cif"
+                         << cifFile(helix("AY")) +
+                                "_pdbx_struct_assembly_gen.assembly_id 1\n"
+                                "_pdbx_struct_assembly_gen.oper_expression (1-2)(X)\n"
+                                "_pdbx_struct_assembly_gen.asym_id_list A\n"
+                                "loop_\n_pdbx_struct_oper_list.id\n"
+                                "_pdbx_struct_oper_list.vector[1]\n1 0\n2 30\nX 0\n";
+  }
+  void assembliesSpoiled() {
+    QFETCH(QString, extension);
+    QFETCH(QByteArray, bytes);
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("spoiled" + extension);
+    Mutator mutate(350, {overwrite, overwrite});
+    int refused = 0;
+    for (int i = 0; i < 200; ++i) {
+      // Most of the bytes are atoms: every other time what tells of the assembly is spoiled alone.
+      const QByteArray spoiled = i % 2 == 0 ? mutate(bytes)
+                                 : extension == ".pdb"
+                                     ? mutate(bytes.left(400)) + bytes.mid(400)
+                                     : bytes.chopped(250) + mutate(bytes.right(250));
+      QFile::remove(path);
+      QFile file(path);
+      QVERIFY(file.open(QIODevice::WriteOnly));
+      file.write(spoiled);
+      file.close();
+      const Result<RawMeshes> read = readSurfaces(path.toStdString(), {.assembly = "1"});
+      if (read)
+        QVERIFY2(isSound(*read), qPrintable(QString("copy %1").arg(i)));
+      else
+        QVERIFY(!read.error().reason.empty() && !read.error().remedy.empty() && ++refused > 0);
+    }
+    QVERIFY2(refused > 20 && refused < 200, qPrintable(QString::number(refused)));
+  }
+
+  void bombs() {
+    // Zeros pack a thousandfold: what a small file is worth is unpacked and no more.
+    const QTemporaryDir folder;
+    const QByteArray bomb = packed(QByteArray(qsizetype(200) << 20, ' '));
+    const Result<RawMeshes> read = readBytes(folder, "bomb.pdb.gz", bomb);
+    QVERIFY(!read.ok());
+    QVERIFY2(read.error().reason.find("unpacks to more than") != std::string::npos,
+             read.error().reason.c_str());
+  }
+
+  void packedEntries_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<QByteArray>("bytes");
+    const std::vector<Written> atoms = helix("ACDEFGHIKL");
+    QTest::newRow("pdb") << "1abc.pdb.gz" << pdbFile(atoms);
+    QTest::newRow("ent, as the archive has it") << "pdb1abc.ent.gz" << pdbFile(atoms);
+    QTest::newRow("cif") << "1abc.CIF.GZ" << cifFile(atoms);
+    QTest::newRow("mmcif") << "1abc.mmcif.gz" << cifFile(atoms);
+    QTest::newRow("json") << "1abc.json.gz" << jsonFile(atoms);
+  }
+  void packedEntries() {
+    QFETCH(QString, name);
+    QFETCH(QByteArray, bytes);
+    const QTemporaryDir folder;
+    const Result<RawMeshes> stored = readBytes(folder, name.chopped(3), bytes);
+    const Result<RawMeshes> read = readBytes(folder, name, packed(bytes));
+    QVERIFY2(read.ok(), read.ok() ? "" : read.error().text().c_str());
+    QVERIFY(stored.ok() && stored->meshes.size() == 1 && read->meshes.size() == 1);
+    QVERIFY(stored->meshes.front().positions == read->meshes.front().positions);
+    QCOMPARE(read->meshes.front().groups, stored->meshes.front().groups);
+    // Cut in the middle it is refused rather than read in part.
+    QVERIFY(!readBytes(folder, name, packed(bytes).chopped(40)).ok());
   }
 
   void wholeEntriesSpoiled_data() {

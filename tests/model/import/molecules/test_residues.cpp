@@ -58,13 +58,13 @@ class TestResidues : public QObject {
     std::vector<Written> atoms = helix("AYA");
     for (Written& atom : atoms)
       if (atom.number == 2) {
-        atom.residue = "PTR";
+        atom.residue = "XYZ";
         atom.hetero = true;
       }
     const auto bonded = read(pdbFile(atoms));
     QVERIFY(bonded && bonded->chains.front().residues.size() == 3 && bonded->ligands.empty());
     QCOMPARE(bonded->chains.front().residues[1].letter, 'X');
-    const auto told = read("MODRES 2SRC PTR A  527  TYR  O-PHOSPHOTYROSINE\n" + pdbFile(atoms));
+    const auto told = read("MODRES 2SRC XYZ A  527  TYR  A TYROSINE\n" + pdbFile(atoms));
     QCOMPARE(told->chains.front().residues[1].letter, 'Y');
     // The same residue on its own, away from any chain, is a ligand.
     for (Written& atom : atoms)
@@ -73,6 +73,37 @@ class TestResidues : public QObject {
     const auto apart = read(pdbFile(atoms));
     QCOMPARE(apart->chains.front().residues.size(), std::size_t(2));
     QCOMPARE(apart->ligands.size(), std::size_t(1));
+  }
+
+  void letters_data() {
+    QTest::addColumn<QString>("residue");
+    QTest::addColumn<char>("letter");
+    QTest::newRow("amino acid") << "TRP" << 'W';
+    QTest::newRow("selenomethionine") << "MSE" << 'M';
+    QTest::newRow("phosphotyrosine") << "PTR" << 'Y';
+    QTest::newRow("selenocysteine") << "SEC" << 'C';
+    QTest::newRow("histidine of a force field") << "HSD" << 'H';
+    QTest::newRow("of DNA") << "DA" << 'A';
+    QTest::newRow("of RNA") << "U" << 'U';
+    QTest::newRow("pseudouridine") << "PSU" << 'U';
+    QTest::newRow("one of two") << "ASX" << 'X';
+    QTest::newRow("unknown") << "UNK" << 'X';
+    QTest::newRow("GDP, which is none") << "GDP" << 'X';
+    QTest::newRow("water") << "HOH" << 'X';
+    QTest::newRow("nothing") << "" << 'X';
+  }
+  void letters() {
+    QFETCH(QString, residue);
+    QTEST(letterOf(residue.toStdString()), "letter");
+  }
+
+  void watersOfSimulations() {
+    for (const char* name : {"HOH", "WAT", "DOD", "TIP3", "SOL"}) {
+      std::vector<Written> atoms = helix("AA");
+      atoms.push_back(hetero(" O  ", name, "O", 30, 9));
+      const auto molecule = read(cifFile(atoms), ".cif");
+      QVERIFY2(molecule && molecule->waters == 1 && molecule->ligands.empty(), name);
+    }
   }
 
   void kinds() {
