@@ -96,7 +96,7 @@ struct AnkiOptions {
 /// that, and only where somebody said it. It comes from nowhere else: not from the scene, its
 /// sources or the account. One line each, UTF-8 (`plainLine`); empty: not said.
 ///
-/// PNG has it as text and XMP, TIFF in its tags and XMP, JPEG as Exif and XMP, EXR in its header,
+/// PNG has it as text and XMP, TIFF in its tags, JPEG as Exif, EXR in its header, JPEG 2000 as XMP,
 /// SVG and PDF as Dublin Core, GLB in its asset, MP4 in its tags, WebP as XMP, GIF in a comment,
 /// frames and Anki's pictures as PNG, Anki's package in the deck's description besides.
 struct ExportCredit {
