@@ -12,32 +12,32 @@ namespace sline::render {
 
 namespace {
 
-struct ProfileEnd {
+struct IccProfileEnd {
   void operator()(void* profile) const { cmsCloseProfile(profile); }
 };
-using Profile = std::unique_ptr<void, ProfileEnd>;
+using IccProfile = std::unique_ptr<void, IccProfileEnd>;
 
-struct CurveEnd {
+struct ToneCurveEnd {
   void operator()(cmsToneCurve* curve) const { cmsFreeToneCurve(curve); }
 };
-using Curve = std::unique_ptr<cmsToneCurve, CurveEnd>;
+using ToneCurve = std::unique_ptr<cmsToneCurve, ToneCurveEnd>;
 
-Curve toneCurve() {
+ToneCurve toneCurve() {
   std::array<cmsUInt16Number, 1024> steps{};
   for (std::size_t i = 0; i < steps.size(); ++i)
     steps[i] =
         cmsUInt16Number(std::lround(65535.0f * toLinearLight(float(i) / float(steps.size() - 1))));
-  return Curve(cmsBuildTabulatedToneCurve16(nullptr, steps.size(), steps.data()));
+  return ToneCurve(cmsBuildTabulatedToneCurve16(nullptr, steps.size(), steps.data()));
 }
 
-void write(const Profile& profile, cmsTagSignature tag, const char* text) {
+void write(const IccProfile& profile, cmsTagSignature tag, const char* text) {
   const std::unique_ptr<cmsMLU, decltype(&cmsMLUfree)> words(cmsMLUalloc(nullptr, 1), &cmsMLUfree);
   cmsMLUsetASCII(words.get(), "en", "US", text);
   cmsWriteTag(profile.get(), tag, words.get());
 }
 
 /// The profile's bytes, of a version (2.1) that every reader knows.
-std::string bytesOf(const Profile& profile, const char* description) {
+std::string bytesOf(const IccProfile& profile, const char* description) {
   cmsSetProfileVersion(profile.get(), 2.1);
   write(profile, cmsSigProfileDescriptionTag, description);
   write(profile, cmsSigCopyrightTag, "Public domain");
@@ -63,13 +63,13 @@ float fromLinearLight(float light) {
 std::string srgbProfile() {
   constexpr cmsCIExyY white{0.3127, 0.3290, 1.0};
   constexpr cmsCIExyYTRIPLE primaries{{0.64, 0.33, 1.0}, {0.30, 0.60, 1.0}, {0.15, 0.06, 1.0}};
-  const Curve curve = toneCurve();
+  const ToneCurve curve = toneCurve();
   const std::array<cmsToneCurve*, 3> curves{curve.get(), curve.get(), curve.get()};
-  return bytesOf(Profile(cmsCreateRGBProfile(&white, &primaries, curves.data())), "sRGB");
+  return bytesOf(IccProfile(cmsCreateRGBProfile(&white, &primaries, curves.data())), "sRGB");
 }
 
 std::string greyProfile() {
-  return bytesOf(Profile(cmsCreateGrayProfile(cmsD50_xyY(), toneCurve().get())),
+  return bytesOf(IccProfile(cmsCreateGrayProfile(cmsD50_xyY(), toneCurve().get())),
                  "Grey with the tone curve of sRGB");
 }
 
