@@ -149,7 +149,7 @@ Result<std::unique_ptr<RowFile>> moduleRows(PixelKind kind, const PixelLayout& l
 }  // namespace
 
 PixelTraits traitsOf(PixelKind kind) {
-  // Of kinds that are packed as a whole, which takes 20 to 30 bytes for each.
+  // Of kinds that are packed as a whole, which takes up to 35 bytes for each.
   constexpr double mostPacked = 100e6;
   switch (kind) {
     case PixelKind::png:
