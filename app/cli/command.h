@@ -60,10 +60,15 @@ void addCommand(CLI::App& program, Exit& exit,
 
 inline constexpr const char* inputHelp =
     "Mesh files (obj, stl, ply, off, vtk, vtp, vtu, gltf, glb, 3mf), scenes of 3D programs (fbx, "
-    "dae, blend, x3d, x3dv, wrl, 3ds), surfaces of brains (gii, pial, white), label volumes (nii, "
-    "hdr, img, mgz, nrrd, nhdr, mha, mhd, mnc), DICOM structure sets and segmentations (dcm), "
+    "dae, blend, x3d, x3dv, wrl, 3ds), surfaces of brains (gii, pial, white), label volumes "
+    "and scans (nii, hdr, img, mgz, nrrd, nhdr, mha, mhd, mnc), DICOM structure sets and "
+    "segmentations (dcm), "
     "molecules (pdb, ent, cif, mmcif, json), many of them packed, too (stl.gz, cif.gz), folders of "
     "them, 3D Slicer scenes (mrml, mrb) and fiducials (fcsv, mrk.json), scene files (sline)";
+inline constexpr const char* thresholdHelp =
+    "Makes a structure of a scan (CT, MR), again for each one more: of all that is at least VALUE, "
+    "or from LO to HI, in Hounsfield units where the scan has them. bone, skin and vessels have "
+    "values of their own";
 inline constexpr const char* frameHelp =
     "How the files' coordinates map to the patient: LPS or RAS overrides what the files say or "
     "their names suggest, `file` leaves coordinates as they are";
@@ -76,5 +81,15 @@ inline constexpr const char* assemblyHelp =
 inline constexpr const char* smoothHelp =
     "auto smooths surfaces that show the steps of a label map and refines coarse ones, off leaves "
     "all as they are, a number smooths all that many times";
+
+/// What reading a scan needs to be told.
+inline void addThreshold(CLI::App& command, InputFlags& input) {
+  command.add_option("--threshold", input.thresholds, thresholdHelp)
+      ->type_name("NAME[=VALUE|=LO..HI]")
+      ->take_all()
+      ->type_size(1)
+      ->expected(1)
+      ->allow_extra_args(false);
+}
 
 }  // namespace sline::cli

@@ -89,6 +89,7 @@ void declareCurvature(CLI::App& command, CurvatureFlags& flags) {
       ->type_name("auto|off|N")
       ->default_str("off");
   command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
+  addThreshold(command, flags.input);
   command.footer(
       "One row per vertex, in the file's order where nothing had to be repaired: position (mm),\n"
       "unit normal, principal curvatures k1 and k2 (1/mm, positive where convex, |k1| ≥ |k2|),\n"

@@ -6,6 +6,7 @@
 #include "app/cli/targets.h"
 #include "app/cli/thumbnail.h"
 #include "model/files/scene_file.h"
+#include "model/import/kept_scans.h"
 #include "model/import/plan.h"
 
 namespace sline::cli {
@@ -59,6 +60,8 @@ Exit runImport(const ImportFlags& flags) {
   Result<model::Imported> imported = readInputs(flags.input, *options, progress);
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
+  for (const model::Scan& scan : imported->scene.scans())
+    tell("kept with the scene: " + scan.file + ": " + model::scanText(scan));
   progress.show(0.9, "drawing the thumbnail");
   model::SceneDocument document{.scene = std::move(imported->scene),
                                 .others = std::move(imported->others)};
@@ -87,6 +90,9 @@ void declareImport(CLI::App& command, ImportFlags& flags) {
       ->type_name("auto|off|N")
       ->default_str("auto");
   command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
+  addThreshold(command, flags.input);
+  command.add_flag("--keep-volume", flags.input.keepScans,
+                   "Keeps scans with the scene, for slices: about as large as their packed files");
   command
       .add_option("--unit", flags.input.unit,
                   "How long the files' unit is; overrides what they say or their size suggests")
@@ -110,7 +116,8 @@ void declareImport(CLI::App& command, ImportFlags& flags) {
       "  sline import pelvis/ -o small.sline --decimate-mm 0.05\n"
       "  sline import pelvis.sline tumour.stl -o together.sline\n"
       "  sline import 2src.pdb -o kinase.sline\n"
-      "  sline import 4hhb.cif.gz --assembly 1 -o haemoglobin.sline");
+      "  sline import 4hhb.cif.gz --assembly 1 -o haemoglobin.sline\n"
+      "  sline import ct.nii.gz -o ct.sline --threshold skin --threshold bone=250");
 }
 
 }  // namespace

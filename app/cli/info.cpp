@@ -40,6 +40,7 @@ Exit runInfo(const InfoFlags& flags) {
   if (!options.ok())
     return complain(options.error(), Exit::wrongUse);
   options->smoothing.mode = model::Smoothing::Mode::off;
+  options->keepScans = true;
   Progress progress;
   const Result<model::Imported> imported = readInputs(flags.input, *options, progress);
   if (!imported.ok())
@@ -60,7 +61,11 @@ void declareInfo(CLI::App& command, InfoFlags& flags) {
   command.add_flag("--json", flags.json, "For programs: one JSON object on standard output");
   command.add_option("--assembly", flags.input.assembly, assemblyHelp)->type_name("ID");
   command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
-  command.footer("Counts are of the surfaces as repaired on reading, without smoothing.");
+  addThreshold(command, flags.input);
+  command.footer(
+      "Counts are of the surfaces as repaired on reading, without smoothing. Scans are listed "
+      "with\n"
+      "their voxels and intensities; --threshold makes structures of them.");
 }
 
 }  // namespace

@@ -262,6 +262,7 @@ void declareLines(CLI::App& command, LinesFlags& flags) {
       ->type_name("auto|off|N")
       ->default_str("off");
   command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
+  addThreshold(command, flags.input);
   command.footer(
       "Writes {\"kinds\":{\"contour\":{\"segments\":[{\"a\":[x,y,z],\"b\":[x,y,z],\"opacity\":1,\n"
       "\"visible\":true}, …],\"thresholds\":{…}}, …}}. `visible` tells whether the middle of the\n"

@@ -46,6 +46,7 @@ void declareRender(CLI::App& command, RenderFlags& flags) {
       ->type_name("auto|off|N")
       ->default_str("auto");
   command.add_option("--frame", flags.input.frame, frameHelp)->type_name("LPS|RAS|file");
+  addThreshold(command, flags.input);
   command.footer(
       "NAME is a structure's or a group's name (`sline info` lists them); case and the difference\n"
       "between space, '_' and '-' do not matter. A group's value holds for all in it; the\n"

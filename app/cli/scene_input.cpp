@@ -47,6 +47,13 @@ Result<model::ImportOptions> importOptions(const InputFlags& flags) {
       return smoothing.error();
     options.smoothing = *smoothing;
   }
+  for (const std::string& text : flags.thresholds) {
+    const auto threshold = parseThreshold(text);
+    if (!threshold.ok())
+      return threshold.error();
+    options.thresholds.push_back(*threshold);
+  }
+  options.keepScans = flags.keepScans;
   options.decimateMm = float(flags.decimateMm);
   return options;
 }

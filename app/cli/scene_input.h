@@ -21,6 +21,8 @@ struct InputFlags {
   double decimateMm = 0;  ///< 0: not at all
   std::string overlay;
   std::string assembly;
+  std::vector<std::string> thresholds;
+  bool keepScans = false;
   bool verbose = false;  ///< tell of each surface that was repaired
 };
 

@@ -5,9 +5,11 @@
 #include <array>
 #include <iomanip>
 #include <iostream>
+#include <utility>
 
 #include "app/cli/names.h"
 #include "model/geometry/topology.h"
+#include "model/import/kept_scans.h"
 #include "model/scene/markup.h"
 
 namespace sline::cli {
@@ -38,8 +40,29 @@ SceneSummary summaryOf(const model::Scene& scene) {
         info.places.push_back(*place);
     summary.annotations.push_back(std::move(info));
   }
+  summary.scans = scene.scans();
   return summary;
 }
+
+namespace {
+std::pair<double, double> intensitiesOf(const model::Scan& scan) {
+  const auto [low, high] = std::minmax_element(scan.voxels->begin(), scan.voxels->end());
+  const double a = scan.intensity(*low);
+  const double b = scan.intensity(*high);
+  return {std::min(a, b), std::max(a, b)};
+}
+
+Json scanJson(const model::Scan& scan) {
+  const glm::dvec3 side = scan.spacing();
+  const auto [least, greatest] = intensitiesOf(scan);
+  return {{"name", scan.name},
+          {"file", scan.file},
+          {"size", {scan.size.x, scan.size.y, scan.size.z}},
+          {"spacing_mm", {side.x, side.y, side.z}},
+          {"intensities", {least, greatest}},
+          {"hounsfield", scan.hounsfield}};
+}
+}  // namespace
 
 Json summaryJson(const SceneSummary& summary, const std::string& frame) {
   Json root;
@@ -71,10 +94,24 @@ Json summaryJson(const SceneSummary& summary, const std::string& frame) {
                                    {"places_mm", std::move(places)},
                                    {"visible", annotation.visible}});
   }
+  root["scans"] = Json::array();
+  for (const model::Scan& scan : summary.scans)
+    root["scans"].push_back(scanJson(scan));
   return root;
 }
 
 namespace {
+/// "scan" and what of it, a line each.
+void printScans(const SceneSummary& summary) {
+  for (const model::Scan& scan : summary.scans) {
+    const auto [least, greatest] = intensitiesOf(scan);
+    std::cout << std::defaultfloat << std::setprecision(6) << "scan "
+              << onOneLine(scan.file.empty() ? scan.name : scan.file) << ": "
+              << model::scanText(scan) << "; intensities " << least << " to " << greatest
+              << (scan.hounsfield ? " HU" : "") << '\n';
+  }
+}
+
 void printViewsAndAnnotations(const SceneSummary& summary) {
   if (!summary.views.empty())
     std::cout << "saved views:";
@@ -110,6 +147,7 @@ void printSummary(const SceneSummary& summary, const std::string& frame) {
             << summary.vertices << " vertices, " << std::fixed << std::setprecision(1) << size.x
             << " × " << size.y << " × " << size.z << " mm; frame " << frame << '\n';
   printViewsAndAnnotations(summary);
+  printScans(summary);
 }
 
 }  // namespace sline::cli

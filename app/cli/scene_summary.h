@@ -32,14 +32,16 @@ struct SceneSummary {
   std::vector<StructureInfo> structures;
   std::vector<model::View> views;
   std::vector<AnnotationInfo> annotations;
+  std::vector<model::Scan> scans;
 };
 
 SceneSummary summaryOf(const model::Scene& scene);
 
-/// "triangles", "vertices", "bounds_mm", "frame", "structures", "views", "annotations".
+/// "triangles", "vertices", "bounds_mm", "frame", "structures", "views", "annotations",
+/// "scans".
 Json summaryJson(const SceneSummary& summary, const std::string& frame);
-/// One line per structure and one for all, then saved views and annotations; `frame` as it shall be
-/// read there.
+/// One line per structure and one for all, then saved views, annotations and scans; `frame` as it
+/// shall be read there.
 void printSummary(const SceneSummary& summary, const std::string& frame);
 
 }  // namespace sline::cli

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+
+#include "model/import/volumes/threshold_presets.h"
 
 namespace sline::cli {
 
@@ -201,6 +204,33 @@ Result<model::Smoothing> parseSmoothing(std::string_view text) {
     return Error{.reason = "smoothing " + std::string(text) + " is out of range",
                  .remedy = "Give " + std::string(right)};
   return model::Smoothing{Mode::steps, *steps};
+}
+
+Result<model::Threshold> parseThreshold(std::string_view text) {
+  const std::string right = "NAME=VALUE, NAME=LO..HI, or " + model::presetList();
+  const auto named = splitNamed(text);
+  if (!named) {
+    if (!model::presetNamed(text))
+      return wrong("threshold", text, right);
+    return model::Threshold{std::string(model::presetNamed(text)->name), {}, {}};
+  }
+  model::Threshold threshold{named->name, {}, {}};
+  const std::string_view value = named->value;
+  const std::size_t dots = value.find("..");
+  const auto bound = [](std::string_view word, std::optional<double>& to) {
+    to = number<double>(word);
+    return word.empty() || (to && std::isfinite(*to));
+  };
+  const bool fine = dots == std::string_view::npos
+                        ? bound(value, threshold.low)
+                        : bound(value.substr(0, dots), threshold.low) &&
+                              bound(value.substr(dots + 2), threshold.high);
+  if (named->name.empty() || !fine || (!threshold.low && !threshold.high))
+    return wrong("threshold", text, right);
+  if (threshold.low && threshold.high && *threshold.low > *threshold.high)
+    return Error{.reason = "the threshold " + std::string(text) + " begins above its end",
+                 .remedy = "Give the lower number first"};
+  return threshold;
 }
 
 Result<model::Fill> parseFill(std::string_view text) {

@@ -43,6 +43,8 @@ Result<model::Frame> parseFrame(std::string_view text);
 Result<float> parseUnit(std::string_view text);
 /// "auto", "off" or a number of steps from 1 to 1000.
 Result<model::Smoothing> parseSmoothing(std::string_view text);
+/// "NAME=VALUE", "NAME=LO..HI" (either may be left out) or the name of a preset.
+Result<model::Threshold> parseThreshold(std::string_view text);
 Result<model::Fill> parseFill(std::string_view text);
 Result<render::Background> parseBackground(std::string_view text);
 /// "strokes" or "as-printed".

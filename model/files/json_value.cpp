@@ -142,6 +142,14 @@ float JsonValue::number() const {
   return value;
 }
 
+double JsonValue::real() const {
+  if (!m_json->is_number() || !std::isfinite(m_json->get<double>())) {
+    fail("a number is expected here");
+    return 0.0;
+  }
+  return m_json->get<double>();
+}
+
 std::int64_t JsonValue::whole(std::int64_t low, std::int64_t high) const {
   const bool fits =
       m_json->is_number_integer() &&

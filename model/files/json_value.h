@@ -59,6 +59,8 @@ class JsonValue {
   std::string text() const;
   /// Finite, and exactly the float that was written (see jsonNumber).
   float number() const;
+  /// Finite.
+  double real() const;
   std::int64_t whole(std::int64_t low, std::int64_t high) const;
   bool flag() const;
   glm::vec3 point() const;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "model/files/mesh_codec.h"
+#include "model/files/scan_codec.h"
 #include "model/files/scene_json.h"
 #include "model/files/scene_migration.h"
 #include "model/files/whole_file.h"
@@ -54,10 +55,28 @@ Result<MeshesByName> meshesOf(const ZipReader& zip, const Json& root) {
   return meshes;
 }
 
-/// The thumbnail and what is neither scene nor mesh.
-Status takeRest(const ZipReader& zip, const MeshesByName& meshes, SceneDocument& document) {
+Result<VoxelsByName> voxelsOf(const ZipReader& zip, const Json& root) {
+  VoxelsByName voxels;
+  for (const std::string& name : voxelsCalledFor(root)) {
+    const ZipReader::Entry* entry = zip.find(name);
+    if (!entry || voxels.contains(name))
+      continue;
+    const Result<std::string> bytes = zip.read(*entry);
+    if (!bytes.ok())
+      return bytes.error();
+    Result<std::vector<std::int16_t>> decoded = decodedVoxels(*bytes);
+    if (!decoded.ok())
+      return placed(decoded.error(), name);
+    voxels[name] = std::make_shared<const std::vector<std::int16_t>>(std::move(*decoded));
+  }
+  return voxels;
+}
+
+/// The thumbnail and what is neither scene nor called for by it.
+Status takeRest(const ZipReader& zip, const std::set<std::string, std::less<>>& known,
+                SceneDocument& document) {
   for (const ZipReader::Entry& entry : zip.entries()) {
-    if (entry.name == sceneMember || meshes.contains(entry.name))
+    if (entry.name == sceneMember || known.contains(entry.name))
       continue;
     Result<std::string> bytes = zip.read(entry);
     if (!bytes.ok())
@@ -82,11 +101,19 @@ Result<SceneDocument> documentFrom(const ZipReader& zip) {
   const Result<MeshesByName> meshes = meshesOf(zip, *root);
   if (!meshes.ok())
     return meshes.error();
-  Result<Scene> scene = sceneFromJson(*root, *meshes);
+  const Result<VoxelsByName> voxels = voxelsOf(zip, *root);
+  if (!voxels.ok())
+    return voxels.error();
+  Result<Scene> scene = sceneFromJson(*root, *meshes, *voxels);
   if (!scene.ok())
     return placed(scene.error(), sceneMember);
   SceneDocument document{.scene = std::move(*scene), .schema = *schema};
-  if (const Status taken = takeRest(zip, *meshes, document); !taken.ok())
+  std::set<std::string, std::less<>> known;
+  for (const auto& [name, mesh] : *meshes)
+    known.insert(name);
+  for (const auto& [name, numbers] : *voxels)
+    known.insert(name);
+  if (const Status taken = takeRest(zip, known, document); !taken.ok())
     return taken.error();
   return document;
 }
@@ -164,6 +191,8 @@ Result<std::string> sceneFileBytes(const SceneDocument& document) {
     members.push_back({name->second, encodedMesh(*node.mesh)});
     names.erase(name);  // written once, however many have it
   }
+  for (std::size_t n = 0; n < document.scene.scans().size(); ++n)
+    members.push_back({voxelsName(n), encodedVoxels(*document.scene.scans()[n].voxels)});
   std::vector<const ZipMember*> all;
   std::set<std::string_view> taken;
   const auto add = [&](const ZipMember& member) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The scene as scene.json of a scene file (resources/help/scene_file.md) and back: all of it but
-// the meshes, which it names.
+// the meshes and the scans' voxels, which it names.
 #pragma once
 
 #include <map>
@@ -9,6 +9,7 @@
 
 #include "model/base/result.h"
 #include "model/files/json_value.h"
+#include "model/files/scan_json.h"
 #include "model/scene/scene.h"
 
 namespace sline::model {
@@ -35,6 +36,7 @@ std::vector<std::string> meshesCalledFor(const Json& root);
 /// The scene; keys without a meaning here are kept in it. What a newer schema has put in place of a
 /// known value (a fill that is unknown) is kept unread as well; in a file of this schema it is an
 /// error. An error's `where` is the place: "nodes[3].style.gamma".
-Result<Scene> sceneFromJson(const Json& root, const MeshesByName& meshes);
+Result<Scene> sceneFromJson(const Json& root, const MeshesByName& meshes,
+                            const VoxelsByName& voxels = {});
 
 }  // namespace sline::model

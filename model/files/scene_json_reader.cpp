@@ -21,7 +21,8 @@ constexpr std::int64_t largestId = std::int64_t(1) << 53;
 
 class SceneReader {
  public:
-  SceneReader(const MeshesByName& meshes, bool newer) : m_meshes(meshes), m_newer(newer) {}
+  SceneReader(const MeshesByName& meshes, const VoxelsByName& voxels, bool newer)
+      : m_meshes(meshes), m_voxels(voxels), m_newer(newer) {}
 
   Scene scene(const JsonValue& root);
 
@@ -41,6 +42,7 @@ class SceneReader {
   View view(const JsonValue& value) const;
 
   const MeshesByName& m_meshes;
+  const VoxelsByName& m_voxels;
   bool m_newer;
 };
 
@@ -107,6 +109,20 @@ std::array<float, count> numbersOf(const JsonValue& list) {
   return numbers;
 }
 
+std::optional<IntensityRange> rangeFrom(JsonObject& object) {
+  const auto value = object.take("intensities");
+  if (!value)
+    return std::nullopt;
+  IntensityRange range;
+  JsonObject inner(*value);
+  if (const auto low = inner.take("low"))
+    range.low = low->number();
+  if (const auto high = inner.take("high"))
+    range.high = high->number();
+  object.giveBack("intensities", inner.rest());
+  return range;
+}
+
 Provenance provenanceFrom(JsonObject& object) {
   Provenance p;
   const auto text = [&object](std::string_view key, std::string& target) {
@@ -134,6 +150,7 @@ Provenance provenanceFrom(JsonObject& object) {
   count("decimated_from", p.decimatedFrom);
   number("decimation_mm", p.decimationMm);
   text("part", p.part);
+  p.intensities = rangeFrom(object);
   if (const auto print = object.take("fingerprint")) {
     JsonObject inner(*print);
     p.fingerprint = Fingerprint{std::uint64_t(inner.need("bytes").whole(0, largestId)),
@@ -417,6 +434,9 @@ Scene SceneReader::scene(const JsonValue& root) {
       list->fail("there are more than " + std::to_string(mostViews) + " views");
     list->forEach([&](const JsonValue& value) { views.push_back(view(value)); });
   }
+  std::vector<Scan> scans;
+  if (const auto list = object.take("scans"))
+    scans = scansFrom(*list, m_voxels);
   Scene scene;
   if (root.fault().any())
     return scene;
@@ -424,6 +444,7 @@ Scene SceneReader::scene(const JsonValue& root) {
   scene.setSections(std::move(cuts));
   scene.setAnnotations(std::move(notes));
   scene.setKeyLight(std::move(light));
+  scene.setScans(std::move(scans));
   scene.setViews(std::move(views));
   scene.setUnread(object.unread());
   return scene;
@@ -463,12 +484,13 @@ std::vector<std::string> meshesCalledFor(const Json& root) {
   return {names.begin(), names.end()};
 }
 
-Result<Scene> sceneFromJson(const Json& root, const MeshesByName& meshes) {
+Result<Scene> sceneFromJson(const Json& root, const MeshesByName& meshes,
+                            const VoxelsByName& voxels) {
   const Result<int> schema = schemaOf(root);
   if (!schema.ok())
     return schema.error();
   JsonFault fault;
-  Scene scene = SceneReader(meshes, *schema > sceneSchema).scene(JsonValue(root, fault));
+  Scene scene = SceneReader(meshes, voxels, *schema > sceneSchema).scene(JsonValue(root, fault));
   if (fault.any())
     return errorOf(fault);
   return scene;

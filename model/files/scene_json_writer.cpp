@@ -105,6 +105,13 @@ Ordered provenanceOf(const Provenance& p) {
     json["part"] = p.part;
   if (p.fingerprint)
     json["fingerprint"] = {{"bytes", p.fingerprint->bytes}, {"crc32", p.fingerprint->crc}};
+  if (p.intensities) {
+    json["intensities"] = Ordered::object();
+    if (p.intensities->low)
+      json["intensities"]["low"] = jsonNumber(*p.intensities->low);
+    if (p.intensities->high)
+      json["intensities"]["high"] = jsonNumber(*p.intensities->high);
+  }
   if (p.transform) {
     json["transform"] = Ordered::array();
     for (const float number : *p.transform)
@@ -237,6 +244,13 @@ std::string sceneJson(const Scene& scene) {
     root["views"].push_back(viewOf(view));
   if (scene.keyLight())
     root["key_light"] = keyLightOf(*scene.keyLight());
+  if (!scene.scans().empty())
+    root["scans"] = Ordered::array();
+  for (std::size_t n = 0; n < scene.scans().size(); ++n) {
+    Ordered json = scanJson(scene.scans()[n], voxelsName(n));
+    addUnread(json, scene.scans()[n].unread);
+    root["scans"].push_back(std::move(json));
+  }
   addUnread(root, scene.unread());
   return root.dump(1, ' ', false, Ordered::error_handler_t::replace) + "\n";
 }

@@ -5,12 +5,14 @@
 #include <malloc.h>
 #endif
 
+#include <algorithm>
 #include <utility>
 
 #include "model/files/scene_file.h"
 #include "model/import/anatomy_names.h"
 #include "model/import/folder_tree.h"
 #include "model/import/frame_and_unit.h"
+#include "model/import/kept_scans.h"
 #include "model/import/overlay.h"
 #include "model/import/parts.h"
 #include "model/import/repair_notes.h"
@@ -39,15 +41,24 @@ Result<Imported> importMeshes(std::span<const std::filesystem::path> inputs,
   report.warnings = sources.warnings;
   ProgressMeter meter(progress, expectedWork(sources, options));
 
-  std::vector<Part> parts = loadParts(sources, options, meter, report.warnings);
+  Loaded loaded = loadParts(sources, options, meter);
+  std::vector<Part> parts = std::move(loaded.parts);
+  const auto take = [](auto& to, auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+  take(report.warnings, loaded.warnings);
   if (meter.cancelled())
     return cancelled;
-  if (parts.empty() && !haveFiducials(sources))
+  const auto made = [](const Part& part) { return part.raw.threshold.has_value(); };
+  if (!options.thresholds.empty() && std::none_of(parts.begin(), parts.end(), made))
+    report.warnings.push_back({"", "no threshold made a structure: no scan was read that has it"});
+  const bool more = haveFiducials(sources) || !loaded.scans.empty();
+  if (parts.empty() && !more)
     return nothingRead(sources, report.warnings);
   report.notes = overlayMolecules(parts, options.overlay);
+  take(report.notes, loaded.notes);
   report.repairs = repairNotes(parts, sources);
   decideFrames(parts, sources, options, report);
   decideUnits(parts, sources, options, report);
+  std::vector<Scan> scans = keptScans(loaded.scans, parts, options, report);
   smoothParts(parts, sources, options.smoothing, meter);
   if (meter.cancelled())
     return cancelled;
@@ -56,10 +67,11 @@ Result<Imported> importMeshes(std::span<const std::filesystem::path> inputs,
     decimateParts(parts, options.decimateMm, meter);
   if (meter.cancelled())
     return cancelled;
-  if (parts.empty() && !haveFiducials(sources))
+  if (parts.empty() && !more)
     return nothingRead(sources, report.warnings);
   imported.scene =
       withViewsAndAnnotations(buildScene(std::move(parts), sources, table), sources, options.frame);
+  imported.scene.setScans(std::move(scans));
   // Hundreds of files' intermediate copies are free now; the system may have them back.
 #if defined(__GLIBC__)
   malloc_trim(0);

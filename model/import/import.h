@@ -31,6 +31,8 @@ struct ImportOptions {
   Overlay overlay = Overlay::automatic;
   std::string assembly;  ///< of molecules, as ReadOptions::assembly
   ReadLimits limits;
+  std::vector<Threshold> thresholds = {};  ///< structures that are made of scans
+  bool keepScans = false;                  ///< scans become part of the scene (Scene::scans)
 };
 
 /// Called from any thread with done in [0, 1]; return false to cancel.

@@ -17,6 +17,7 @@
 #include "model/import/laterality.h"
 #include "model/import/names.h"
 #include "model/import/volumes/volume_set.h"
+#include "model/import/volumes/volume_surfaces.h"
 #include "model/meshing/repair.h"
 #include "model/meshing/simplification.h"
 
@@ -25,12 +26,6 @@ namespace sline::model {
 namespace {
 
 constexpr std::size_t atATime = 3;
-
-/// What one file gave.
-struct Loaded {
-  std::vector<Part> parts;
-  std::vector<ImportWarning> warnings;
-};
 
 std::string counted(int count, const char* one, const char* many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
@@ -172,6 +167,98 @@ glm::vec3 placed(const glm::vec3& p, const Provenance& as, const RawMesh& raw,
   return {float(-world.x), float(-world.y), float(world.z)};
 }
 
+ReadOptions readOptions(const ImportOptions& options, ProgressMeter& meter,
+                        const std::string& shown) {
+  return {.limits = options.limits,
+          .smoothing = options.smoothing,
+          .assembly = options.assembly,
+          .goesOn = [&meter, shown] { return meter.goesOn(shown); },
+          .thresholds = options.thresholds,
+          .keepScans = options.keepScans};
+}
+
+IntensityRange rangeOf(const Threshold& threshold) {
+  IntensityRange range;
+  if (threshold.low)
+    range.low = float(*threshold.low);
+  if (threshold.high)
+    range.high = float(*threshold.high);
+  return range;
+}
+
+struct Loading {
+  const ImportOptions& options;
+  ProgressMeter& meter;
+};
+
+/// What a part is called.
+std::string partName(const RawMesh& raw, const SourceFile& source, const Sources& sources,
+                     bool only) {
+  std::string name = raw.molecule ? raw.name : nameInFile(raw.name);
+  if (name.empty())
+    name = readableName(stemOf(source.file));
+  if (!source.model)
+    return name;
+  const SlicerModel& model = sources.sources[source.source].scene->models[*source.model];
+  return model.segments ? name : only ? model.name : model.name + " " + name;
+}
+
+/// Mends and measures; false where no face with area is left.
+bool prepare(Part& part, const std::string& shown, const ImportOptions& options,
+             std::vector<ImportWarning>& warnings) {
+  if (options.repair)
+    mend(part, shown, warnings);
+  if (part.raw.triangles.empty()) {
+    warnings.push_back({shown, "\"" + part.name + "\" has no face with area; left out"});
+    return false;
+  }
+  part.raw.positions.shrink_to_fit();
+  part.raw.triangles.shrink_to_fit();
+  if (options.smoothing.mode == Smoothing::Mode::automatic && !part.raw.smooth)
+    part.measure = measureSurface(part.raw.positions, part.raw.triangles);
+  return true;
+}
+
+/// What was read of a file as parts.
+Loaded loadedFrom(const Sources& sources, std::size_t index, Result<RawMeshes>&& read,
+                  const Loading& loading) {
+  Loaded loaded;
+  const SourceFile& source = sources.files[index];
+  const std::string shown = source.file.filename().string();
+  if (!read) {
+    Error error = read.error();
+    error.file.clear();
+    loaded.warnings.push_back({shown, error.text()});
+    return loaded;
+  }
+  loaded.warnings = std::move(read->warnings);
+  loaded.notes = std::move(read->notes);
+  for (RawScan& scan : read->scans)
+    loaded.scans.push_back({index, std::move(scan)});
+  std::vector<RawMesh>& meshes = read->meshes;
+  std::map<std::string, FileFacts> facts = factsOf(source, meshes);
+  const std::vector<std::string> names = partNames(meshes);
+  for (std::size_t i = 0; i < meshes.size() && loading.meter.goesOn(shown); ++i) {
+    Part part;
+    part.file = index;
+    part.surface = names[i];
+    part.name = partName(meshes[i], source, sources, meshes.size() == 1);
+    part.raw = std::move(meshes[i]);
+    const std::string& file = part.raw.file.empty() ? shown : part.raw.file;
+    part.provenance.file = part.raw.origin.empty() ? file : part.raw.origin;
+    // Without its file's name there is nothing to read again by.
+    if (part.raw.origin.empty())
+      part.provenance.fingerprint = facts[file].fingerprint;
+    if (facts[file].surfaces > 1 || part.raw.threshold)
+      part.provenance.part = names[i];
+    if (const auto& threshold = part.raw.threshold)
+      part.provenance.intensities = rangeOf(*threshold);
+    if (prepare(part, shown, loading.options, loaded.warnings))
+      loaded.parts.push_back(std::move(part));
+  }
+  return loaded;
+}
+
 }  // namespace
 
 void ProgressMeter::add(double amount, const std::string& what) {
@@ -190,69 +277,23 @@ void forFewAtATime(const std::vector<std::size_t>& order, const ProgressMeter& m
   });
 }
 
-std::vector<Part> loadFile(const Sources& sources, std::size_t index, const ImportOptions& options,
-                           ProgressMeter& meter, std::vector<ImportWarning>& warnings) {
-  std::vector<Part> parts;
+Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& options,
+                ProgressMeter& meter) {
   const SourceFile& source = sources.files[index];
-  const std::string shown = source.file.filename().string();
-  const ReadOptions how{.limits = options.limits,
-                        .smoothing = options.smoothing,
-                        .assembly = options.assembly,
-                        .goesOn = [&] { return meter.goesOn(shown); }};
+  const ReadOptions how = readOptions(options, meter, source.file.filename().string());
   Result<RawMeshes> read =
       source.together.empty() ? readSurfaces(source.file, how) : readTogether(source, how);
-  if (!read) {
-    Error error = read.error();
-    error.file.clear();
-    warnings.push_back({shown, error.text()});
-    return parts;
-  }
-  std::move(read->warnings.begin(), read->warnings.end(), std::back_inserter(warnings));
-  std::vector<RawMesh>& meshes = read->meshes;
-  std::map<std::string, FileFacts> facts = factsOf(source, meshes);
-  const std::vector<std::string> names = partNames(meshes);
-  for (std::size_t i = 0; i < meshes.size(); ++i) {
-    RawMesh& raw = meshes[i];
-    if (!meter.goesOn(shown))
-      break;
-    Part part;
-    part.file = index;
-    part.surface = names[i];
-    part.name = raw.molecule ? raw.name : nameInFile(raw.name);
-    if (part.name.empty())
-      part.name = readableName(stemOf(source.file));
-    if (source.model) {
-      const SlicerModel& model = sources.sources[source.source].scene->models[*source.model];
-      if (!model.segments)
-        part.name = meshes.size() == 1 ? model.name : model.name + " " + part.name;
-    }
-    part.raw = std::move(raw);
-    const std::string& file = part.raw.file.empty() ? shown : part.raw.file;
-    part.provenance.file = part.raw.origin.empty() ? file : part.raw.origin;
-    // Without its file's name there is nothing to read again by.
-    if (part.raw.origin.empty())
-      part.provenance.fingerprint = facts[file].fingerprint;
-    if (facts[file].surfaces > 1)
-      part.provenance.part = names[i];
-    if (options.repair)
-      mend(part, shown, warnings);
-    if (!meter.goesOn(shown))
-      break;
-    if (part.raw.triangles.empty()) {
-      warnings.push_back({shown, "\"" + part.name + "\" has no face with area; left out"});
-      continue;
-    }
-    part.raw.positions.shrink_to_fit();
-    part.raw.triangles.shrink_to_fit();
-    if (options.smoothing.mode == Smoothing::Mode::automatic && !part.raw.smooth)
-      part.measure = measureSurface(part.raw.positions, part.raw.triangles);
-    parts.push_back(std::move(part));
-  }
-  return parts;
+  return loadedFrom(sources, index, std::move(read), {options, meter});
 }
 
-std::vector<Part> loadParts(const Sources& sources, const ImportOptions& options,
-                            ProgressMeter& meter, std::vector<ImportWarning>& warnings) {
+Loaded loadScan(const Sources& sources, const ReadScan& scan, const ImportOptions& options,
+                ProgressMeter& meter) {
+  ReadOptions how = readOptions(options, meter, scan.raw.file);
+  how.keepScans = false;
+  return loadedFrom(sources, scan.file, scanSurfaces(scan.raw, how), {options, meter});
+}
+
+Loaded loadParts(const Sources& sources, const ImportOptions& options, ProgressMeter& meter) {
   std::vector<std::size_t> order(sources.files.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   // Large files first, so that none is left to the end while a core waits.
@@ -261,18 +302,27 @@ std::vector<Part> loadParts(const Sources& sources, const ImportOptions& options
   });
   std::vector<Loaded> loaded(sources.files.size());
   forFewAtATime(order, meter, [&](std::size_t i) {
-    loaded[i].parts = loadFile(sources, i, options, meter, loaded[i].warnings);
+    loaded[i] = loadFile(sources, i, options, meter);
     meter.add(double(sources.files[i].bytes) + 1.0, sources.files[i].file.filename().string());
   });
-  std::vector<Part> parts;
+  Loaded all;
+  const auto take = [](auto& to, auto& from) {
+    std::move(from.begin(), from.end(), std::back_inserter(to));
+  };
   for (Loaded& one : loaded) {
-    std::move(one.parts.begin(), one.parts.end(), std::back_inserter(parts));
-    std::move(one.warnings.begin(), one.warnings.end(), std::back_inserter(warnings));
+    take(all.parts, one.parts);
+    take(all.scans, one.scans);
+    take(all.warnings, one.warnings);
+    take(all.notes, one.notes);
   }
-  leaveOutTwins(parts, sources, warnings);
+  leaveOutTwins(all.parts, sources, all.warnings);
+  numberParts(all.parts);
+  return all;
+}
+
+void numberParts(std::vector<Part>& parts) {
   for (std::size_t i = 0; i < parts.size(); ++i)
     parts[i].number = i;
-  return parts;
 }
 
 void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothing& smoothing,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -41,6 +42,20 @@ struct Part {
   PartChoice choice;
 };
 
+/// A scan that a file holds.
+struct ReadScan {
+  std::size_t file = 0;  ///< in Sources::files
+  RawScan raw;
+};
+
+/// What files gave.
+struct Loaded {
+  std::vector<Part> parts;
+  std::vector<ReadScan> scans;  ///< where options keep them
+  std::vector<ImportWarning> warnings;
+  std::vector<std::string> notes;
+};
+
 /// What smoothing or decimating a triangle takes, where reading a byte takes 1.
 inline constexpr double workPerTriangle = 6.0;
 
@@ -71,12 +86,19 @@ void forFewAtATime(const std::vector<std::size_t>& order, const ProgressMeter& m
                    const std::function<void(std::size_t)>& body);
 
 /// Reads and mends all files; parts come in the files' order. What fails becomes a warning.
-std::vector<Part> loadParts(const Sources& sources, const ImportOptions& options,
-                            ProgressMeter& meter, std::vector<ImportWarning>& warnings);
+Loaded loadParts(const Sources& sources, const ImportOptions& options, ProgressMeter& meter);
 
 /// Reads one file, or those that are read together with it; `number` is not set.
-std::vector<Part> loadFile(const Sources& sources, std::size_t file, const ImportOptions& options,
-                           ProgressMeter& meter, std::vector<ImportWarning>& warnings);
+Loaded loadFile(const Sources& sources, std::size_t file, const ImportOptions& options,
+                ProgressMeter& meter);
+
+/// The structures that the thresholds of the options make of a scan that was read before, as
+/// loadFile would.
+Loaded loadScan(const Sources& sources, const ReadScan& scan, const ImportOptions& options,
+                ProgressMeter& meter);
+
+/// As Part::number, by their order.
+void numberParts(std::vector<Part>& parts);
 
 /// Smooths and refines each part by the grid it shares with the parts of its source, as `smoothing`
 /// asks or its own choice.

@@ -10,6 +10,7 @@
 #include "model/import/anatomy_names.h"
 #include "model/import/folder_tree.h"
 #include "model/import/frame_and_unit.h"
+#include "model/import/kept_scans.h"
 #include "model/import/overlay.h"
 #include "model/import/read_inputs.h"
 #include "model/import/repair_notes.h"
@@ -50,6 +51,7 @@ ImportReport decide(std::vector<Part>& parts, const ReadInputs& read,
   report.warnings = read.sources.warnings;
   report.warnings.insert(report.warnings.end(), read.warnings.begin(), read.warnings.end());
   report.notes = overlayMolecules(parts, options.overlay);
+  report.notes.insert(report.notes.end(), read.notes.begin(), read.notes.end());
   report.repairs = repairNotes(parts, read.sources);
   decideFrames(parts, read.sources, options, report);
   decideUnits(parts, read.sources, options, report);
@@ -76,11 +78,15 @@ Result<ImportPlan> planned(std::shared_ptr<const ReadInputs> read, const ImportO
   std::vector<Part> parts = partsOf(*read, chosen);
   Imported imported{.report = decide(parts, *read, options)};
   placeParts(parts, read->sources, imported.report.warnings);
-  if (parts.empty() && !haveFiducials(read->sources) && !read->scenes)
+  if (parts.empty() && !haveFiducials(read->sources) && !read->scenes && read->scans.empty())
     return nothingRead(read->sources, imported.report.warnings);
   BuiltScene built = buildScene(std::move(parts), read->sources, AnatomyTable());
   const auto numbers = std::move(built.numbers);
   imported.scene = withViewsAndAnnotations(std::move(built), read->sources, options.frame);
+  if (options.thresholds.empty())
+    for (const ReadScan& scan : read->scans)
+      imported.report.notes.push_back(scan.raw.file + ": a scan, of which a threshold can make a " +
+                                      "structure: " + scanText(*scan.raw.volume));
   const NewIds ids = afterScenes(imported, *read, options);
   ImportPlan plan{.inputs = read->inputs,
                   .options = options,
@@ -229,6 +235,11 @@ Result<ImportPlan> replanned(const ImportPlan& plan, const ImportProgress& progr
     if (!again.ok())
       return again.error();
     read = std::make_shared<const ReadInputs>(std::move(*again));
+  } else if (read->options.thresholds != plan.options.thresholds) {
+    Result<ReadInputs> again = withThresholds(*read, plan.options.thresholds, progress);
+    if (!again.ok())
+      return again.error();
+    read = std::make_shared<const ReadInputs>(std::move(*again));
   }
   const ReadInputs& before = plan.read ? *plan.read : *read;
   const Renumbering renumbering(before, *read);
@@ -287,11 +298,15 @@ Status checkChoices(const ImportPlan& plan) {
   if (std::any_of(nodes.begin(), nodes.end(), isStructure) &&
       std::none_of(nodes.begin(), nodes.end(), wanted))
     return fault("all structures are left out", "Include at least one");
+  if (plan.read && !plan.read->scans.empty() && nodes.empty() && !plan.options.keepScans)
+    return fault("nothing is made of the scan yet",
+                 "Make a structure of it by a threshold, or keep it with the scene");
   return Unit{};
 }
 
 Result<Imported> carriedOut(const ImportPlan& plan, const ImportProgress& progress) {
-  if (!plan.read || !plan.read->holdsFor(plan.inputs, plan.options)) {
+  if (!plan.read || !plan.read->holdsFor(plan.inputs, plan.options) ||
+      plan.read->options.thresholds != plan.options.thresholds) {
     const Result<ImportPlan> again = replanned(plan, progress);
     if (!again.ok())
       return again.error();
@@ -309,6 +324,10 @@ Result<Imported> carriedOut(const ImportPlan& plan, const ImportProgress& progre
     return cancelled;
   Imported imported{.report = decide(parts, read, plan.options)};
   imported.report.warnings.insert(imported.report.warnings.end(), lost.begin(), lost.end());
+  std::vector<Scan> scans = plan.scene.scans();
+  if (plan.options.keepScans)
+    for (Scan& scan : keptScans(read.scans, parts, plan.options, imported.report))
+      scans.push_back(std::move(scan));
   smoothParts(parts, read.sources, plan.options.smoothing, meter);
   std::erase_if(parts, [](const Part& part) { return part.choice.skipped; });
   if (meter.cancelled())
@@ -319,6 +338,7 @@ Result<Imported> carriedOut(const ImportPlan& plan, const ImportProgress& progre
     return cancelled;
   afterScenes(imported, read, plan.options);
   imported.scene = furnished(plan, std::move(parts));
+  imported.scene.setScans(std::move(scans));
   return imported;
 }
 

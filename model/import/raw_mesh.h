@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,8 @@ namespace sline::model {
 /// How the x, y, z of a file map to the patient (LPS: left, posterior, superior; RAS: right,
 /// anterior, superior); `file` leaves coordinates alone.
 enum class Frame { lps, ras, file };
+
+struct GreyVolume;  // volumes/grey_volume.h
 
 struct RawMesh {
   std::string name;                 ///< the group's or node's name in the file; may be empty
@@ -44,6 +47,13 @@ struct RawMesh {
   std::optional<MoleculePart> molecule;  ///< cut from a molecule: named, grouped and coloured by
                                          ///< its reader, not by anatomy
   float displacement = 0.0f;  ///< the farthest that reader moved a vertex, in the file's unit
+  std::optional<Threshold> threshold;  ///< what made it of a scan, with the bounds it came to
+};
+
+/// A scan as it stands in its file.
+struct RawScan {
+  std::string file;  ///< as RawMesh::file
+  std::shared_ptr<const GreyVolume> volume;
 };
 
 /// Something left out or mended on the way in; the rest of the file was read.
@@ -56,6 +66,8 @@ struct ImportWarning {
 struct RawMeshes {
   std::vector<RawMesh> meshes;
   std::vector<ImportWarning> warnings;
+  std::vector<std::string> notes = {};  ///< what was done that is no loss
+  std::vector<RawScan> scans = {};      ///< where they are asked for
 };
 
 }  // namespace sline::model

@@ -2,6 +2,7 @@
 #include "model/import/read_inputs.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -22,14 +23,37 @@ Status readMeshes(ReadInputs& read, const std::vector<fs::path>& meshes,
                   const ImportProgress& progress) {
   read.sources = collectSources(meshes, read.options.limits);
   ProgressMeter meter(progress, bytesOf(read.sources));
-  read.parts = loadParts(read.sources, read.options, meter, read.warnings);
+  // What might be made of a scan is seen by looking at it.
+  ImportOptions options = read.options;
+  options.keepScans = true;
+  Loaded loaded = loadParts(read.sources, options, meter);
+  read.parts = std::move(loaded.parts);
+  read.scans = std::move(loaded.scans);
+  read.warnings = std::move(loaded.warnings);
+  read.notes = std::move(loaded.notes);
   if (meter.cancelled())
     return Error{.reason = "the import was cancelled"};
   std::vector<ImportWarning> all = read.sources.warnings;
   all.insert(all.end(), read.warnings.begin(), read.warnings.end());
-  if (read.parts.empty() && !haveFiducials(read.sources))
+  if (read.parts.empty() && read.scans.empty() && !haveFiducials(read.sources))
     return nothingRead(read.sources, all);
   return Unit{};
+}
+
+/// All parts of the file; those of scans come of what is in memory.
+std::vector<Part> readAgain(const ReadInputs& read, std::size_t file, const ImportOptions& options,
+                            ProgressMeter& meter) {
+  const bool scanned = std::any_of(read.scans.begin(), read.scans.end(),
+                                   [&](const ReadScan& scan) { return scan.file == file; });
+  const bool together = !read.sources.files[file].together.empty();
+  if (!scanned || together)
+    return loadFile(read.sources, file, options, meter).parts;
+  std::vector<Part> parts;
+  for (const ReadScan& scan : read.scans)
+    if (scan.file == file)
+      for (Part& part : loadScan(read.sources, scan, options, meter).parts)
+        parts.push_back(std::move(part));
+  return parts;
 }
 
 }  // namespace
@@ -67,6 +91,32 @@ Result<ReadInputs> readInputs(std::span<const fs::path> inputs, const ImportOpti
   return read;
 }
 
+Result<ReadInputs> withThresholds(const ReadInputs& read, const std::vector<Threshold>& thresholds,
+                                  const ImportProgress& progress) {
+  ReadInputs again = read;
+  again.options.thresholds = thresholds;
+  std::erase_if(again.parts, [](const Part& part) { return part.raw.threshold.has_value(); });
+  const auto ofScan = [&](const std::string& file) {
+    return std::any_of(read.scans.begin(), read.scans.end(),
+                       [&](const ReadScan& scan) { return scan.raw.file == file; });
+  };
+  std::erase_if(again.warnings, [&](const ImportWarning& w) { return ofScan(w.file); });
+  std::erase_if(again.notes,
+                [&](const std::string& note) { return ofScan(note.substr(0, note.find(": "))); });
+  ProgressMeter meter(progress, double(again.scans.size()));
+  for (const ReadScan& scan : again.scans) {
+    Loaded loaded = loadScan(again.sources, scan, again.options, meter);
+    meter.add(1.0, scan.raw.file);
+    std::move(loaded.parts.begin(), loaded.parts.end(), std::back_inserter(again.parts));
+    std::move(loaded.warnings.begin(), loaded.warnings.end(), std::back_inserter(again.warnings));
+    std::move(loaded.notes.begin(), loaded.notes.end(), std::back_inserter(again.notes));
+  }
+  if (meter.cancelled())
+    return Error{.reason = "the import was cancelled"};
+  numberParts(again.parts);
+  return again;
+}
+
 void readAsSmoothed(std::vector<Part>& parts, const ReadInputs& read, const Smoothing& smoothing,
                     ProgressMeter& meter, std::vector<ImportWarning>& warnings) {
   struct Reading {
@@ -91,8 +141,7 @@ void readAsSmoothed(std::vector<Part>& parts, const ReadInputs& read, const Smoo
   for (const Reading& reading : readings) {
     ImportOptions options = read.options;
     options.smoothing = reading.smoothing;
-    std::vector<ImportWarning> sameAsBefore;
-    std::vector<Part> found = loadFile(read.sources, reading.file, options, meter, sameAsBefore);
+    std::vector<Part> found = readAgain(read, reading.file, options, meter);
     if (meter.cancelled())
       return;
     for (Part* part : reading.parts) {

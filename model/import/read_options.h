@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "model/meshing/smoothing.h"
 
@@ -21,6 +23,17 @@ struct ReadLimits {
   std::uint64_t childSeconds = 0;
 };
 
+/// A structure to be made of a scan: all that has an intensity within bounds. A name of the table
+/// of presets (volumes/threshold_presets.h) brings bounds, where none are given, and how it is
+/// treated.
+struct Threshold {
+  std::string name;
+  std::optional<double> low;  ///< Hounsfield units where the scan has them
+  std::optional<double> high;
+  std::string scan = {};  ///< of the file or folder of that name alone; empty: of all scans
+  bool operator==(const Threshold&) const = default;
+};
+
 struct ReadOptions {
   ReadLimits limits;
   Smoothing smoothing;  ///< for readers that make their surfaces themselves (RawMesh::smooth)
@@ -29,6 +42,8 @@ struct ReadOptions {
   /// Asked now and then in a long piece of work, from any thread; false to give up, with an error
   /// that nobody will see.
   std::function<bool()> goesOn = [] { return true; };
+  std::vector<Threshold> thresholds = {};  ///< what to make of each scan
+  bool keepScans = false;                  ///< hand scans themselves on, too (RawMeshes::scans)
 };
 
 }  // namespace sline::model

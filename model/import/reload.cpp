@@ -216,9 +216,19 @@ class Reloader {
     return steps > 0 ? Smoothing{Smoothing::Mode::steps, steps} : Smoothing{};
   }
 
+  /// What was made of a scan is made of it again.
+  std::vector<Threshold> thresholdsOf(const Origin& origin) const {
+    std::vector<Threshold> thresholds;
+    for (const std::size_t i : origin.nodes)
+      if (const auto& range = m_nodes[i].provenance.intensities)
+        thresholds.push_back({m_nodes[i].provenance.part, range->low, range->high});
+    return thresholds;
+  }
+
   void read(const Origin& origin, const fs::path& file, const Fingerprint& now) {
     ReadOptions options = m_options;
     options.smoothing = readersSmoothing(origin);
+    options.thresholds = thresholdsOf(origin);
     Result<RawMeshes> read = readSurfaces(file, options);
     if (!read) {
       Error error = read.error();

@@ -95,6 +95,9 @@ NewIds append(Scene& to, const Scene& added) {
   for (const View& view : added.views())
     views.push_back(moved(view, ids, noteIds));
   to.setViews(std::move(views));
+  std::vector<Scan> scans = to.scans();
+  scans.insert(scans.end(), added.scans().begin(), added.scans().end());
+  to.setScans(std::move(scans));
   if (!to.keyLight())
     to.setKeyLight(added.keyLight());
   if (to.unread().empty())

@@ -22,8 +22,8 @@ void warnOfOptions(const ImportOptions& options, std::vector<ImportWarning>& war
 /// Which id a node of what was added has now.
 using NewIds = std::map<NodeId, NodeId>;
 
-/// Adds nodes, sections, annotations and views under ids that are free in `to`; its own keep
-/// theirs. Its key light goes before the other's.
+/// Adds scans, and nodes, sections, annotations and views under ids that are free in `to`; its own
+/// keep theirs. Its key light goes before the other's.
 NewIds append(Scene& to, const Scene& added);
 /// The same with reports and further files.
 NewIds append(Imported& to, Imported added);

@@ -203,6 +203,12 @@ AnnotationId Scene::appendAnnotation(Annotation annotation) {
   return m_annotations.back().id;
 }
 
+void Scene::setScans(std::vector<Scan> scans) {
+  assert(std::all_of(scans.begin(), scans.end(),
+                     [](const Scan& scan) { return scanFault(scan).empty(); }));
+  m_scans = std::move(scans);
+}
+
 void Scene::setAnnotations(std::vector<Annotation> annotations) {
   m_annotations = std::move(annotations);
   [[maybe_unused]] IdSet seen;

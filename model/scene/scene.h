@@ -16,6 +16,7 @@
 #include "model/scene/camera.h"
 #include "model/scene/light.h"
 #include "model/scene/node_id.h"
+#include "model/scene/scan.h"
 #include "model/scene/section.h"
 #include "model/scene/style.h"
 
@@ -26,6 +27,13 @@ struct Fingerprint {
   std::uint64_t bytes = 0;  ///< its length
   std::uint32_t crc = 0;    ///< CRC-32 (IEEE 802.3)
   bool operator==(const Fingerprint&) const = default;
+};
+
+/// What intensities of a scan a structure was made of; without a bound, all on that side.
+struct IntensityRange {
+  std::optional<float> low;
+  std::optional<float> high;
+  bool operator==(const IntensityRange&) const = default;
 };
 
 /// Where a structure came from and what import did to it.
@@ -42,7 +50,8 @@ struct Provenance {
   int decimatedFrom = 0;     ///< triangles before decimation; 0: there was none
   float decimationMm = 0;    ///< the farthest it took the surface from where it was, as measured
   std::string part;          ///< which of the file's surfaces; empty where it has no other
-  std::optional<Fingerprint> fingerprint;  ///< of the file
+  std::optional<Fingerprint> fingerprint;     ///< of the file
+  std::optional<IntensityRange> intensities;  ///< where its file is a scan
   /// What a scene around the file did to it: the rows of an affine map of RAS millimetres.
   std::optional<std::array<float, 12>> transform;
   bool operator==(const Provenance&) const = default;
@@ -131,6 +140,9 @@ class Scene {
   /// Replaces the annotations; asserts that ids are unique and annotations without fault.
   void setAnnotations(std::vector<Annotation> annotations);
   void setKeyLight(std::optional<KeyLight> light) { m_keyLight = std::move(light); }
+  /// Scans kept with the scene; each without fault.
+  const std::vector<Scan>& scans() const { return m_scans; }
+  void setScans(std::vector<Scan> scans);
   /// As Node::unread, of the file as a whole.
   const std::string& unread() const { return m_unread; }
   void setUnread(std::string unread) { m_unread = std::move(unread); }
@@ -143,6 +155,7 @@ class Scene {
   std::vector<Section> m_sections;
   std::vector<Annotation> m_annotations;
   std::optional<KeyLight> m_keyLight;
+  std::vector<Scan> m_scans;
   std::string m_unread;
   std::uint64_t m_lastId = 0;
   std::uint64_t m_lastSectionId = 0;

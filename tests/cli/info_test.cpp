@@ -43,16 +43,55 @@ class InfoTest : public QObject {
   void warningsAreListed();
   void tableNamesStructures();
   void namesCannotCommandATerminal();
+  void scans();
   void abdomen();
 };
+
+/// Listed as they are; structures by thresholds; kept with a scene only where that is asked for.
+void InfoTest::scans() {
+  const QTemporaryDir folder;
+  const QString ct = folder.filePath("ct.mha");
+  QByteArray text =
+      "ObjectType = Image\nNDims = 3\nBinaryData = False\nDimSize = 12 12 12\n"
+      "ElementSpacing = 2 2 3\nElementType = MET_SHORT\nElementDataFile = LOCAL\n";
+  for (int i = 0; i < 12 * 12 * 12; ++i) {
+    const int x = i % 12 - 6;
+    const int y = i / 12 % 12 - 6;
+    const int z = i / 144 - 6;
+    text += QByteArray::number(x * x + y * y + z * z < 16 ? 700 : -1000 - i % 7) + ' ';
+  }
+  writeFile(ct, text);
+  const QJsonObject root = info({ct});
+  const QJsonObject scan = root["scans"][0].toObject();
+  QCOMPARE(scan["size"].toArray(), QJsonArray({12, 12, 12}));
+  QCOMPARE(scan["spacing_mm"].toArray(), QJsonArray({2.0, 2.0, 3.0}));
+  QCOMPARE(scan["intensities"].toArray(), QJsonArray({-1006.0, 700.0}));
+  QCOMPARE(scan["hounsfield"], QJsonValue(true));
+  QVERIFY(root["structures"].toArray().isEmpty());
+  QVERIFY(runSline({"info", ct}).out.contains("intensities -1006 to 700 HU"));
+  const QString scene = folder.filePath("ct.sline");
+  const Finished without = runSline({"import", ct, "-o", scene});
+  QCOMPARE(without.code, 1);
+  QVERIFY(without.err.contains("--threshold NAME=VALUE"));
+  QCOMPARE(runSline({"import", ct, "-o", scene, "--threshold", "bone"}).code, 0);
+  QVERIFY(!structureNamed(info({scene}), "bone").isEmpty());
+  QVERIFY(info({scene})["scans"].toArray().isEmpty());
+  const Finished kept =
+      runSline({"import", ct, "-o", scene, "--threshold", "core=500..900", "--keep-volume"});
+  QCOMPARE(kept.code, 0);
+  QVERIFY(kept.err.contains("MB"));
+  QVERIFY(!structureNamed(info({scene}), "core").isEmpty());
+  QCOMPARE(info({scene})["scans"][0]["name"].toString(), QString("CT"));
+  QCOMPARE(runSline({"import", ct, "-o", scene, "--threshold", "liver"}).code, 2);
+}
 
 void InfoTest::jsonHasItsShape() {
   const QTemporaryDir folder;
   const QJsonObject root = info({writeSample(folder.path())});
   QStringList keys = root.keys();
   keys.sort();
-  QCOMPARE(keys, QStringList({"annotations", "bounds_mm", "frame", "structures", "triangles",
-                              "vertices", "views", "warnings"}));
+  QCOMPARE(keys, QStringList({"annotations", "bounds_mm", "frame", "scans", "structures",
+                              "triangles", "vertices", "views", "warnings"}));
   QCOMPARE(root["structures"].toArray().size(), 3);
   QCOMPARE(root["triangles"].toInt(), 5120 + 2 * 1280);
   QCOMPARE(root["vertices"].toInt(), 2562 + 2 * 642);

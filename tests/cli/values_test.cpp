@@ -103,6 +103,21 @@ void ValuesTest::parses_data() {
   QTest::newRow("smoothing, endless") << "smoothing"
                                       << "1001"
                                       << "";
+  const std::pair<const char*, const char*> thresholds[] = {{"bone", "bone - -"},
+                                                            {"SKIN", "skin - -"},
+                                                            {"bone=250", "bone 250 -"},
+                                                            {"fat=-150..-50", "fat -150 -50"},
+                                                            {"air=..-800", "air - -800"},
+                                                            {"x=5..", "x 5 -"},
+                                                            {"liver", ""},
+                                                            {"x=", ""},
+                                                            {"x=9..3", ""},
+                                                            {"x=..", ""},
+                                                            {"=3", ""},
+                                                            {"x=nan", ""},
+                                                            {"x=1..2..3", ""}};
+  for (const auto& [text, value] : thresholds)
+    QTest::addRow("threshold %s", text) << "threshold" << text << value;
   QTest::newRow("hatching") << "hatching"
                             << "As-Printed"
                             << "1";
@@ -141,6 +156,12 @@ void ValuesTest::parses() {
     found = QString::fromStdString(std::string(frameName(*frame)));
   if (const auto smoothing = parseSmoothing(input); kind == "smoothing" && smoothing.ok())
     found = QString("%1 %2").arg(int(smoothing->mode)).arg(smoothing->steps);
+  const auto bound = [](const std::optional<double>& number) {
+    return number ? QString::number(*number) : QStringLiteral("-");
+  };
+  if (const auto threshold = parseThreshold(input); kind == "threshold" && threshold.ok())
+    found = QString::fromStdString(threshold->name) + " " + bound(threshold->low) + " " +
+            bound(threshold->high);
   if (const auto hatching = parseHatching(input); kind == "hatching" && hatching.ok())
     found = QString::number(int(*hatching));
   if (const auto light = parseLight(input); kind == "light" && light.ok())

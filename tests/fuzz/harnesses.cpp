@@ -8,6 +8,7 @@
 
 #include "model/edit/letter_style.h"
 #include "model/files/mesh_codec.h"
+#include "model/files/scan_codec.h"
 #include "model/files/scene_file.h"
 #include "model/files/scene_json.h"
 #include "model/files/scene_migration.h"
@@ -68,7 +69,8 @@ std::string faultOf(const Result<model::RawMeshes>& read) {
 template <Extension extension, auto reader = readAnyKind>
 std::string surfaces(std::string_view bytes) {
   static const InputFolder folder;
-  return faultOf(reader(folder.put(extension.text, bytes), {}));
+  const model::ReadOptions options{.thresholds = {{"bone", 10.0, 1000.0}, {"skin", {}, {}}}};
+  return faultOf(reader(folder.put(extension.text, bytes), options));
 }
 
 /// A volume in two files: the first 352 bytes are the header's.
@@ -191,6 +193,13 @@ std::string meshCodec(std::string_view bytes) {
   return again.ok() && model::encodedMesh(*again) == once ? "" : "decoded again it is another mesh";
 }
 
+std::string scanCodec(std::string_view bytes) {
+  const Result<std::vector<std::int16_t>> voxels = model::decodedVoxels(bytes);
+  if (!voxels.ok())
+    return faultOf(voxels.error());
+  return model::encodedVoxels(*voxels) == bytes ? "" : "encoded again it is another scan";
+}
+
 /// What callouts show are bytes of their text in order; another style for some of them changes no
 /// word. The first byte says where the selection is.
 std::string markup(std::string_view bytes) {
@@ -280,6 +289,7 @@ constexpr Harness table[] = {
     {"scene_file", sceneFile},
     {"scene_json", sceneJson},
     {"mesh_codec", meshCodec},
+    {"scan_codec", scanCodec},
     {"markup", markup},
     {"import", wholeImport},
 };

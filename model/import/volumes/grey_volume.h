@@ -26,6 +26,7 @@ struct GreyVolume {
   glm::dmat4 toLps{1.0};  ///< indices (a voxel's centre at whole numbers) → mm, LPS; invertible
   std::optional<Frame> frame;  ///< in which the file speaks, as LabelVolume::frame
   std::string frameReason;
+  bool onlySideOpen = false;  ///< as RawMesh::onlySideOpen
   std::string unitReason;
 };
 

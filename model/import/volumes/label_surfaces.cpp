@@ -44,12 +44,24 @@ bool isUsable(const glm::dmat4& matrix) {
          std::abs(glm::determinant(glm::dmat3(matrix))) > 1e-4 * sides.x * sides.y * sides.z;
 }
 
+/// Millions of points take fewer steps, so that no volume takes minutes.
+Relaxation relaxationOf(const Smoothing& smoothing, std::size_t points) {
+  constexpr std::size_t pointSteps = 120'000'000;
+  Relaxation relaxation;
+  relaxation.steps = std::clamp(int(pointSteps / (points + 1)), 30, relaxation.steps);
+  if (smoothing.mode == Smoothing::Mode::off)
+    relaxation = {0, 0};
+  else if (smoothing.mode == Smoothing::Mode::steps)
+    relaxation = {smoothing.steps, 0};
+  return relaxation;
+}
+
 class Surfacer {
  public:
   Surfacer(const LabelVolume& volume, const ReadOptions& options)
       : m_volume(volume), m_options(options), m_box(volume) {}
 
-  Result<RawMeshes> run() {
+  Result<RawMeshes> run(const NetPlacement& placement) {
     if (m_box.empty())
       return surfaceFault("the volume holds nothing but background",
                           "Choose a volume with structures");
@@ -69,26 +81,13 @@ class Surfacer {
       return surfaceFault("its structures have more than " +
                               std::to_string(m_options.limits.triangles) + " triangles",
                           "Check that it is a label volume, or export it with larger voxels");
-    const std::vector<glm::vec3> at =
-        relaxed(*net, sheets, m_spacing, relaxation(sheets.cellOf.size()), m_options.goesOn);
+    const std::vector<glm::vec3> at = placement({m_box, *net, sheets, m_spacing});
     if (at.empty())
       return cancelled();
     return meshes(*net, sheets, at);
   }
 
  private:
-  /// Millions of points take fewer steps, so that no volume takes minutes.
-  Relaxation relaxation(std::size_t points) const {
-    constexpr std::size_t pointSteps = 120'000'000;
-    Relaxation relaxation;
-    relaxation.steps = std::clamp(int(pointSteps / (points + 1)), 30, relaxation.steps);
-    if (m_options.smoothing.mode == Smoothing::Mode::off)
-      relaxation = {0, 0};
-    else if (m_options.smoothing.mode == Smoothing::Mode::steps)
-      relaxation = {m_options.smoothing.steps, 0};
-    return relaxation;
-  }
-
   Result<RawMeshes> meshes(const SurfaceNet& net, const LabelSheets& sheets,
                            const std::vector<glm::vec3>& at) const {
     std::vector<RawMesh> all(m_volume.labels.size());
@@ -149,6 +148,14 @@ class Surfacer {
 }  // namespace
 
 Result<RawMeshes> labelSurfaces(const LabelVolume& volume, const ReadOptions& options) {
+  return placedSurfaces(volume, options, [&options](const LabelNet& made) {
+    return relaxed(made.net, made.sheets, made.spacing,
+                   relaxationOf(options.smoothing, made.sheets.cellOf.size()), options.goesOn);
+  });
+}
+
+Result<RawMeshes> placedSurfaces(const LabelVolume& volume, const ReadOptions& options,
+                                 const NetPlacement& placement) {
   constexpr int longestSide = 65'000;
   const glm::ivec3 size = volume.size;
   const bool fits =
@@ -162,7 +169,7 @@ Result<RawMeshes> labelSurfaces(const LabelVolume& volume, const ReadOptions& op
         "the sides of its voxels do not span space, or are too small, too large or too "
         "unlike to be computed with",
         "Export the volume again with its directions and spacings");
-  return Surfacer(volume, options).run();
+  return Surfacer(volume, options).run(placement);
 }
 
 }  // namespace sline::model

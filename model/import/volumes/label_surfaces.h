@@ -2,9 +2,15 @@
 // The surfaces of a label volume's structures.
 #pragma once
 
+#include <functional>
+#include <glm/vec3.hpp>
+#include <vector>
+
 #include "model/import/raw_mesh.h"
 #include "model/import/read_options.h"
+#include "model/import/volumes/label_sheets.h"
 #include "model/import/volumes/label_volume.h"
+#include "model/import/volumes/surface_net.h"
 
 namespace sline::model {
 
@@ -19,5 +25,19 @@ namespace sline::model {
 /// moved. Errors: more vertices or triangles than the limits allow, a matrix that cannot be
 /// inverted, and `goesOn` having said no; they name no file.
 Result<RawMeshes> labelSurfaces(const LabelVolume& volume, const ReadOptions& options);
+
+/// A volume's net with its sheets; a place is (x, y, z) of voxels of the box times `spacing`.
+struct LabelNet {
+  const VoxelBox& box;
+  const SurfaceNet& net;
+  const LabelSheets& sheets;
+  glm::vec3 spacing;
+};
+/// Where each point of the net comes to lie; nothing where it was told to give up.
+using NetPlacement = std::function<std::vector<glm::vec3>(const LabelNet&)>;
+
+/// The same where something else says where the surfaces pass.
+Result<RawMeshes> placedSurfaces(const LabelVolume& volume, const ReadOptions& options,
+                                 const NetPlacement& placement);
 
 }  // namespace sline::model

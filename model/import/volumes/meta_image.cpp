@@ -7,11 +7,8 @@
 #include <map>
 
 #include "model/import/readers/file_in_folder.h"
-#include "model/import/readers/source.h"
 #include "model/import/readers/text_cursor.h"
-#include "model/import/volumes/label_names.h"
-#include "model/import/volumes/volume_readers.h"
-#include "model/import/volumes/voxel_decoder.h"
+#include "model/import/volumes/volume_file.h"
 
 namespace sline::model {
 
@@ -55,7 +52,7 @@ class MetaImageReader {
   MetaImageReader(const Source& source, const ReadOptions& options)
       : m_source(source), m_options(options) {}
 
-  Result<LabelVolumes> read() {
+  Result<VolumeFile> read() {
     if (const Status status = readLines(); !status)
       return status.error();
     if (const Status status = readLayout(); !status)
@@ -64,19 +61,13 @@ class MetaImageReader {
       return status.error();
     if (const Status status = findData(); !status)
       return status.error();
-    Result<std::vector<LabelVolume>> volumes = decodeVoxels(m_layout, m_stored, m_options.goesOn);
-    if (!volumes)
-      return volumes.error();
-    std::string from;
-    const LabelNames names = labelsBeside(m_source.file(), m_options.limits, from);
-    for (LabelVolume& volume : *volumes) {
-      volume.toLps = m_place.toLps;
-      volume.frame = m_place.frame;
-      volume.frameReason = m_place.frameReason;
-      volume.unitReason = "MetaImage is in millimetres";
-      nameLabels(volume, names);
-    }
-    return LabelVolumes{std::move(*volumes), std::move(m_warnings)};
+    m_file.unitReason = "MetaImage is in millimetres";
+    m_file.names = [file = m_source.file(), limits = m_options.limits](const LabelVolume&,
+                                                                       std::size_t) {
+      std::string from;
+      return labelsBeside(file, limits, from);
+    };
+    return std::move(m_file);
   }
 
  private:
@@ -127,14 +118,14 @@ class MetaImageReader {
     TextCursor(value("NDims")).integer(axes);
     if (axes != 3)
       return m_source.at("NDims", "has " + std::to_string(axes) + " axes, a volume needs three",
-                         "Export a label volume with three axes in space");
+                         "Export a volume with three axes in space");
     TextCursor at(value("DimSize"));
     for (int i = 0; i < 3; ++i) {
       at.skipSpace();
       std::int64_t size = 0;
       if (!at.integer(size) || size < 1)
         return m_source.at("DimSize", "is no list of sizes: " + inQuotes(value("DimSize")));
-      m_layout.size[i] = size;
+      m_file.layout.size[i] = size;
     }
     std::int64_t channels = 1;
     TextCursor(value("ElementNumberOfChannels")).integer(channels);
@@ -143,11 +134,11 @@ class MetaImageReader {
     if (!type || channels != 1)
       return m_source.at("ElementType",
                          "its voxels are " + inQuotes(name) + " × " + std::to_string(channels) +
-                             ", which is none of labels",
-                         "Export it with one whole number per voxel");
-    m_layout.type = *type;
+                             ", which is neither of labels nor of intensities",
+                         "Export it with one number per voxel");
+    m_file.layout.type = *type;
     const bool big = isTrue("BinaryDataByteOrderMSB") || isTrue("ElementByteOrderMSB");
-    m_layout.order = big ? std::endian::big : std::endian::little;
+    m_file.layout.order = big ? std::endian::big : std::endian::little;
     return Unit{};
   }
 
@@ -168,32 +159,32 @@ class MetaImageReader {
       if (!numbers(key, axes))
         return m_source.at(key, "is no matrix of nine numbers: " + inQuotes(value(key)));
     }
-    m_place.frame = Frame::lps;
-    m_place.frameReason = given ? "TransformMatrix (MetaImage is LPS)" : "MetaImage is LPS";
+    m_file.frame = Frame::lps;
+    m_file.frameReason = given ? "TransformMatrix (MetaImage is LPS)" : "MetaImage is LPS";
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t k = 3 * i;
-      m_place.toLps[int(i)] =
+      m_file.toLps[int(i)] =
           glm::dvec4(glm::dvec3(axes[k], axes[k + 1], axes[k + 2]) * spacing[i], 0.0);
     }
     const std::string_view letters = value("AnatomicalOrientation");
     if (const auto found = axesFrom(letters); found && !given) {
       for (int i = 0; i < 3; ++i)
-        m_place.toLps[i] = glm::dvec4((*found)[std::size_t(i)] * spacing[std::size_t(i)], 0.0);
-      m_place.frameReason = "AnatomicalOrientation " + std::string(letters);
+        m_file.toLps[i] = glm::dvec4((*found)[std::size_t(i)] * spacing[std::size_t(i)], 0.0);
+      m_file.frameReason = "AnatomicalOrientation " + std::string(letters);
     }
-    m_place.toLps[3] = glm::dvec4(origin[0], origin[1], origin[2], 1.0);
+    m_file.toLps[3] = glm::dvec4(origin[0], origin[1], origin[2], 1.0);
     return Unit{};
   }
 
   Status findData() {
     if (isTrue("CompressedData"))
-      m_stored.packing = Packing::deflated;
+      m_file.stored.packing = Packing::deflated;
     else
-      m_stored.text = equalsIgnoringCase(value("BinaryData"), "false");
+      m_file.stored.text = equalsIgnoringCase(value("BinaryData"), "false");
     const std::string_view name = value("ElementDataFile");
     if (equalsIgnoringCase(name, "local")) {
-      m_stored.file = m_source.file();
-      m_stored.bytes = m_behind;
+      m_file.stored.file = m_source.file();
+      m_file.stored.bytes = m_behind;
     } else {
       if (name.starts_with("LIST") || name.find('%') != std::string_view::npos)
         return m_source.at("ElementDataFile", "its voxels are in several files, which are not read",
@@ -206,17 +197,17 @@ class MetaImageReader {
       Result<Source> data = Source::readStored(*file, m_options.limits);
       if (!data)
         return data.error();
-      m_data = std::move(*data);
-      m_stored.file = m_data->file();
-      m_stored.bytes = m_data->text();
+      m_file.sources.push_back(std::make_shared<const Source>(std::move(*data)));
+      m_file.stored.file = m_file.sources.back()->file();
+      m_file.stored.bytes = m_file.sources.back()->text();
     }
     std::int64_t skip = 0;
     if (!value("HeaderSize").empty() &&
         (!TextCursor(value("HeaderSize")).integer(skip) || skip < -1))
       return m_source.at("HeaderSize",
                          inQuotes(value("HeaderSize")) + " is neither a number of bytes nor -1");
-    m_stored.fromTheEnd = skip == -1;
-    m_stored.skip = std::uint64_t(std::max<std::int64_t>(skip, 0));
+    m_file.stored.fromTheEnd = skip == -1;
+    m_file.stored.skip = std::uint64_t(std::max<std::int64_t>(skip, 0));
     return Unit{};
   }
 
@@ -224,20 +215,20 @@ class MetaImageReader {
   const ReadOptions& m_options;
   std::map<std::string, std::string_view, std::less<>> m_lines;
   std::string_view m_behind;  ///< what follows the header
-  VoxelLayout m_layout;
-  VoxelBytes m_stored;
-  LabelVolume m_place;  ///< without voxels
-  std::optional<Source> m_data;
-  std::vector<ImportWarning> m_warnings;
+  VolumeFile m_file;
 };
 
 }  // namespace
 
-Result<LabelVolumes> readMetaImage(const std::filesystem::path& file, const ReadOptions& options) {
-  const Result<Source> source = Source::readStored(file, options.limits);
+Result<VolumeFile> openMetaImage(const std::filesystem::path& file, const ReadOptions& options) {
+  Result<Source> source = Source::readStored(file, options.limits);
   if (!source)
     return source.error();
-  return MetaImageReader(*source, options).read();
+  const auto kept = std::make_shared<const Source>(std::move(*source));
+  Result<VolumeFile> volume = MetaImageReader(*kept, options).read();
+  if (volume)
+    volume->sources.push_back(kept);
+  return volume;
 }
 
 }  // namespace sline::model

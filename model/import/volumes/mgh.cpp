@@ -8,9 +8,7 @@
 #include "model/import/readers/packed_bytes.h"
 #include "model/import/readers/source.h"
 #include "model/import/volumes/free_surfer_labels.h"
-#include "model/import/volumes/label_names.h"
-#include "model/import/volumes/volume_readers.h"
-#include "model/import/volumes/voxel_decoder.h"
+#include "model/import/volumes/volume_file.h"
 
 namespace sline::model {
 
@@ -125,12 +123,12 @@ class MghReader {
   MghReader(const Source& source, const ReadOptions& options)
       : m_source(source), m_options(options) {}
 
-  Result<LabelVolumes> read() {
-    m_stored.file = m_source.file();
-    m_stored.bytes = m_source.text();
-    m_stored.packing = beginsLikeGzip(m_source.text()) ? Packing::deflated : Packing::none;
-    m_stored.skip = mghVoxels;
-    PackedBytes bytes(m_stored.bytes, m_stored.packing);
+  Result<VolumeFile> read() {
+    m_file.stored.file = m_source.file();
+    m_file.stored.bytes = m_source.text();
+    m_file.stored.packing = beginsLikeGzip(m_source.text()) ? Packing::deflated : Packing::none;
+    m_file.stored.skip = mghVoxels;
+    PackedBytes bytes(m_file.stored.bytes, m_file.stored.packing);
     if (bytes.read(m_header.data(), m_header.size()) != m_header.size() ||
         number<std::int32_t>(0) != 1)
       return m_source.atByte(m_source.begin(), "does not begin like a volume of FreeSurfer (MGH)",
@@ -138,11 +136,16 @@ class MghReader {
     if (const Status status = readLayout(); !status)
       return status.error();
     readPlace();
-    Result<std::vector<LabelVolume>> volumes = decodeVoxels(m_layout, m_stored, m_options.goesOn);
-    if (!volumes)
-      return volumes.error();
-    nameAll(*volumes);
-    return LabelVolumes{std::move(*volumes), std::move(m_warnings)};
+    m_file.names = [layout = m_file.layout, stored = m_file.stored, limits = m_options.limits](
+                       const LabelVolume& volume, std::size_t) {
+      const std::string footer = behindVoxels(layout, stored);
+      LabelNames names = MghFooter(footer).labels();
+      std::string from;
+      if (names.empty())
+        names = labelsBeside(stored.file, limits, from);
+      return names.empty() ? freeSurferLabels(volume, stored.file) : names;
+    };
+    return std::move(m_file);
   }
 
  private:
@@ -157,16 +160,16 @@ class MghReader {
 
   Status readLayout() {
     for (int i = 0; i < 3; ++i)
-      m_layout.size[i] = number<std::int32_t>(mghSizes + 4 * std::size_t(i));
-    m_layout.layers = number<std::int32_t>(mghSizes + 12);
+      m_file.layout.size[i] = number<std::int32_t>(mghSizes + 4 * std::size_t(i));
+    m_file.layout.layers = number<std::int32_t>(mghSizes + 12);
     const std::int32_t code = number<std::int32_t>(mghType);
     const std::optional<ScalarType> type = mghTypeOf(code);
     if (!type)
       return m_source.whole(
           "its voxels are of type " + std::to_string(code) + ", which is none of labels",
           "Export it with whole numbers");
-    m_layout.type = *type;
-    m_layout.order = std::endian::big;
+    m_file.layout.type = *type;
+    m_file.layout.order = std::endian::big;
     return Unit{};
   }
 
@@ -176,50 +179,34 @@ class MghReader {
     const glm::dvec3 spacing = three(mghSpacings);
     for (int i = 0; i < 3; ++i)
       toRas[i] = glm::dvec4(three(mghDirections + 12 * std::size_t(i)) * spacing[i], 0.0);
-    const glm::dvec3 middle = 0.5 * glm::dvec3(m_layout.size);
-    m_place.unitReason = "FreeSurfer is in millimetres";
+    const glm::dvec3 middle = 0.5 * glm::dvec3(m_file.layout.size);
+    m_file.unitReason = "FreeSurfer is in millimetres";
     if (number<std::int16_t>(mghPlaceKnown) != 0) {
       toRas[3] = glm::dvec4(three(mghCentre) - glm::dvec3(toRas * glm::dvec4(middle, 0.0)), 1.0);
       for (int column = 0; column < 4; ++column)
-        m_place.toLps[column] = toRas[column] * glm::dvec4(-1.0, -1.0, 1.0, 1.0);
-      m_place.frame = Frame::ras;
-      m_place.frameReason = "directions of the voxels (FreeSurfer is RAS)";
+        m_file.toLps[column] = toRas[column] * glm::dvec4(-1.0, -1.0, 1.0, 1.0);
+      m_file.frame = Frame::ras;
+      m_file.frameReason = "directions of the voxels (FreeSurfer is RAS)";
       return;
     }
     // FreeSurfer takes such a volume for coronal slices from behind to the front, upside down.
-    m_place.toLps = glm::dmat4(1.0);
-    m_place.toLps[1] = {0.0, 0.0, -1.0, 0.0};
-    m_place.toLps[2] = {0.0, 1.0, 0.0, 0.0};
-    m_place.toLps[3] = glm::dvec4(-glm::dvec3(m_place.toLps * glm::dvec4(middle, 0.0)), 1.0);
-    m_place.onlySideOpen = true;
-    m_warnings.push_back(m_source.warning(
+    m_file.toLps = glm::dmat4(1.0);
+    m_file.toLps[1] = {0.0, 0.0, -1.0, 0.0};
+    m_file.toLps[2] = {0.0, 1.0, 0.0, 0.0};
+    m_file.toLps[3] = glm::dvec4(-glm::dvec3(m_file.toLps * glm::dvec4(middle, 0.0)), 1.0);
+    m_file.onlySideOpen = true;
+    m_file.warnings.push_back(m_source.warning(
         "says nothing of where its voxels lie: it is taken as FreeSurfer's usual coronal slices, "
         "and which side is left from names, if they tell"));
   }
 
-  void nameAll(std::vector<LabelVolume>& volumes) const {
-    const std::string footer = behindVoxels();
-    LabelNames names = MghFooter(footer).labels();
-    std::string from;
-    if (names.empty())
-      names = labelsBeside(m_source.file(), m_options.limits, from);
-    for (LabelVolume& volume : volumes) {
-      volume.toLps = m_place.toLps;
-      volume.frame = m_place.frame;
-      volume.frameReason = m_place.frameReason;
-      volume.onlySideOpen = m_place.onlySideOpen;
-      volume.unitReason = m_place.unitReason;
-      nameLabels(volume, names.empty() ? freeSurferLabels(volume, m_source.file()) : names);
-    }
-  }
-
-  std::string behindVoxels() const {
+  static std::string behindVoxels(const VoxelLayout& layout, const VoxelBytes& stored) {
     constexpr std::size_t longest = std::size_t(8) << 20;
-    PackedBytes bytes(m_stored.bytes, m_stored.packing);
-    const glm::i64vec3& size = m_layout.size;
-    const auto count = std::uint64_t(size.x * size.y * size.z * m_layout.layers);
+    PackedBytes bytes(stored.bytes, stored.packing);
+    const glm::i64vec3& size = layout.size;
+    const auto count = std::uint64_t(size.x * size.y * size.z * layout.layers);
     std::string text;
-    if (!bytes.skip(mghVoxels + count * sizeOf(m_layout.type)))
+    if (!bytes.skip(mghVoxels + count * sizeOf(layout.type)))
       return text;
     constexpr std::size_t piece = 65'536;
     for (std::size_t got = piece; got == piece && text.size() < longest;) {
@@ -234,19 +221,20 @@ class MghReader {
   const Source& m_source;
   const ReadOptions& m_options;
   std::array<char, mghVoxels> m_header{};
-  VoxelLayout m_layout;
-  VoxelBytes m_stored;
-  LabelVolume m_place;  ///< without voxels
-  std::vector<ImportWarning> m_warnings;
+  VolumeFile m_file;
 };
 
 }  // namespace
 
-Result<LabelVolumes> readMgh(const std::filesystem::path& file, const ReadOptions& options) {
-  const Result<Source> source = Source::readStored(file, options.limits);
+Result<VolumeFile> openMgh(const std::filesystem::path& file, const ReadOptions& options) {
+  Result<Source> source = Source::readStored(file, options.limits);
   if (!source)
     return source.error();
-  return MghReader(*source, options).read();
+  const auto kept = std::make_shared<const Source>(std::move(*source));
+  Result<VolumeFile> volume = MghReader(*kept, options).read();
+  if (volume)
+    volume->sources.push_back(kept);
+  return volume;
 }
 
 }  // namespace sline::model

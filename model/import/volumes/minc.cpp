@@ -8,10 +8,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "model/import/volumes/label_names.h"
 #include "model/import/volumes/netcdf_header.h"
-#include "model/import/volumes/volume_readers.h"
-#include "model/import/volumes/voxel_decoder.h"
+#include "model/import/volumes/volume_file.h"
 
 namespace sline::model {
 
@@ -24,7 +22,7 @@ class MincReader {
   MincReader(const Source& source, const NetcdfHeader& header, const ReadOptions& options)
       : m_source(source), m_header(header), m_options(options) {}
 
-  Result<LabelVolumes> read() {
+  Result<VolumeFile> read() {
     const auto found = m_header.variables.find("image");
     if (found == m_header.variables.end())
       return m_source.whole("is netCDF without a variable 'image', so not MINC");
@@ -34,24 +32,19 @@ class MincReader {
     if (const Status scaled = readScale(image); !scaled)
       return scaled.error();
     const bool isSigned = image.text("signtype").starts_with("signed");
-    m_layout.type = withSign(image.values.type, isSigned);
-    m_layout.order = std::endian::big;
-    VoxelBytes stored;
-    stored.file = m_source.file();
-    stored.bytes = image.values.bytes;
-    Result<std::vector<LabelVolume>> volumes = decodeVoxels(m_layout, stored, m_options.goesOn);
-    if (!volumes)
-      return volumes.error();
-    std::string from;
-    const LabelNames names = labelsBeside(m_source.file(), m_options.limits, from);
-    for (LabelVolume& volume : *volumes) {
-      volume.toLps = m_toLps;
-      volume.frame = Frame::ras;
-      volume.frameReason = "MINC's world is RAS";
-      volume.unitReason = "MINC is in millimetres";
-      nameLabels(volume, names);
-    }
-    return LabelVolumes{std::move(*volumes), {}};
+    m_file.layout.type = withSign(image.values.type, isSigned);
+    m_file.layout.order = std::endian::big;
+    m_file.stored.file = m_source.file();
+    m_file.stored.bytes = image.values.bytes;
+    m_file.frame = Frame::ras;
+    m_file.frameReason = "MINC's world is RAS";
+    m_file.unitReason = "MINC is in millimetres";
+    m_file.names = [file = m_source.file(), limits = m_options.limits](const LabelVolume&,
+                                                                       std::size_t) {
+      std::string from;
+      return labelsBeside(file, limits, from);
+    };
+    return std::move(m_file);
   }
 
  private:
@@ -84,7 +77,7 @@ class MincReader {
                            "has an axis " + inQuotes(dimension.name) + ", which is none in space");
       const auto which = std::size_t(axis - worldAxes.begin());
       seen |= 1u << which;
-      m_layout.size[i] = std::int64_t(dimension.size);
+      m_file.layout.size[i] = std::int64_t(dimension.size);
       const auto [along, start] = alongAxis(dimension.name, which);
       toRas[i] = glm::dvec4(along, 0.0);
       origin += start;
@@ -94,7 +87,7 @@ class MincReader {
       return m_source.at("image", "its axes do not span a space");
     glm::dmat4 turned(1.0);
     turned[0][0] = turned[1][1] = -1.0;
-    m_toLps = turned * toRas;
+    m_file.toLps = turned * toRas;
     return Unit{};
   }
 
@@ -134,31 +127,34 @@ class MincReader {
     if (!least || !most)
       return m_source.at("image-max", "its slices are scaled differently, as an image's are",
                          "Choose a label volume");
-    m_layout.slope = (*most - *least) / (valid[1] - valid[0]);
-    m_layout.intercept = *least - m_layout.slope * valid[0];
+    m_file.layout.slope = (*most - *least) / (valid[1] - valid[0]);
+    m_file.layout.intercept = *least - m_file.layout.slope * valid[0];
     return Unit{};
   }
 
   const Source& m_source;
   const NetcdfHeader& m_header;
   const ReadOptions& m_options;
-  VoxelLayout m_layout;
-  glm::dmat4 m_toLps{1.0};
+  VolumeFile m_file;
 };
 
 }  // namespace
 
-Result<LabelVolumes> readMinc(const std::filesystem::path& file, const ReadOptions& options) {
-  const Result<Source> source = Source::read(file, options.limits);
+Result<VolumeFile> openMinc(const std::filesystem::path& file, const ReadOptions& options) {
+  Result<Source> source = Source::read(file, options.limits);
   if (!source)
     return source.error();
   if (source->text().starts_with("\x89HDF"))
     return source->whole("is MINC 2 (HDF5), of which only MINC 1 is read",
                          "Convert it to MINC 1 (mincconvert) or NIfTI (mnc2nii)");
-  const Result<NetcdfHeader> header = readNetcdfHeader(*source);
+  const auto kept = std::make_shared<const Source>(std::move(*source));
+  const Result<NetcdfHeader> header = readNetcdfHeader(*kept);
   if (!header)
     return header.error();
-  return MincReader(*source, *header, options).read();
+  Result<VolumeFile> volume = MincReader(*kept, *header, options).read();
+  if (volume)
+    volume->sources.push_back(kept);
+  return volume;
 }
 
 }  // namespace sline::model

@@ -30,12 +30,14 @@ constexpr int freshReach = 40;
 class Relaxer {
  public:
   Relaxer(const SurfaceNet& net, const LabelSheets& sheets, const glm::vec3& spacing)
-      : m_net(net), m_sheets(sheets), m_spacing(spacing) {
-    m_at.resize(sheets.cellOf.size());
-    parallelFor(m_at.size(), pointGrain, [this](std::size_t i) { m_at[i] = centre(i); });
-  }
+      : m_net(net), m_sheets(sheets), m_spacing(spacing) {}
 
   bool run(const Relaxation& relaxation, const std::function<bool()>& goesOn) {
+    m_at = relaxation.from;
+    if (m_at.empty()) {
+      m_at.resize(m_sheets.cellOf.size());
+      parallelFor(m_at.size(), pointGrain, [this](std::size_t i) { m_at[i] = centre(i); });
+    }
     if (relaxation.steps + relaxation.looseSteps <= 0)
       return true;
     gatherNodes();

@@ -15,6 +15,7 @@ struct Relaxation {
   int steps = 60;         ///< in which a vertex stays in its cell
   int looseSteps = 20;    ///< in which it may go as far as the centres of the cells beside it
   float momentum = 0.8f;  ///< in [0, 1): how much of the last step is taken again in the former
+  std::vector<glm::vec3> from = {};  ///< where each point is at first; empty: amid its cell
 };
 
 /// Where each point comes to lie: (x, y, z) of its cell − ½, times `spacing`, moved by less

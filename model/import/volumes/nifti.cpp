@@ -6,13 +6,10 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
-#include "model/import/readers/source.h"
 #include "model/import/volumes/analyze_place.h"
 #include "model/import/volumes/free_surfer_labels.h"
 #include "model/import/volumes/image_pair.h"
-#include "model/import/volumes/label_names.h"
-#include "model/import/volumes/volume_readers.h"
-#include "model/import/volumes/voxel_decoder.h"
+#include "model/import/volumes/volume_file.h"
 
 namespace sline::model {
 
@@ -87,32 +84,26 @@ class NiftiReader {
   NiftiReader(const Source& source, const Source& image, const ReadOptions& options)
       : m_source(source), m_image(image), m_options(options) {}
 
-  Result<LabelVolumes> read() {
+  Result<VolumeFile> read() {
     if (const Status status = readHeader(); !status)
       return status.error();
     if (const Status status = readLayout(); !status)
       return status.error();
     m_analyze ? placeAsAnalyze() : readPlace();
-    m_stored.file = m_image.file();
-    m_stored.bytes = m_image.text();
-    m_stored.packing = packingOf(m_image);
-    m_stored.skip = m_offset;
-    Result<std::vector<LabelVolume>> volumes = decodeVoxels(m_layout, m_stored, m_options.goesOn);
-    if (!volumes)
-      return volumes.error();
-    LabelNames names = labelsInCaret(m_extension);
-    std::string from;
-    if (names.empty())
-      names = labelsBeside(m_source.file(), m_options.limits, from);
-    for (LabelVolume& volume : *volumes) {
-      volume.toLps = m_place.toLps;
-      volume.frame = m_place.frame;
-      volume.frameReason = m_place.frameReason;
-      volume.onlySideOpen = m_analyze;
-      volume.unitReason = m_place.unitReason;
-      nameLabels(volume, names.empty() ? freeSurferLabels(volume, m_source.file()) : names);
-    }
-    return LabelVolumes{std::move(*volumes), std::move(m_warnings)};
+    m_file.stored.file = m_image.file();
+    m_file.stored.bytes = m_image.text();
+    m_file.stored.packing = packingOf(m_image);
+    m_file.stored.skip = m_offset;
+    m_file.onlySideOpen = m_analyze;
+    m_file.names = [extension = std::move(m_extension), file = m_source.file(),
+                    limits = m_options.limits](const LabelVolume& volume, std::size_t) {
+      LabelNames names = labelsInCaret(extension);
+      std::string from;
+      if (names.empty())
+        names = labelsBeside(file, limits, from);
+      return names.empty() ? freeSurferLabels(volume, file) : names;
+    };
+    return std::move(m_file);
   }
 
  private:
@@ -202,31 +193,32 @@ class NiftiReader {
       sizes[std::size_t(i)] = whole(m_places->dim, std::size_t(i));
     if (axes < 3 || axes > 7)
       return m_source.whole("has " + std::to_string(axes) + " axes, a volume needs three",
-                            "Export a label volume with three axes in space");
-    m_layout.size = {sizes[1], sizes[2], sizes[3]};
-    m_layout.layers = 1;
+                            "Export a volume with three axes in space");
+    m_file.layout.size = {sizes[1], sizes[2], sizes[3]};
+    m_file.layout.layers = 1;
     for (std::size_t i = 4; i < 8; ++i) {
       if (m_analyze && sizes[i] == 0)
         sizes[i] = 1;
       if (sizes[i] < 1 || sizes[i] > 65'536)
         return m_source.whole("the size of its axis " + std::to_string(i) + " is " +
                               std::to_string(sizes[i]));
-      m_layout.layers = std::min<std::int64_t>(m_layout.layers * sizes[i], 65'536);
+      m_file.layout.layers = std::min<std::int64_t>(m_file.layout.layers * sizes[i], 65'536);
     }
     const std::int64_t code = number<std::int16_t>(m_places->type);
     const std::optional<ScalarType> type = typeOf(code);
     if (!type)
-      return m_source.whole(
-          "its voxels are of type " + std::to_string(code) + ", which is none of labels",
-          "Export it with whole numbers");
-    m_layout.type = *type;
-    m_layout.order = m_swap == (std::endian::native == std::endian::little) ? std::endian::big
-                                                                            : std::endian::little;
+      return m_source.whole("its voxels are of type " + std::to_string(code) +
+                                ", which is neither of labels nor of intensities",
+                            "Export it with one number per voxel");
+    m_file.layout.type = *type;
+    m_file.layout.order = m_swap == (std::endian::native == std::endian::little)
+                              ? std::endian::big
+                              : std::endian::little;
     const double slope = real(m_places->slope, 0);
     const double intercept = real(m_places->slope, 1);
     if (std::isfinite(slope) && std::isfinite(intercept) && slope != 0.0) {
-      m_layout.slope = slope;
-      m_layout.intercept = intercept;
+      m_file.layout.slope = slope;
+      m_file.layout.intercept = intercept;
     }
     return Unit{};
   }
@@ -243,9 +235,9 @@ class NiftiReader {
       if (!std::isfinite(spacing[i]) || spacing[i] == 0.0)
         spacing[i] = 1.0;
     }
-    m_place.frame = Frame::ras;
+    m_file.frame = Frame::ras;
     if (code(1) > 0 && sform(toRas)) {
-      m_place.frameReason = "sform (NIfTI is RAS)";
+      m_file.frameReason = "sform (NIfTI is RAS)";
     } else if (code(0) > 0) {
       glm::dvec3 q;
       for (int i = 0; i < 3; ++i) {
@@ -256,28 +248,28 @@ class NiftiReader {
       const double sign = real(m_places->pixdim, 0) < 0.0 ? -1.0 : 1.0;
       for (int i = 0; i < 3; ++i)
         toRas[i] = glm::dvec4(turn[i] * spacing[i] * (i == 2 ? sign : 1.0), 0.0);
-      m_place.frameReason = "qform (NIfTI is RAS)";
+      m_file.frameReason = "qform (NIfTI is RAS)";
     } else {
       for (int i = 0; i < 3; ++i)
         toRas[i][i] = spacing[i];
-      m_place.frame = std::nullopt;
-      m_warnings.push_back(m_source.warning(
+      m_file.frame = std::nullopt;
+      m_file.warnings.push_back(m_source.warning(
           "has neither sform nor qform: which side is left is taken from names, if they tell"));
     }
     const double unit = readUnit();
     // Half a turn about the long axis leads from RAS to LPS; without a frame, nothing is known.
-    const double turn = m_place.frame ? -1.0 : 1.0;
+    const double turn = m_file.frame ? -1.0 : 1.0;
     for (int column = 0; column < 4; ++column)
       for (int row = 0; row < 3; ++row)
         toRas[column][row] *= unit * (row < 2 ? turn : 1.0);
-    m_place.toLps = toRas;
+    m_file.toLps = toRas;
   }
 
   void placeAsAnalyze() {
     const AnalyzePlace place = analyzePlace(m_header.data(), m_swap);
-    m_place.toLps = place.toMillimetres;
-    m_place.unitReason = place.unitReason;
-    m_warnings.push_back(m_source.warning(
+    m_file.toLps = place.toMillimetres;
+    m_file.unitReason = place.unitReason;
+    m_file.warnings.push_back(m_source.warning(
         "is an Analyze file, which does not say which side is left: that is taken from names, if "
         "they tell, else the first voxels are at the patient's right, as most programs write"));
   }
@@ -298,16 +290,16 @@ class NiftiReader {
                                          : int(number<std::int32_t>(m_places->units));
     switch (code & 7) {
       case 1:
-        m_place.unitReason = "header: metres";
+        m_file.unitReason = "header: metres";
         return 1000.0;
       case 2:
-        m_place.unitReason = "header: millimetres";
+        m_file.unitReason = "header: millimetres";
         return 1.0;
       case 3:
-        m_place.unitReason = "header: micrometres";
+        m_file.unitReason = "header: micrometres";
         return 0.001;
       default:
-        m_place.unitReason = "NIfTI without a unit is in millimetres";
+        m_file.unitReason = "NIfTI without a unit is in millimetres";
         return 1.0;
     }
   }
@@ -321,31 +313,32 @@ class NiftiReader {
   const Places* m_places = nullptr;
   bool m_swap = false;
   std::uint64_t m_offset = 0;
-  VoxelLayout m_layout;
-  VoxelBytes m_stored;
-  LabelVolume m_place;  ///< without voxels
-  std::vector<ImportWarning> m_warnings;
+  VolumeFile m_file;
 };
 
 }  // namespace
 
-Result<LabelVolumes> readNifti(const std::filesystem::path& file, const ReadOptions& options) {
-  if (!isOfImagePair(file)) {
-    const Result<Source> source = Source::readStored(file, options.limits);
+Result<VolumeFile> openNifti(const std::filesystem::path& file, const ReadOptions& options) {
+  ImagePair pair{file, file};
+  if (isOfImagePair(file)) {
+    const Result<ImagePair> found = imagePairOf(file);
+    if (!found)
+      return found.error();
+    pair = *found;
+  }
+  std::vector<std::shared_ptr<const Source>> sources;
+  for (const std::filesystem::path& one : {pair.header, pair.image}) {
+    if (!sources.empty() && pair.header == pair.image)
+      break;
+    Result<Source> source = Source::readStored(one, options.limits);
     if (!source)
       return source.error();
-    return NiftiReader(*source, *source, options).read();
+    sources.push_back(std::make_shared<const Source>(std::move(*source)));
   }
-  const Result<ImagePair> pair = imagePairOf(file);
-  if (!pair)
-    return pair.error();
-  const Result<Source> header = Source::readStored(pair->header, options.limits);
-  if (!header)
-    return header.error();
-  const Result<Source> image = Source::readStored(pair->image, options.limits);
-  if (!image)
-    return image.error();
-  return NiftiReader(*header, *image, options).read();
+  Result<VolumeFile> volume = NiftiReader(*sources.front(), *sources.back(), options).read();
+  if (volume)
+    volume->sources = std::move(sources);
+  return volume;
 }
 
 }  // namespace sline::model

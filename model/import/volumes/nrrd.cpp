@@ -5,16 +5,14 @@
 
 #include "model/import/readers/file_in_folder.h"
 #include "model/import/readers/text_cursor.h"
-#include "model/import/volumes/label_names.h"
 #include "model/import/volumes/nrrd_header.h"
-#include "model/import/volumes/volume_readers.h"
-#include "model/import/volumes/voxel_decoder.h"
+#include "model/import/volumes/volume_file.h"
 
 namespace sline::model {
 
 namespace {
 
-constexpr const char* threeAxes = "Export a label volume with three axes in space";
+constexpr const char* threeAxes = "Export a volume with three axes in space";
 
 std::optional<ScalarType> nrrdType(std::string_view name) {
   struct Row {
@@ -94,12 +92,45 @@ double unitOf(const NrrdHeader& header) {
   return 0.0;
 }
 
+/// 3D Slicer: Segment7_Name, _LabelValue, _Layer and _Color ("0.5 0.7 0.1").
+LabelNames segmentsOf(const NrrdHeader& header, bool layered, std::size_t layer) {
+  LabelNames names;
+  for (std::size_t i = 0; i < 65'536; ++i) {
+    const std::string segment = "Segment" + std::to_string(i) + "_";
+    const std::string_view name = header.key(segment + "Name");
+    const std::string_view id = header.key(segment + "ID");
+    if (name.empty() && id.empty())
+      break;
+    std::int64_t value = 1;
+    TextCursor(header.key(segment + "LabelValue")).integer(value);
+    // Before there were layers, each segment had one of its own.
+    std::int64_t its = layered ? std::int64_t(i) : 0;
+    TextCursor(header.key(segment + "Layer")).integer(its);
+    if (its != std::int64_t(layer))
+      continue;
+    Label label{value, std::string(name.empty() ? id : name), {}, {}};
+    TextCursor at(header.key(segment + "Color"));
+    std::array<float, 3> channels{-1.0f, -1.0f, -1.0f};
+    for (float& channel : channels) {
+      at.skipSpace();
+      at.number(channel);
+    }
+    if (std::all_of(channels.begin(), channels.end(),
+                    [](float c) { return c >= 0.0f && c <= 1.0f; }))
+      label.colour = Colour{std::uint8_t(std::lround(255.0f * channels[0])),
+                            std::uint8_t(std::lround(255.0f * channels[1])),
+                            std::uint8_t(std::lround(255.0f * channels[2]))};
+    names.insert_or_assign(value, std::move(label));
+  }
+  return names;
+}
+
 class NrrdReader {
  public:
   NrrdReader(const Source& source, NrrdHeader header, const ReadOptions& options)
       : m_source(source), m_header(std::move(header)), m_options(options) {}
 
-  Result<LabelVolumes> read() {
+  Result<VolumeFile> read() {
     if (const Status status = readAxes(); !status)
       return status.error();
     if (const Status status = readPlace(); !status)
@@ -108,11 +139,15 @@ class NrrdReader {
       return status.error();
     if (const Status status = findData(); !status)
       return status.error();
-    Result<std::vector<LabelVolume>> volumes = decodeVoxels(m_layout, m_stored, m_options.goesOn);
-    if (!volumes)
-      return volumes.error();
-    finish(*volumes);
-    return LabelVolumes{std::move(*volumes), std::move(m_warnings)};
+    const bool segments =
+        !m_header.key("Segment0_LabelValue").empty() || !m_header.key("Segment0_Name").empty();
+    m_file.names = [header = std::move(m_header), segments, layered = m_file.layout.layers > 1,
+                    file = m_source.file(),
+                    limits = m_options.limits](const LabelVolume&, std::size_t layer) {
+      std::string from;
+      return segments ? segmentsOf(header, layered, layer) : labelsBeside(file, limits, from);
+    };
+    return std::move(m_file);
   }
 
  private:
@@ -153,16 +188,17 @@ class NrrdReader {
                              std::to_string(spatial.size()) + " lie in space",
                          threeAxes);
     m_first = spatial[0];
-    m_layout.size = {m_sizes[m_first], m_sizes[m_first + 1], m_sizes[m_first + 2]};
+    m_file.layout.size = {m_sizes[m_first], m_sizes[m_first + 1], m_sizes[m_first + 2]};
     if (m_sizes.size() == 4) {
       const std::size_t other = m_first == 0 ? 3 : 0;
-      m_layout.layers = m_sizes[other];
-      m_layout.interleaved = other == 0;
+      m_file.layout.layers = m_sizes[other];
+      m_file.layout.interleaved = other == 0;
       if (other < kinds.size() && kinds[other] != "list" && kinds[other] != "???" &&
-          kinds[other] != "none" && m_layout.layers > 1)
+          kinds[other] != "none" && m_file.layout.layers > 1)
         return m_source.at("field kinds",
-                           "holds " + inQuotes(kinds[other]) + " in each voxel, which is no label",
-                           "Export a label volume");
+                           "holds " + inQuotes(kinds[other]) +
+                               " in each voxel, which is neither label nor intensity",
+                           "Export a volume with one number per voxel");
     }
     return Unit{};
   }
@@ -179,7 +215,7 @@ class NrrdReader {
     const Result<Space> space = spaceOf(m_source, m_header);
     if (!space)
       return space.error();
-    glm::dmat4& place = m_place.toLps;
+    glm::dmat4& place = m_file.toLps;
     if (m_directions.empty()) {
       TextCursor at(m_header.field("spacings"));
       double spacing = 0.0;
@@ -202,9 +238,9 @@ class NrrdReader {
     for (int column = 0; column < 4; ++column)
       for (int row = 0; row < 3; ++row)
         place[column][row] *= space->toLps[row] * (unit > 0.0 ? unit : 1.0);
-    m_place.frame = space->frame;
-    m_place.frameReason = "space: " + std::string(m_header.field("space"));
-    m_place.unitReason = unit > 0.0 ? "header: space units" : "volumes are in millimetres";
+    m_file.frame = space->frame;
+    m_file.frameReason = "space: " + std::string(m_header.field("space"));
+    m_file.unitReason = unit > 0.0 ? "header: space units" : "volumes are in millimetres";
     return Unit{};
   }
 
@@ -214,7 +250,7 @@ class NrrdReader {
     if (!type)
       return m_source.at("field type", "its type " + inQuotes(name) + " is not one of numbers",
                          "Export it as unsigned short");
-    m_layout.type = *type;
+    m_file.layout.type = *type;
     const std::string_view encoding = m_header.field("encoding");
     const auto is = [&](std::initializer_list<std::string_view> names) {
       return std::any_of(names.begin(), names.end(), [&](std::string_view known) {
@@ -222,49 +258,49 @@ class NrrdReader {
       });
     };
     if (is({"gzip", "gz"}))
-      m_stored.packing = Packing::deflated;
+      m_file.stored.packing = Packing::deflated;
     else if (is({"bzip2", "bz2"}))
-      m_stored.packing = Packing::bzip2;
+      m_file.stored.packing = Packing::bzip2;
     else if (is({"hex"}))
-      m_stored.packing = Packing::hex;
+      m_file.stored.packing = Packing::hex;
     else if (is({"txt", "text", "ascii"}))
-      m_stored.text = true;
+      m_file.stored.text = true;
     else if (!is({"raw"}))
       return m_source.at("field encoding",
                          "its encoding " + inQuotes(encoding) + " is not supported",
                          "Export it raw or with gzip");
     const std::string_view endian = m_header.field("endian");
     if (equalsIgnoringCase(endian, "big"))
-      m_layout.order = std::endian::big;
-    else if (!equalsIgnoringCase(endian, "little") && sizeOf(*type) > 1 && !m_stored.text)
-      m_warnings.push_back(
+      m_file.layout.order = std::endian::big;
+    else if (!equalsIgnoringCase(endian, "little") && sizeOf(*type) > 1 && !m_file.stored.text)
+      m_file.warnings.push_back(
           m_source.warning("does not say in which order its bytes are; taken as little-endian"));
     return Unit{};
   }
 
   Status findData() {
-    m_stored.file = m_source.file();
-    m_stored.bytes = m_header.data;
+    m_file.stored.file = m_source.file();
+    m_file.stored.bytes = m_header.data;
     if (const std::string_view name = m_header.field("data file"); !name.empty()) {
       if (Status status = openData(name); !status)
         return status;
-      m_stored.file = m_data->file();
-      m_stored.bytes = m_data->text();
+      m_file.stored.file = m_file.sources.back()->file();
+      m_file.stored.bytes = m_file.sources.back()->text();
     }
     std::int64_t lines = 0;
     TextCursor(m_header.field("line skip")).integer(lines);
-    TextCursor at(m_stored.bytes);
+    TextCursor at(m_file.stored.bytes);
     for (; lines > 0 && !at.atEnd(); --lines)
       at.skipLine();
-    m_stored.bytes = {at.at(), std::size_t(at.end() - at.at())};
+    m_file.stored.bytes = {at.at(), std::size_t(at.end() - at.at())};
     if (const std::string_view text = m_header.field("byte skip"); !text.empty()) {
       std::int64_t bytes = 0;
       if (!TextCursor(text).integer(bytes) || bytes < -1)
         return m_source.at("field byte skip",
                            inQuotes(text) + " is neither a number of bytes nor -1",
                            "Write how many bytes come before the voxels");
-      m_stored.fromTheEnd = bytes == -1;
-      m_stored.skip = std::uint64_t(std::max<std::int64_t>(bytes, 0));
+      m_file.stored.fromTheEnd = bytes == -1;
+      m_file.stored.skip = std::uint64_t(std::max<std::int64_t>(bytes, 0));
     }
     skipNiftiHeader();
     return Unit{};
@@ -282,7 +318,7 @@ class NrrdReader {
     Result<Source> data = Source::readStored(*file, m_options.limits);
     if (!data)
       return data.error();
-    m_data = std::move(*data);
+    m_file.sources.push_back(std::make_shared<const Source>(std::move(*data)));
     return Unit{};
   }
 
@@ -290,64 +326,15 @@ class NrrdReader {
   /// first voxels would be the NIfTI header.
   void skipNiftiHeader() {
     constexpr std::size_t magic = 344;
-    if (!m_data || m_stored.fromTheEnd || m_stored.skip > 0 || m_stored.text ||
-        !unpackedBytesHave(m_stored, magic, std::string_view("n+1\0", 4)))
+    if (m_file.sources.empty() || m_file.stored.fromTheEnd || m_file.stored.skip > 0 ||
+        m_file.stored.text ||
+        !unpackedBytesHave(m_file.stored, magic, std::string_view("n+1\0", 4)))
       return;
-    m_stored.fromTheEnd = true;
-    m_warnings.push_back(m_source.warning(
+    m_file.stored.fromTheEnd = true;
+    m_file.warnings.push_back(m_source.warning(
         "its data file is a NIfTI volume, of which the header was passed over; open " +
-        inQuotes(std::filesystem::path(m_data->file()).filename().string()) +
+        inQuotes(std::filesystem::path(m_file.sources.back()->file()).filename().string()) +
         " itself to have its own directions"));
-  }
-
-  void finish(std::vector<LabelVolume>& volumes) {
-    const bool segments =
-        !m_header.key("Segment0_LabelValue").empty() || !m_header.key("Segment0_Name").empty();
-    LabelNames beside;
-    std::string from;
-    if (!segments)
-      beside = labelsBeside(m_source.file(), m_options.limits, from);
-    for (std::size_t layer = 0; layer < volumes.size(); ++layer) {
-      LabelVolume& volume = volumes[layer];
-      volume.toLps = m_place.toLps;
-      volume.frame = m_place.frame;
-      volume.frameReason = m_place.frameReason;
-      volume.unitReason = m_place.unitReason;
-      nameLabels(volume, segments ? segmentsOf(layer) : beside);
-    }
-  }
-
-  /// 3D Slicer: Segment7_Name, _LabelValue, _Layer and _Color ("0.5 0.7 0.1").
-  LabelNames segmentsOf(std::size_t layer) const {
-    LabelNames names;
-    for (std::size_t i = 0; i < 65'536; ++i) {
-      const std::string segment = "Segment" + std::to_string(i) + "_";
-      const std::string_view name = m_header.key(segment + "Name");
-      const std::string_view id = m_header.key(segment + "ID");
-      if (name.empty() && id.empty())
-        break;
-      std::int64_t value = 1;
-      TextCursor(m_header.key(segment + "LabelValue")).integer(value);
-      // Before there were layers, each segment had one of its own.
-      std::int64_t its = m_layout.layers > 1 ? std::int64_t(i) : 0;
-      TextCursor(m_header.key(segment + "Layer")).integer(its);
-      if (its != std::int64_t(layer))
-        continue;
-      Label label{value, std::string(name.empty() ? id : name), {}, {}};
-      TextCursor at(m_header.key(segment + "Color"));
-      std::array<float, 3> channels{-1.0f, -1.0f, -1.0f};
-      for (float& channel : channels) {
-        at.skipSpace();
-        at.number(channel);
-      }
-      if (std::all_of(channels.begin(), channels.end(),
-                      [](float c) { return c >= 0.0f && c <= 1.0f; }))
-        label.colour = Colour{std::uint8_t(std::lround(255.0f * channels[0])),
-                              std::uint8_t(std::lround(255.0f * channels[1])),
-                              std::uint8_t(std::lround(255.0f * channels[2]))};
-      names.insert_or_assign(value, std::move(label));
-    }
-    return names;
   }
 
   const Source& m_source;
@@ -356,23 +343,23 @@ class NrrdReader {
   std::vector<std::int64_t> m_sizes;
   std::vector<std::optional<glm::dvec3>> m_directions;  ///< of all axes, or none
   std::size_t m_first = 0;                              ///< axis in space
-  LabelVolume m_place;                                  ///< without voxels
-  VoxelLayout m_layout;
-  VoxelBytes m_stored;
-  std::optional<Source> m_data;  ///< where the voxels have a file of their own
-  std::vector<ImportWarning> m_warnings;
+  VolumeFile m_file;
 };
 
 }  // namespace
 
-Result<LabelVolumes> readNrrd(const std::filesystem::path& file, const ReadOptions& options) {
-  const Result<Source> source = Source::readStored(file, options.limits);
+Result<VolumeFile> openNrrd(const std::filesystem::path& file, const ReadOptions& options) {
+  Result<Source> source = Source::readStored(file, options.limits);
   if (!source)
     return source.error();
-  Result<NrrdHeader> header = nrrdHeader(*source);
+  const auto kept = std::make_shared<const Source>(std::move(*source));
+  Result<NrrdHeader> header = nrrdHeader(*kept);
   if (!header)
     return header.error();
-  return NrrdReader(*source, std::move(*header), options).read();
+  Result<VolumeFile> volume = NrrdReader(*kept, std::move(*header), options).read();
+  if (volume)
+    volume->sources.push_back(kept);
+  return volume;
 }
 
 }  // namespace sline::model

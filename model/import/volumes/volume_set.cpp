@@ -66,7 +66,7 @@ class Set {
   Result<RawMeshes> read() {
     for (std::size_t first = 0; first < m_files.size(); first += atATime) {
       const std::size_t count = std::min(atATime, m_files.size() - first);
-      std::vector<std::optional<Result<LabelVolumes>>> found(count);
+      std::vector<std::optional<Result<VolumeRead>>> found(count);
       parallelFor(count, 1,
                   [&](std::size_t i) { found[i] = readVolume(m_files[first + i], m_options); });
       for (std::size_t i = 0; i < count; ++i)
@@ -81,7 +81,7 @@ class Set {
       m_all.warnings.push_back(
           {m_files.front().parent_path().filename().string(),
            std::to_string(m_empty.size()) + " masks hold nothing and were left out: " + listed()});
-    if (!m_all.meshes.empty())
+    if (!m_all.meshes.empty() || !m_all.scans.empty())
       return std::move(m_all);
     if (m_firstError)
       return *m_firstError;
@@ -92,7 +92,7 @@ class Set {
   }
 
  private:
-  void take(const fs::path& file, Result<LabelVolumes>&& found) {
+  void take(const fs::path& file, Result<VolumeRead>&& found) {
     const std::string shown = file.filename().string();
     if (!found) {
       Error error = found.error();
@@ -105,8 +105,12 @@ class Set {
     std::error_code code;
     const std::uintmax_t bytes = fs::file_size(file, code);
     m_bytes += code ? 0 : bytes;
-    std::move(found->warnings.begin(), found->warnings.end(), std::back_inserter(m_all.warnings));
-    for (LabelVolume& volume : found->volumes) {
+    if (found->scan.volume) {
+      takeScan(shown, std::move(found->scan));
+      return;
+    }
+    add(m_all.warnings, found->labels.warnings);
+    for (LabelVolume& volume : found->labels.volumes) {
       if (volume.labels.empty())
         m_empty.push_back(nameOf(file));
       for (Label& label : volume.labels)
@@ -115,6 +119,26 @@ class Set {
       if (!volume.labels.empty())
         place(std::move(volume), shown);
     }
+  }
+
+  template <class T>
+  static void add(std::vector<T>& all, std::vector<T>& more) {
+    std::move(more.begin(), more.end(), std::back_inserter(all));
+  }
+
+  void takeScan(const std::string& shown, GreyVolumeRead&& scan) {
+    add(m_all.warnings, scan.warnings);
+    add(m_all.notes, scan.notes);
+    Result<RawMeshes> made = scanSurfaces({shown, std::move(scan.volume)}, m_options);
+    if (!made) {
+      m_firstError = m_firstError.value_or(made.error());
+      m_all.warnings.push_back({shown, "left out: " + made.error().text()});
+      return;
+    }
+    add(m_all.meshes, made->meshes);
+    add(m_all.warnings, made->warnings);
+    add(m_all.notes, made->notes);
+    add(m_all.scans, made->scans);
   }
 
   void place(LabelVolume&& volume, const std::string& file) {

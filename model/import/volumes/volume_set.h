@@ -13,8 +13,9 @@ namespace sline::model {
 /// Reads the files together: structures on one grid that do not overlap become one volume, so that
 /// those that touch share their faces; the others are kept apart. A structure that its file does
 /// not name is called after the file, and RawMesh::file says from which each came. Files that
-/// cannot be read and images among them are left out with a warning each, empty masks with one for
-/// all. An error only where nothing is left; it is the first file's.
+/// cannot be read are left out with a warning each, so are scans unless the options have something
+/// to do with them, empty masks with one for all. An error only where nothing is left; it is the
+/// first file's.
 Result<RawMeshes> readVolumeSet(std::span<const std::filesystem::path> files,
                                 const ReadOptions& options);
 

@@ -15,7 +15,12 @@ namespace sline::model {
 Result<RawMeshes> volumeSurfaces(const LabelVolumes& volumes, std::uint64_t bytes,
                                  const ReadOptions& options);
 
-/// The surfaces of a volume of any kind.
+/// A structure for each threshold that is meant for the scan, which came from the file or folder of
+/// that name, and the scan itself where scans are kept. What a threshold finds nothing for becomes
+/// a warning; an error only where nothing came of any.
+Result<RawMeshes> scanSurfaces(const RawScan& scan, const ReadOptions& options);
+
+/// Label volumes and scans of any format.
 Result<RawMeshes> readVolumeSurfaces(const std::filesystem::path& file, const ReadOptions& options);
 
 }  // namespace sline::model

@@ -20,6 +20,8 @@ struct ReadRequest {
   std::vector<std::filesystem::path> files;  ///< that are read together
   ReadLimits limits;
   Smoothing smoothing;
+  std::vector<Threshold> thresholds;
+  bool keepScans = false;
 };
 
 std::string encodedRequest(const ReadRequest& request);

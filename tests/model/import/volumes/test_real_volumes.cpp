@@ -181,9 +181,9 @@ void RealVolumesTest::automaticSegmentation() {
   QVERIFY(named(whole->scene, "kidney right").mesh->bounds().centre().x <
           named(whole->scene, "kidney left").mesh->bounds().centre().x);
 
-  const Result<LabelVolumes> read = readNifti(copy.toStdString(), {});
+  const Result<VolumeRead> read = readVolume(copy.toStdString(), {});
   QVERIFY(read.ok());
-  const LabelVolume& volume = read->volumes.front();
+  const LabelVolume& volume = read->labels.volumes.front();
   QTemporaryDir folder;
   for (std::size_t i = 0; i < volume.labels.size(); ++i) {
     WrittenVolume mask{volume.size, volume.toLps, {}};

@@ -356,7 +356,7 @@ void VolumeFilesTest::refusals_data() {
     grey.values[i] = int(i * 7919 % 251);
     below.values[i] = int(i % 40) - 20;
   }
-  row("grey values", "b.nii", niftiFile(grey), "image rather than a label volume");
+  row("grey values", "b.nii", niftiFile(grey), "scan rather than a label volume");
   row("Hounsfield units", "b.nii.gz", gzipped(niftiFile(below, Number::int16)), "below zero");
   NiftiForm scaled;
   scaled.slope = 0.3f;
@@ -385,7 +385,7 @@ void VolumeFilesTest::refusals_data() {
       QByteArray("NRRD0004\ntype: uchar\ndimension: 4\nsizes: 3 2 2 2\nkinds: RGB-color domain "
                  "domain domain\nencoding: raw\n\n") +
           QByteArray(24, '\1'),
-      "no label");
+      "neither label nor intensity");
   row("blocks", "b.nrrd", nrrdFile(body, "LPS").replace("type: uchar", "type: block"), "type");
   row("unknown encoding", "b.nrrd", nrrdFile(body, "LPS").replace("raw", "zstd"), "encoding");
   row("unknown space", "b.nrrd", nrrdFile(body, "sideways"), "space");

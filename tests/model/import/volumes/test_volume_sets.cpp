@@ -122,7 +122,7 @@ void VolumeSetsTest::imageAmongThem() {
   QCOMPARE(imported->scene.structuresBelow(rootId).size(), std::size_t(1));
   QCOMPARE(imported->report.warnings.size(), std::size_t(1));
   QCOMPARE(imported->report.warnings.front().file, std::string("ct.nii.gz"));
-  QVERIFY(warningsOf(*imported).contains("image rather than a label volume"));
+  QVERIFY(warningsOf(*imported).contains("scan rather than a label volume"));
 }
 
 /// What is there as a surface is not taken from the volume once more.
