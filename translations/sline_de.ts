@@ -3188,6 +3188,10 @@ OpenGL: %3</translation>
         <source>Nothing can be imported</source>
         <translation>Es gibt nichts zu importieren</translation>
     </message>
+    <message>
+        <source>Scan</source>
+        <translation>Aufnahme</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ImportDraft</name>
@@ -3386,6 +3390,17 @@ OpenGL: %3</translation>
     <message>
         <source>Automatic</source>
         <translation>Automatisch</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::IntensityRange</name>
+    <message>
+        <source>Intensities</source>
+        <translation>Intensitäten</translation>
+    </message>
+    <message>
+        <source>How often each intensity occurs. Drag the bounds; on the keyboard the arrows move the lower one, with Shift the upper one</source>
+        <translation>Wie oft jede Intensität vorkommt. Ziehe die Grenzen; auf der Tastatur bewegen die Pfeile die untere, mit der Umschalttaste die obere</translation>
     </message>
 </context>
 <context>
@@ -4642,6 +4657,69 @@ OpenGL: %3</translation>
     <message>
         <source>Reset %1</source>
         <translation>%1 zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ThresholdPanel</name>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>Contrast vessels</source>
+        <translation>Gefäße mit Kontrastmittel</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the scan with the scene (for slices)</source>
+        <translation>Aufnahme mit der Szene auf&amp;bewahren (für Schnitte)</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>Axial, coronal and sagittal slice through the middle</source>
+        <translation>Axialer, koronarer und sagittaler Schnitt durch die Mitte</translation>
+    </message>
+    <message>
+        <source>Name of the structure</source>
+        <translation>Name der Struktur</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>&amp;From</source>
+        <translation>&amp;Von</translation>
+    </message>
+    <message>
+        <source>t&amp;o</source>
+        <translation>b&amp;is</translation>
+    </message>
+    <message>
+        <source> HU</source>
+        <translation> HE</translation>
+    </message>
+    <message>
+        <source>No structure is made of the scan yet</source>
+        <translation>Aus der Aufnahme ist noch keine Struktur gemacht</translation>
+    </message>
+    <message>
+        <source>Made of scans: %1</source>
+        <translation>Aus Aufnahmen gemacht: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Add structure</source>
+        <translation>Struktur h&amp;inzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Add another structure</source>
+        <translation>Weitere Struktur h&amp;inzufügen</translation>
     </message>
 </context>
 <context>

@@ -3188,6 +3188,10 @@ OpenGL: %3</translation>
         <source>Nothing can be imported</source>
         <translation>Det er ingenting å importere</translation>
     </message>
+    <message>
+        <source>Scan</source>
+        <translation>Opptak</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ImportDraft</name>
@@ -3386,6 +3390,17 @@ OpenGL: %3</translation>
     <message>
         <source>Automatic</source>
         <translation>Automatisk</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::IntensityRange</name>
+    <message>
+        <source>Intensities</source>
+        <translation>Intensiteter</translation>
+    </message>
+    <message>
+        <source>How often each intensity occurs. Drag the bounds; on the keyboard the arrows move the lower one, with Shift the upper one</source>
+        <translation>Hvor ofte hver intensitet forekommer. Dra grensene; på tastaturet flytter pilene den nedre, med Skift den øvre</translation>
     </message>
 </context>
 <context>
@@ -4642,6 +4657,69 @@ OpenGL: %3</translation>
     <message>
         <source>Reset %1</source>
         <translation>Tilbakestill %1</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ThresholdPanel</name>
+    <message>
+        <source>Bone</source>
+        <translation>Bein</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Hud</translation>
+    </message>
+    <message>
+        <source>Contrast vessels</source>
+        <translation>Kar med kontrast</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the scan with the scene (for slices)</source>
+        <translation>Be&amp;hold opptaket i scenen (for snitt)</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Opptak</translation>
+    </message>
+    <message>
+        <source>Axial, coronal and sagittal slice through the middle</source>
+        <translation>Aksialt, koronalt og sagittalt snitt gjennom midten</translation>
+    </message>
+    <message>
+        <source>Name of the structure</source>
+        <translation>Navn på strukturen</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Navn</translation>
+    </message>
+    <message>
+        <source>&amp;From</source>
+        <translation>&amp;Fra</translation>
+    </message>
+    <message>
+        <source>t&amp;o</source>
+        <translation>t&amp;il</translation>
+    </message>
+    <message>
+        <source> HU</source>
+        <translation> HU</translation>
+    </message>
+    <message>
+        <source>No structure is made of the scan yet</source>
+        <translation>Ingen struktur er laget av opptaket ennå</translation>
+    </message>
+    <message>
+        <source>Made of scans: %1</source>
+        <translation>Laget av opptak: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Add structure</source>
+        <translation>&amp;Legg til struktur</translation>
+    </message>
+    <message>
+        <source>&amp;Add another structure</source>
+        <translation>&amp;Legg til en struktur til</translation>
     </message>
 </context>
 <context>

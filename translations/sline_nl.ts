@@ -3188,6 +3188,10 @@ OpenGL: %3</translation>
         <source>Nothing can be imported</source>
         <translation>Er is niets te importeren</translation>
     </message>
+    <message>
+        <source>Scan</source>
+        <translation>Scan</translation>
+    </message>
 </context>
 <context>
     <name>sline::widgets::ImportDraft</name>
@@ -3386,6 +3390,17 @@ OpenGL: %3</translation>
     <message>
         <source>Automatic</source>
         <translation>Automatisch</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::IntensityRange</name>
+    <message>
+        <source>Intensities</source>
+        <translation>Intensiteiten</translation>
+    </message>
+    <message>
+        <source>How often each intensity occurs. Drag the bounds; on the keyboard the arrows move the lower one, with Shift the upper one</source>
+        <translation>Hoe vaak elke intensiteit voorkomt. Sleep de grenzen; op het toetsenbord verplaatsen de pijlen de onderste, met Shift de bovenste</translation>
     </message>
 </context>
 <context>
@@ -4642,6 +4657,69 @@ OpenGL: %3</translation>
     <message>
         <source>Reset %1</source>
         <translation>%1 herstellen</translation>
+    </message>
+</context>
+<context>
+    <name>sline::widgets::ThresholdPanel</name>
+    <message>
+        <source>Bone</source>
+        <translation>Bot</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Huid</translation>
+    </message>
+    <message>
+        <source>Contrast vessels</source>
+        <translation>Vaten met contrast</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the scan with the scene (for slices)</source>
+        <translation>De scan bij de scène be&amp;waren (voor doorsneden)</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Scan</translation>
+    </message>
+    <message>
+        <source>Axial, coronal and sagittal slice through the middle</source>
+        <translation>Axiale, coronale en sagittale doorsnede door het midden</translation>
+    </message>
+    <message>
+        <source>Name of the structure</source>
+        <translation>Naam van de structuur</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Naam</translation>
+    </message>
+    <message>
+        <source>&amp;From</source>
+        <translation>&amp;Van</translation>
+    </message>
+    <message>
+        <source>t&amp;o</source>
+        <translation>t&amp;ot</translation>
+    </message>
+    <message>
+        <source> HU</source>
+        <translation> HU</translation>
+    </message>
+    <message>
+        <source>No structure is made of the scan yet</source>
+        <translation>Van de scan is nog geen structuur gemaakt</translation>
+    </message>
+    <message>
+        <source>Made of scans: %1</source>
+        <translation>Van scans gemaakt: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Add structure</source>
+        <translation>Structuur &amp;toevoegen</translation>
+    </message>
+    <message>
+        <source>&amp;Add another structure</source>
+        <translation>Nog een structuur &amp;toevoegen</translation>
     </message>
 </context>
 <context>

@@ -4,15 +4,19 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QtTest>
+#include <algorithm>
+#include <glm/geometric.hpp>
 #include <set>
 
 #include "tests/gui/window_fixture.h"
+#include "tests/model/import/volumes/written_volumes.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/suite.h"
 #include "widgets/import_dialog/import_dialog.h"
@@ -124,6 +128,52 @@ class ImportDialogTest : public QObject {
     QCOMPARE(table.rowCount(), 1);
     QCOMPARE(table.item(0, 0)->text(), QStringLiteral("spleen.obj"));
     QVERIFY(table.item(0, 1)->text().contains(QStringLiteral("line 1")));
+  }
+
+  /// A ball of bone in air, kept as it is and made a structure of by its threshold.
+  void scanByThreshold() {
+    QTemporaryDir folder;
+    glm::dmat4 grid(2.0);
+    grid[3] = glm::dvec4(-31.0, -31.0, -31.0, 1.0);
+    const WrittenVolume ball = sampled(glm::ivec3(32), grid, [](const glm::dvec3& p) {
+      return int(std::clamp(200.0 - 100.0 * (glm::length(p) - 15.0), -1000.0, 900.0));
+    });
+    const QString ct = folder.filePath(QStringLiteral("ct.nii"));
+    writeText(ct, niftiFile(ball, Number::int16));
+    Desk desk(ct);
+    QVERIFY(desk.planned());
+    auto& panel = desk.f.control<QWidget>("thresholdPanel");
+    QVERIFY2(panel.isVisible(), "a scan alone is shown at once");
+    QVERIFY(!desk.f.control<QPushButton>("importButton").isEnabled());
+    QVERIFY(desk.text("scanAbout").contains(QStringLiteral("32 × 32 × 32")));
+    auto& low = desk.f.control<QDoubleSpinBox>("thresholdLow");
+    QCOMPARE(low.value(), 200.0);
+    desk.click("preset_skin");
+    QCOMPARE(low.value(), -300.0);
+    auto& range = desk.f.control<QWidget>("intensityRange");
+    range.setFocus();
+    QElapsedTimer timer;
+    timer.start();
+    for (int i = 0; i < 10; ++i)
+      QTest::keyClick(&range, Qt::Key_Right, Qt::ControlModifier);
+    QVERIFY2(timer.elapsed() < 1000, "each change is shown within 100 ms");
+    QVERIFY(low.value() > -200.0);
+    QTest::mouseClick(&range, Qt::LeftButton, {}, QPoint(range.width() - 30, 40));
+    QVERIFY(desk.f.control<QDoubleSpinBox>("thresholdHigh").value() < 900.0);
+    desk.click("preset_bone");
+    if (const QString file = qEnvironmentVariable("SLINE_SCAN_PICTURE"); !file.isEmpty())
+      desk.dialog()->grab().save(file);
+    desk.click("addThreshold");
+    QVERIFY(desk.planned());
+    QVERIFY(desk.text("thresholdsMade").contains(QStringLiteral("bone")));
+    QCOMPARE(desk.plan().parts.size(), std::size_t(1));
+    QTest::mouseClick(&desk.f.control<QCheckBox>("keepScan"), Qt::LeftButton, {}, QPoint(8, 8));
+    QVERIFY(desk.plan().options.keepScans);
+    desk.click("importButton");
+    QVERIFY(desk.f.settled());
+    const float width = desk.imported("bone").mesh->bounds().size().x;
+    QVERIFY(std::abs(width - 30.0f) < 1.0f);
+    QCOMPARE(desk.f.session.scene().scans().size(), std::size_t(1));
   }
 
   void eachStructureAsChosen() {

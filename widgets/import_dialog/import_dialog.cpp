@@ -17,6 +17,7 @@
 #include "widgets/import_dialog/plan_texts.h"
 #include "widgets/import_dialog/plan_tree.h"
 #include "widgets/import_dialog/selection_panel.h"
+#include "widgets/import_dialog/threshold_panel.h"
 
 namespace sline::widgets {
 
@@ -80,6 +81,8 @@ ImportDialog::ImportDialog(std::vector<std::filesystem::path> inputs, bool intoS
   layout->addWidget(new OptionsPanel(m_draft));
   m_tabs->addTab(makeStructures(), tr("Structures"));
   m_tabs->addTab(makeLeftOut(), tr("Left out"));
+  m_thresholds = new ThresholdPanel(m_draft);
+  m_tabs->setTabVisible(m_tabs->addTab(m_thresholds, tr("Scan")), false);
   connect(m_tabs, &QTabWidget::currentChanged, this, &ImportDialog::fitRows);
   layout->addWidget(m_tabs, 1);
   layout->addWidget(makeButtons());
@@ -172,6 +175,7 @@ void ImportDialog::connectDraft() {
   connect(&m_draft, &ImportDraft::planned, this, [this] {
     showPlan();
     showLeftOut();
+    showScans();
     showState();
   });
   connect(&m_draft, &ImportDraft::chosen, this, [this] {
@@ -183,6 +187,16 @@ void ImportDialog::connectDraft() {
     showPlan();
     showState();
   });
+}
+
+/// Where a scan is all there is, what can be made of it comes first.
+void ImportDialog::showScans() {
+  const int tab = m_tabs->indexOf(m_thresholds);
+  const bool any = !m_draft.figures().scans.empty();
+  const bool fresh = any && !m_tabs->isTabVisible(tab);
+  m_tabs->setTabVisible(tab, any);
+  if (fresh && m_draft.plan().scene.nodes().empty())
+    m_tabs->setCurrentIndex(tab);
 }
 
 void ImportDialog::showState() {

@@ -14,6 +14,7 @@ class QTabWidget;
 namespace sline::widgets {
 
 class PlanTree;
+class ThresholdPanel;
 class SelectionPanel;
 
 /// Shows what an import would do and lets it be changed: frame and unit, and of each structure
@@ -43,6 +44,7 @@ class ImportDialog : public QDialog {
   void showState();
   void showPlan();
   void showLeftOut();
+  void showScans();
   void fitRows();
   void give(void (ImportDialog::*wanted)(const model::ImportPlan&));
 
@@ -54,6 +56,7 @@ class ImportDialog : public QDialog {
   QTabWidget* m_tabs;
   PlanTree* m_tree = nullptr;
   SelectionPanel* m_selection = nullptr;
+  ThresholdPanel* m_thresholds = nullptr;
   QTableWidget* m_leftOut = nullptr;
   QLabel* m_state = nullptr;
   QProgressBar* m_progress = nullptr;

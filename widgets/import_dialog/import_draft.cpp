@@ -9,7 +9,8 @@ namespace sline::widgets {
 namespace {
 
 bool decidesPlaces(const model::ImportOptions& a, const model::ImportOptions& b) {
-  return a.frame != b.frame || a.unit != b.unit || a.overlay != b.overlay || a.repair != b.repair;
+  return a.frame != b.frame || a.unit != b.unit || a.overlay != b.overlay || a.repair != b.repair ||
+         a.thresholds != b.thresholds;
 }
 
 }  // namespace
@@ -81,11 +82,12 @@ void ImportDraft::start() {
   cancel();
   const auto result = std::make_shared<Planned>();
   m_job = new SceneJob(
-      [request = m_plan, result](const model::ImportProgress& progress, const std::stop_token&) {
+      [request = m_plan, before = m_figures, result](const model::ImportProgress& progress,
+                                                     const std::stop_token&) {
         Result<model::ImportPlan> plan = model::replanned(request, progress);
         if (!plan)
           return Result<Loaded>(plan.error());
-        result->figures = std::make_shared<const PlanFigures>(figuresOf(*plan));
+        result->figures = std::make_shared<const PlanFigures>(figuresOf(*plan, *before));
         result->plan = std::move(*plan);
         return Result<Loaded>(Loaded{});
       },

@@ -6,6 +6,7 @@
 
 #include "model/import/laterality.h"
 #include "model/import/read_inputs.h"
+#include "widgets/import_dialog/scan_slices.h"
 
 namespace sline::widgets {
 
@@ -38,7 +39,7 @@ void compareSides(const model::ImportPlan& plan, PlanFigures& figures) {
 
 }  // namespace
 
-PlanFigures figuresOf(const model::ImportPlan& plan) {
+PlanFigures figuresOf(const model::ImportPlan& plan, const PlanFigures& before) {
   PlanFigures figures;
   const std::vector<model::Node>& nodes = plan.scene.nodes();
   // Children first, so that a group is whole when it is handed up.
@@ -53,6 +54,14 @@ PlanFigures figuresOf(const model::ImportPlan& plan) {
   compareSides(plan, figures);
   if (!plan.read)
     return figures;
+  for (const model::ReadScan& scan : plan.read->scans) {
+    const auto known =
+        std::find_if(before.scans.begin(), before.scans.end(),
+                     [&](const auto& shown) { return shown->volume == scan.raw.volume; });
+    figures.scans.push_back(known != before.scans.end()
+                                ? *known
+                                : std::make_shared<const ScanFigures>(scanFiguresOf(scan)));
+  }
   std::set<const void*> entries;
   std::size_t molecules = 0;
   for (const model::Part& part : plan.read->parts)

@@ -4,12 +4,15 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
 #include "model/import/plan.h"
 
 namespace sline::widgets {
+
+struct ScanFigures;  // scan_slices.h
 
 struct StructureFigures {
   std::size_t triangles = 0;  ///< of a group: of all below it
@@ -25,9 +28,11 @@ struct PlanFigures {
   int sidesAgree = 0;      ///< names that say the side they are on
   bool molecules = false;  ///< nothing but molecules: 1 mm stands for 1 Å
   int entries = 0;         ///< molecules that could be laid over each other
+  std::vector<std::shared_ptr<const ScanFigures>> scans;
 };
 
-PlanFigures figuresOf(const model::ImportPlan& plan);
+/// `before`: those of the plan before it, for what takes long and is the same.
+PlanFigures figuresOf(const model::ImportPlan& plan, const PlanFigures& before = {});
 
 /// The longest side of the box; 0 where it is empty.
 float extent(const model::Box& box);
