@@ -13,7 +13,7 @@ namespace {
 
 using namespace sline::model;
 
-constexpr std::array readers = {ChildReader{"DICOM", readingFirst<readDicom>},
+constexpr std::array readers = {ChildReader{"DICOM", readDicomFiles},
                                 ChildReader{"FBX", readingFirst<readFbx>},
                                 ChildReader{"COLLADA", readingFirst<readCollada>},
                                 ChildReader{"Blender", readingFirst<readBlend>},

@@ -35,8 +35,9 @@ std::string DicomLeftOut::text() const {
 }
 
 std::string DicomLeftOut::remedy() {
-  return "Structures come from a DICOM segmentation or RT structure set, or from label maps and "
-         "meshes made of the images";
+  return "Structures come from a DICOM segmentation or RT structure set, from label maps and "
+         "meshes "
+         "made of the images, or from a threshold (--threshold bone)";
 }
 
 }  // namespace sline::model

@@ -72,7 +72,7 @@ constexpr std::array kinds = {
     FileKind{".mha", "MetaImage", readVolumeSurfaces, true},
     FileKind{".mhd", "MetaImage", readVolumeSurfaces, true},
     FileKind{".mnc", "MINC", readVolumeSurfaces, true},
-    FileKind{".dcm", "DICOM", nullptr},
+    FileKind{".dcm", dicomKind, nullptr},
     FileKind{".pdb", "PDB", readPdb, false, true},
     FileKind{".ent", "PDB", readPdb, false, true},
     FileKind{".cif", "mmCIF", readMmcif, false, true},
@@ -99,7 +99,7 @@ const FileKind* kindOf(const std::filesystem::path& file) {
   if (!mayBeDicom(file))
     return nullptr;
   return &*std::find_if(kinds.begin(), kinds.end(),
-                        [](const FileKind& kind) { return kind.name == "DICOM"; });
+                        [](const FileKind& kind) { return kind.name == dicomKind; });
 }
 
 /// What the first bytes say a file is; nothing where they do not tell.
@@ -202,7 +202,7 @@ bool isSurfaceFileInFolder(const std::filesystem::path& file) {
 
 bool isDicomFile(const std::filesystem::path& file) {
   const FileKind* kind = kindOf(file);
-  return kind && kind->name == "DICOM";
+  return kind && kind->name == dicomKind;
 }
 
 bool isVolumeFile(const std::filesystem::path& file) {

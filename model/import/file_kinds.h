@@ -24,6 +24,9 @@ struct FileKind {
   bool (*isOne)(const std::filesystem::path&) = nullptr;
 };
 
+/// The name of that kind.
+inline constexpr std::string_view dicomKind = "DICOM";
+
 /// All kinds, in the order messages and dialogs list them.
 std::span<const FileKind> fileKinds();
 /// ".obj, .stl, … or .glb, many of them packed (.gz) too"

@@ -37,7 +37,9 @@ Result<Imported> importMeshes(std::span<const std::filesystem::path> inputs,
   const AnatomyTable table;
   Imported imported;
   ImportReport& report = imported.report;
-  const Sources sources = collectSources(inputs, options.limits);
+  const bool asked = !options.thresholds.empty() || options.keepScans;
+  const Sources sources =
+      collectSources(inputs, options.limits, asked ? ScannerSlices::read : ScannerSlices::leftOut);
   report.warnings = sources.warnings;
   ProgressMeter meter(progress, expectedWork(sources, options));
 

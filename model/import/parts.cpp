@@ -18,6 +18,7 @@
 #include "model/import/names.h"
 #include "model/import/volumes/volume_set.h"
 #include "model/import/volumes/volume_surfaces.h"
+#include "model/import/worker/reading_child.h"
 #include "model/meshing/repair.h"
 #include "model/meshing/simplification.h"
 
@@ -42,7 +43,7 @@ void mend(Part& part, const std::string& file, std::vector<ImportWarning>& warni
 Result<RawMeshes> readTogether(const SourceFile& source, const ReadOptions& options) {
   std::vector<std::filesystem::path> files{source.file};
   files.insert(files.end(), source.together.begin(), source.together.end());
-  return readVolumeSet(files, options);
+  return source.slice ? readInChild(dicomKind, files, options) : readVolumeSet(files, options);
 }
 
 /// What the surfaces of one file have in common.
@@ -59,8 +60,11 @@ std::map<std::string, FileFacts> factsOf(const SourceFile& source,
     if (const Result<Fingerprint> print = fingerprintOfFile(file))
       facts[file.filename().string()].fingerprint = *print;
   };
-  add(source.file);
-  std::for_each(source.together.begin(), source.together.end(), add);
+  // Slices are called by what scanned them.
+  if (!source.slice) {
+    add(source.file);
+    std::for_each(source.together.begin(), source.together.end(), add);
+  }
   const std::string first = source.file.filename().string();
   for (const RawMesh& mesh : meshes)
     ++facts[mesh.file.empty() ? first : mesh.file].surfaces;
@@ -281,8 +285,8 @@ Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& 
                 ProgressMeter& meter) {
   const SourceFile& source = sources.files[index];
   const ReadOptions how = readOptions(options, meter, source.file.filename().string());
-  Result<RawMeshes> read =
-      source.together.empty() ? readSurfaces(source.file, how) : readTogether(source, how);
+  Result<RawMeshes> read = source.together.empty() && !source.slice ? readSurfaces(source.file, how)
+                                                                    : readTogether(source, how);
   return loadedFrom(sources, index, std::move(read), {options, meter});
 }
 

@@ -21,7 +21,7 @@ bool sameLimits(const ReadLimits& a, const ReadLimits& b) {
 
 Status readMeshes(ReadInputs& read, const std::vector<fs::path>& meshes,
                   const ImportProgress& progress) {
-  read.sources = collectSources(meshes, read.options.limits);
+  read.sources = collectSources(meshes, read.options.limits, ScannerSlices::read);
   ProgressMeter meter(progress, bytesOf(read.sources));
   // What might be made of a scan is seen by looking at it.
   ImportOptions options = read.options;

@@ -6,10 +6,12 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "model/import/dicom_left_out.h"
 #include "model/import/file_kinds.h"
+#include "model/import/readers/dicom_kind.h"
 #include "model/import/volumes/image_pair.h"
 
 namespace sline::model {
@@ -37,7 +39,7 @@ constexpr std::uint64_t mostTimes = 4;
 
 class Collector {
  public:
-  explicit Collector(const ReadLimits& limits) : m_limits(limits) {}
+  Collector(const ReadLimits& limits, ScannerSlices slices) : m_limits(limits), m_slices(slices) {}
 
   void add(const fs::path& input) {
     std::error_code fault;
@@ -54,6 +56,8 @@ class Collector {
       addBundle(input);
     else if (isFiducialFile(input))
       addFiducials(input);
+    else if (isSlice(input))
+      addFile(input, looseFiles(), {});
     else if (m_looseImages.takes(input))
       m_imageFile = input;
     else if (isSurfaceFile(input))
@@ -93,15 +97,22 @@ class Collector {
     return sources.size() - 1;
   }
 
+  /// Whether the file is to be read as a part of a scan.
+  bool isSlice(const fs::path& file) const {
+    return m_slices == ScannerSlices::read && isDicomFile(file) &&
+           !scannerOf(sopClassOf(file)).empty();
+  }
+
   /// Label volumes that came together from one folder are read together: programs that give each
   /// structure a file of its own write them so, and structures that touch shall share their faces.
+  /// So are the slices of a folder.
   void joinVolumes() {
     std::vector<SourceFile> files;
-    std::map<std::pair<std::size_t, fs::path>, std::size_t> first;
+    std::map<std::tuple<std::size_t, fs::path, bool>, std::size_t> first;
     for (SourceFile& file : m_result.files) {
-      if (!file.model && isVolumeFile(file.file)) {
+      if (file.slice || (!file.model && isVolumeFile(file.file))) {
         const auto [found, fresh] =
-            first.try_emplace({file.source, file.file.parent_path()}, files.size());
+            first.try_emplace({file.source, file.file.parent_path(), file.slice}, files.size());
         if (!fresh) {
           files[found->second].together.push_back(file.file);
           files[found->second].bytes += file.bytes;
@@ -131,7 +142,7 @@ class Collector {
     std::error_code fault;
     const std::uintmax_t bytes = fs::file_size(file, fault);
     m_result.files.push_back(
-        {file, source, std::move(folders), std::nullopt, fault ? 0 : bytes, {}});
+        {file, source, std::move(folders), std::nullopt, fault ? 0 : bytes, {}, isSlice(file)});
   }
 
   void addFolder(const fs::path& folder) {
@@ -144,8 +155,9 @@ class Collector {
     for (const fs::recursive_directory_iterator end; !fault && entry != end;
          entry.increment(fault)) {
       std::error_code ignored;
-      if (entry->is_regular_file(ignored) && !images.takes(entry->path()) &&
-          isSurfaceFileInFolder(entry->path()))
+      if (entry->is_regular_file(ignored) &&
+          (isSlice(entry->path()) ||
+           (!images.takes(entry->path()) && isSurfaceFileInFolder(entry->path()))))
         files.push_back(entry->path());
     }
     if (fault)
@@ -235,6 +247,7 @@ class Collector {
   }
 
   ReadLimits m_limits;
+  ScannerSlices m_slices;
   Sources m_result;
   DicomLeftOut m_looseImages;
   fs::path m_imageFile;  ///< the last of them
@@ -248,8 +261,9 @@ bool haveFiducials(const Sources& sources) {
                      [](const ImportSource& s) { return s.scene && !s.scene->fiducials.empty(); });
 }
 
-Sources collectSources(std::span<const fs::path> inputs, const ReadLimits& limits) {
-  Collector collector(limits);
+Sources collectSources(std::span<const fs::path> inputs, const ReadLimits& limits,
+                       ScannerSlices slices) {
+  Collector collector(limits, slices);
   for (const fs::path& input : inputs)
     collector.add(input);
   return std::move(collector).take();

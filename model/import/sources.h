@@ -31,6 +31,8 @@ struct SourceFile {
   std::uintmax_t bytes = 0;
   /// Further label volumes of the same folder, which are read with this one.
   std::vector<std::filesystem::path> together;
+  /// A DICOM image of CT, MR or PET; those of its folder are `together`.
+  bool slice = false;
 };
 
 struct Sources {
@@ -44,8 +46,13 @@ struct Sources {
 /// Whether there is a point or a line among them, in a scene or beside it.
 bool haveFiducials(const Sources& sources);
 
+/// What becomes of the slices that scanners write as DICOM: nothing but a word that they hold no
+/// segmentation, or files to read.
+enum class ScannerSlices { leftOut, read };
+
 /// Inputs that cannot be used become warnings; `firstError` tells about the first of them.
-Sources collectSources(std::span<const std::filesystem::path> inputs, const ReadLimits& limits);
+Sources collectSources(std::span<const std::filesystem::path> inputs, const ReadLimits& limits,
+                       ScannerSlices slices);
 
 /// A measure of how much there is to read; never 0.
 double bytesOf(const Sources& sources);

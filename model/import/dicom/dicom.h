@@ -18,6 +18,12 @@ namespace sline::model {
 /// RT structure sets and segmentations; other kinds of object are an error that names their kind.
 Result<RawMeshes> readDicom(const std::filesystem::path& file, const ReadOptions& options);
 
+/// What one file holds, or several of one folder: structures of the first, or where that is an
+/// image of CT, MR or PET and the options do something with scans, those of them (scanSurfaces) of
+/// each series, called "CT", "MR 2" and so on: names of files and folders may say whose they are.
+Result<RawMeshes> readDicomFiles(std::span<const std::filesystem::path> files,
+                                 const ReadOptions& options);
+
 /// Images that one scanner made in one go.
 struct DicomSeries {
   std::string scanner;  ///< "CT", "MR" or "PET"

@@ -52,7 +52,10 @@ Result<RawMeshes> answerTo(const ReadRequest& request, std::span<const ChildRead
                  {},
                  "this build reads no " + request.kind + " files",
                  "Use another"};
-  const ReadOptions options{.limits = request.limits, .smoothing = request.smoothing};
+  const ReadOptions options{.limits = request.limits,
+                            .smoothing = request.smoothing,
+                            .thresholds = request.thresholds,
+                            .keepScans = request.keepScans};
   try {
     return reader->read(request.files, options);
   } catch (const std::exception& fault) {

@@ -3,8 +3,11 @@
 
 #include <cassert>
 #include <cmath>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 #include <utility>
 
+#include "model/import/volumes/grey_volume.h"
 #include "model/import/worker/byte_archive.h"
 
 namespace sline::model {
@@ -12,6 +15,10 @@ namespace sline::model {
 /// Points, triangles and colours are numbers without gaps between them.
 template <>
 inline constexpr bool copiesAsBytes<glm::vec3> = true;
+template <>
+inline constexpr bool copiesAsBytes<glm::ivec3> = true;
+template <>
+inline constexpr bool copiesAsBytes<glm::dmat4> = true;
 template <>
 inline constexpr bool copiesAsBytes<Triangle> = true;
 template <>
@@ -32,9 +39,15 @@ void visitFields(Archive& archive, Smoothing& smoothing) {
 }
 
 template <class Archive>
+void visitFields(Archive& archive, Threshold& threshold) {
+  auto& [name, low, high, scan] = threshold;
+  archive(name, low, high, scan);
+}
+
+template <class Archive>
 void visitFields(Archive& archive, ReadRequest& request) {
-  auto& [kind, files, limits, smoothing] = request;
-  archive(kind, files, limits, smoothing);
+  auto& [kind, files, limits, smoothing, thresholds, keepScans] = request;
+  archive(kind, files, limits, smoothing, thresholds, keepScans);
 }
 
 template <class Archive>
@@ -63,19 +76,42 @@ template <class Archive>
 void visitFields(Archive& archive, RawMesh& mesh) {
   auto& [name, groups, origin, positions, triangles, colour, opacity, frame, frameReason,
          millimetresPerUnit, unitReason, yUp, onlySideOpen, file, smooth, visible, molecule,
-         displacement] = mesh;
+         displacement, threshold] = mesh;
   assert(!molecule);
   archive(name, groups, origin, positions, triangles, colour, opacity, frame, frameReason,
-          millimetresPerUnit, unitReason, yUp, onlySideOpen, file, smooth, visible, displacement);
+          millimetresPerUnit, unitReason, yUp, onlySideOpen, file, smooth, visible, displacement,
+          threshold);
+}
+
+template <class Archive>
+void visitFields(Archive& archive, GreyVolume& volume) {
+  auto& [size, voxels, slope, intercept, hounsfield, name, toLps, frame, frameReason, onlySideOpen,
+         unitReason] = volume;
+  archive(size, voxels, slope, intercept, hounsfield, name, toLps, frame, frameReason, onlySideOpen,
+          unitReason);
+}
+
+void visitFields(ByteWriter& archive, RawScan& scan) {
+  archive(scan.file, *scan.volume);
+}
+
+void visitFields(ByteReader& archive, RawScan& scan) {
+  GreyVolume volume;
+  archive(scan.file, volume);
+  scan.volume = std::make_shared<const GreyVolume>(std::move(volume));
 }
 
 template <class Archive>
 void visitFields(Archive& archive, RawMeshes& all) {
-  auto& [meshes, warnings] = all;
-  archive(meshes, warnings);
+  auto& [meshes, warnings, notes, scans] = all;
+  archive(meshes, warnings, notes, scans);
 }
 
 namespace {
+
+bool knowsFrame(const std::optional<Frame>& frame) {
+  return !frame || (*frame >= Frame::lps && *frame <= Frame::file);
+}
 
 bool isSound(const RawMesh& mesh) {
   for (const Triangle& triangle : mesh.triangles)
@@ -85,8 +121,22 @@ bool isSound(const RawMesh& mesh) {
   for (const glm::vec3& p : mesh.positions)
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
       return false;
-  const bool knownFrame = !mesh.frame || (*mesh.frame >= Frame::lps && *mesh.frame <= Frame::file);
-  return knownFrame && std::isfinite(mesh.displacement) && std::isfinite(mesh.millimetresPerUnit);
+  return knowsFrame(mesh.frame) && std::isfinite(mesh.displacement) &&
+         std::isfinite(mesh.millimetresPerUnit);
+}
+
+bool isSound(const GreyVolume& volume) {
+  std::uint64_t count = 1;
+  for (int i = 0; i < 3; ++i) {
+    const int side = volume.size[i];
+    if (side < 1 || std::uint64_t(side) > volume.voxels.size() / count)
+      return false;
+    count *= std::uint64_t(side);
+  }
+  const double determinant = glm::determinant(volume.toLps);
+  return count == volume.voxels.size() && std::isfinite(volume.slope) &&
+         std::isfinite(volume.intercept) && std::isfinite(determinant) && determinant != 0.0 &&
+         knowsFrame(volume.frame);
 }
 
 Error notUnderstood() {
@@ -134,6 +184,9 @@ Result<RawMeshes> decodedAnswer(std::string_view bytes) {
     return notUnderstood();
   for (const RawMesh& mesh : meshes.meshes)
     if (!isSound(mesh))
+      return notUnderstood();
+  for (const RawScan& scan : meshes.scans)
+    if (!isSound(*scan.volume))
       return notUnderstood();
   return meshes;
 }

@@ -210,7 +210,9 @@ Result<RawMeshes> readInChild(std::string_view kind, std::span<const std::filesy
                                       {std::string(kind),
                                        {files.begin(), files.end()},
                                        settled(options.limits, files),
-                                       options.smoothing},
+                                       options.smoothing,
+                                       options.thresholds,
+                                       options.keepScans},
                                       options.goesOn);
   if (answer)
     return answer;

@@ -7,8 +7,9 @@
 #include "model/files/zip_archive.h"
 #include "model/import/import.h"
 #include "model/import/plan.h"
+#include "model/import/read_inputs.h"
 #include "tests/model/import/dicom/surface_facts.h"
-#include "tests/model/import/dicom/written_dicom.h"
+#include "tests/model/import/dicom/written_images.h"
 #include "tests/support/suite.h"
 
 using namespace sline;
@@ -72,6 +73,8 @@ class TestDicomImport : public QObject {
   void slicesNamedOneByOne();
   void nothingOfThePatientStays();
   void planTellsTheSame();
+  void slicesBecomeStructures();
+  void planShowsTheScan();
 };
 
 void TestDicomImport::folderWithSlices() {
@@ -165,6 +168,57 @@ void TestDicomImport::planTellsTheSame() {
     QCOMPARE(provenance.frame, std::string("LPS"));
     QCOMPARE(provenance.unitReason, std::string("DICOM: millimetres"));
   }
+}
+
+/// A ball of bone in the patient's left, in ten slices, with a localizer of another series.
+static void writeScan(const QTemporaryDir& folder) {
+  for (int z = 0; z < 10; ++z) {
+    WrittenImage slice;
+    slice.columns = slice.rows = 16;
+    slice.spacing = "2\\2";
+    slice.position = {20, -16, 2.0 * z};
+    slice.value = [z](int x, int y) {
+      const int d = (x - 8) * (x - 8) + (y - 8) * (y - 8) + (z - 5) * (z - 5);
+      return d <= 9 ? 1624 : 24;
+    };
+    write(folder.filePath(QString("QZXNAME/IM%1").arg(z, 4, 10, QChar('0'))),
+          dicomFile(image(slice)));
+  }
+}
+
+void TestDicomImport::slicesBecomeStructures() {
+  const QTemporaryDir folder;
+  writeScan(folder);
+  model::ImportOptions options;
+  options.thresholds = {{"bone", 300.0, {}}};
+  options.keepScans = true;
+  const auto imported = model::importInputs(std::array{Path(folder.path().toStdString())}, options);
+  QVERIFY2(imported.ok(), imported.ok() ? "" : imported.error().text().c_str());
+  const model::Scene& scene = imported->scene;
+  const std::vector<model::NodeId> all = scene.structuresBelow(model::rootId);
+  QCOMPARE(all.size(), std::size_t(1));
+  const model::Node& bone = *scene.find(all.front());
+  const glm::vec3 centre = bone.mesh->bounds().centre();
+  QVERIFY2(glm::length(centre - glm::vec3(36, 0, 10)) < 0.5f,
+           qPrintable(QString("%1 %2 %3").arg(centre.x).arg(centre.y).arg(centre.z)));
+  QCOMPARE(bone.provenance.file, std::string("CT"));
+  QCOMPARE(scene.scans().size(), std::size_t(1));
+  QVERIFY(scene.scans().front().hounsfield);
+  QCOMPARE(scene.scans().front().spacing(), glm::dvec3(2.0));
+  const auto bytes = model::sceneFileBytes({.scene = scene});
+  QVERIFY(bytes.ok());
+  QVERIFY(bytes->find("QZXNAME") == std::string::npos);
+  QVERIFY2(!groupsOf(scene).contains("QZX"), qPrintable(groupsOf(scene)));
+}
+
+void TestDicomImport::planShowsTheScan() {
+  const QTemporaryDir folder;
+  writeScan(folder);
+  const auto plan = model::planImport(std::array{Path(folder.path().toStdString())}, {});
+  QVERIFY2(plan.ok(), plan.ok() ? "" : plan.error().text().c_str());
+  QVERIFY(plan->read);
+  QCOMPARE(plan->read->scans.size(), std::size_t(1));
+  QCOMPARE(plan->read->scans.front().raw.file, std::string("CT"));
 }
 
 SLINE_TEST_WITH_EVENTS(TestDicomImport)

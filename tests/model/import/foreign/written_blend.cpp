@@ -16,7 +16,7 @@ namespace {
 using Address = std::uint64_t;
 
 template <class T>
-void put(QByteArray& bytes, T value) {
+void putNumber(QByteArray& bytes, T value) {
   char raw[sizeof(T)];
   std::memcpy(raw, &value, sizeof(T));
   bytes.append(raw, sizeof(T));
@@ -81,12 +81,12 @@ QByteArray blendTable() {
       {"char", 1}, {"short", 2}, {"int", 4}, {"float", 4}, {"void", 0}};
   QByteArray structures;
   for (const BlendStructure& structure : blendStructures()) {
-    put(structures, numberIn(types, structure.name));
-    put(structures, std::int16_t(structure.fields.size()));
+    putNumber(structures, numberIn(types, structure.name));
+    putNumber(structures, std::int16_t(structure.fields.size()));
     int& size = sizes[structure.name];
     for (const auto& [type, name] : structure.fields) {
-      put(structures, numberIn(types, type));
-      put(structures, numberIn(names, name));
+      putNumber(structures, numberIn(types, type));
+      putNumber(structures, numberIn(names, name));
       const std::string text = name;
       const int times = text.ends_with("[66]")     ? 66
                         : text.ends_with("[4][4]") ? 16
@@ -97,7 +97,7 @@ QByteArray blendTable() {
   }
   const auto listed = [](const char* mark, const std::vector<std::string>& texts) {
     QByteArray bytes = mark;
-    put(bytes, std::int32_t(texts.size()));
+    putNumber(bytes, std::int32_t(texts.size()));
     for (const std::string& text : texts)
       bytes.append(text.c_str(), qsizetype(text.size()) + 1);
     return bytes;
@@ -107,11 +107,11 @@ QByteArray blendTable() {
   };
   QByteArray lengths = "TLEN";
   for (const std::string& type : types)
-    put(lengths, std::int16_t(sizes[type]));
+    putNumber(lengths, std::int16_t(sizes[type]));
   QByteArray table = padded("SDNA" + listed("NAME", names));
   table = padded(table + listed("TYPE", types));
   table = padded(table + lengths) + "STRC";
-  put(table, std::int32_t(blendStructures().size()));
+  putNumber(table, std::int32_t(blendStructures().size()));
   return table + structures;
 }
 
@@ -136,10 +136,10 @@ class BlendWriter {
   void block(const QByteArray& code, Address address, int index, int count, QByteArray bytes) {
     bytes.append((4 - bytes.size() % 4) % 4, '\0');
     m_bytes += code;
-    put(m_bytes, std::int32_t(bytes.size()));
-    put(m_bytes, address);
-    put(m_bytes, std::int32_t(index));
-    put(m_bytes, std::int32_t(count));
+    putNumber(m_bytes, std::int32_t(bytes.size()));
+    putNumber(m_bytes, address);
+    putNumber(m_bytes, std::int32_t(index));
+    putNumber(m_bytes, std::int32_t(count));
     m_bytes += bytes;
   }
 
@@ -149,17 +149,17 @@ class BlendWriter {
 QByteArray addresses(std::initializer_list<Address> list) {
   QByteArray bytes;
   for (const Address address : list)
-    put(bytes, address);
+    putNumber(bytes, address);
   return bytes;
 }
 
 /// An object at x, mirrored where `scale` is −1; its mesh 0 where it is empty.
 QByteArray blendObject(const char* name, float x, float scale, Address parent, Address mesh) {
   QByteArray bytes = blendId(name);
-  put(bytes, std::int16_t(mesh == 0 ? 0 : 1));
+  putNumber(bytes, std::int16_t(mesh == 0 ? 0 : 1));
   for (const float value :
        {scale, 0.f, 0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 0.f, 1.f, 0.f, x, 0.f, 0.f, 1.f})
-    put(bytes, value);
+    putNumber(bytes, value);
   return bytes + addresses({parent, mesh, 0, 0});
 }
 
@@ -180,23 +180,23 @@ QByteArray blend() {
   QByteArray points;
   for (const glm::vec3& p : kidneyPositions()) {
     for (const float value : {p.x, p.y, p.z})
-      put(points, value);
+      putNumber(points, value);
     points += QByteArray(6, '\0');
   }
   QByteArray corners;
   QByteArray polygons;
   for (const model::Triangle& t : kidneyTriangles()) {
-    put(polygons, std::int32_t(corners.size() / 8));
-    put(polygons, std::int32_t(3));
-    put(polygons, std::int16_t(0));
+    putNumber(polygons, std::int32_t(corners.size() / 8));
+    putNumber(polygons, std::int32_t(3));
+    putNumber(polygons, std::int16_t(0));
     for (const std::uint32_t v : t) {
-      put(corners, std::int32_t(v));
-      put(corners, std::int32_t(0));
+      putNumber(corners, std::int32_t(v));
+      putNumber(corners, std::int32_t(0));
     }
   }
   QByteArray shape = blendId("MEkidney");
   for (const int count : {0, 0, 4, 12, 4})
-    put(shape, std::int32_t(count));
+    putNumber(shape, std::int32_t(count));
   file.block("Mesh", mesh, 1, shape + addresses({0, vertices, loops, faces, paints}));
   file.block("MVert", vertices, 4, points);
   file.block("MLoop", loops, 12, corners);
@@ -204,7 +204,7 @@ QByteArray blend() {
   file.block("ID", paints, 1, addresses({paint}));
   QByteArray red = blendId("MAred");
   for (const float value : {1.0f, 0.5f, 0.25f, 1.0f})
-    put(red, value);
+    putNumber(red, value);
   file.block("Material", paint, 1, red);
   return file.file();
 }
