@@ -14,6 +14,7 @@
 #include "model/import/readers/readers.h"
 #include "tests/model/import/foreign/written_scenes.h"
 #include "tests/model/import/readers/mesh_files.h"
+#include "tests/model/import/worker/spoiled_copies.h"
 #include "tests/support/suite.h"
 
 using namespace sline;
@@ -149,6 +150,11 @@ class CompressedGltfTest : public QObject {
   Q_OBJECT
 
  private slots:
+  void spoiledOnes() {
+    judgeSpoiledCopies("draco.glb", dracoGlb());
+    judgeSpoiledCopies("meshopt.glb", meshoptGlb());
+  }
+
   void kidneys_data() {
     QTest::addColumn<QByteArray>("bytes");
     QTest::addColumn<bool>("compressed");
