@@ -86,7 +86,7 @@ class TestForeignFiles : public QObject {
         << "'CubeHierarchy.bin', which cannot be read";
     QTest::newRow("online3dviewer/lines_in_meshes.obj") << "only lines or points";
     QTest::newRow("slicer/TestData/PentaHexa.vtk") << "'UNSTRUCTURED_GRID', not POLYDATA";
-    QTest::newRow("slicer/TestData/deform2x2x2_ras.nrrd") << "which is no label";
+    QTest::newRow("slicer/TestData/deform2x2x2_ras.nrrd") << "which is neither label nor intensity";
     QTest::newRow("slicer/TestData/ColorTest.ctbl") << "'.ctbl' are not supported";
     QTest::newRow("slicer/cube.mrml") << "content looks like a 3D Slicer scene";
     QTest::newRow("nrrd") << "is a folder";
