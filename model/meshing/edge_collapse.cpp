@@ -75,7 +75,7 @@ CollapseMesh collapseMesh(const Mesh& surface, const CutSurface& cut, const glm:
   }
   for (std::uint32_t t = 0; t < surface.triangleCount(); ++t) {
     const CollapseMesh::FaceHandle face = mesh.new_face();
-    mesh.set_halfedge_handle(face, edges[3 * t]);
+    mesh.set_halfedge_handle(face, edges[std::size_t(3) * t]);
     for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
       mesh.set_next_halfedge_handle(edges[h], edges[nextInTriangle(h)]);
       mesh.set_face_handle(edges[h], face);

@@ -89,6 +89,7 @@ class Japanese {
   }
 
  private:
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): POSIX tells of a failure so.
   bool isOpen() const { return m_state != iconv_t(-1); }
   bool flush(std::string& run, std::string& result) {
     char* from = run.data();
@@ -115,7 +116,7 @@ std::optional<std::string> converted(std::string_view text, const std::string& c
     return Japanese().converted(text);
   DcmSpecificCharacterSet set;
   OFString result;
-  if (set.selectCharacterSet(charset.c_str()).bad() ||
+  if (set.selectCharacterSet(charset).bad() ||
       set.convertString(text.data(), text.size(), result, "\\").bad())
     return std::nullopt;
   return std::string(result.data(), result.size());

@@ -147,7 +147,7 @@ class SeriesReader {
     std::vector<std::uint16_t> values;
     for (std::size_t f = 0; f < places->size(); ++f) {
       if (const Status status = pixels->frame(f, values); !status)
-        return status;
+        return status.error();
       Slice slice{(*places)[f], std::vector<std::int16_t>(values.size())};
       std::transform(values.begin(), values.end(), slice.stored.begin(),
                      [&](std::uint16_t value) { return number.value(value); });

@@ -86,7 +86,7 @@ class AssimpSceneReader {
     for (const std::string& group : groups)
       bytes += sizeof(std::string) + group.size();
     if (const Status granted = spend(bytes * visit.node->mNumChildren, name); !granted)
-      return granted;
+      return granted.error();
     const std::span children(visit.node->mChildren, visit.node->mNumChildren);
     for (std::size_t i = children.size(); i > 0; --i)
       if (children[i - 1])
@@ -107,9 +107,9 @@ class AssimpSceneReader {
       const std::uint64_t bytes = 24 * std::uint64_t(mesh.mNumVertices) +
                                   32 * std::uint64_t(mesh.mNumFaces) + name.size() + 256;
       if (const Status granted = spend(bytes, name); !granted)
-        return granted;
+        return granted.error();
       if (const Status added = add(mesh, visit, name); !added)
-        return added;
+        return added.error();
     }
     return Unit{};
   }
@@ -133,7 +133,7 @@ class AssimpSceneReader {
     mesh.yUp = m_convention.yUp;
     paint(mesh, from);
     if (const Status cut = cutFacesOf(from, visit.above, mesh); !cut)
-      return cut;
+      return cut.error();
     // A mirroring transform turns surfaces inside out; its triangles turn with it.
     if (glm::determinant(glm::dmat3(visit.above)) < 0.0)
       for (Triangle& t : mesh.triangles)

@@ -136,13 +136,13 @@ class Assembler {
 
   Status assemble() {
     if (const Status status = judgeSize(); !status)
-      return status;
+      return status.error();
     for (const AssemblyStep& step : m_assembly.steps) {
       if (atomsIn(step) == 0)
         continue;
       for (const std::vector<std::string>& names : OperatorExpression(step.operators).copies())
         if (const Status status = addCopy(step, names); !status)
-          return status;
+          return status.error();
     }
     if (m_atoms.empty())
       return refusal("names no part that the file has atoms of");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <span>
 
@@ -67,15 +68,20 @@ struct AtomColumns {
 
 /// "_pdbx_struct_oper_list.matrix[2][3]" and the like; the identity where a number is missing.
 AssemblyOperator operatorOf(const EntryColumns& columns, Row row) {
-  const std::string category = "_pdbx_struct_oper_list.";
+  const auto column = [&](std::string name, std::initializer_list<int> indices) {
+    name.insert(0, "_pdbx_struct_oper_list.");
+    for (const int index : indices) {
+      name += '[';
+      name += std::to_string(index + 1);
+      name += ']';
+    }
+    return columns.column(name);
+  };
   AssemblyOperator result;
   for (int r = 0; r < 3; ++r) {
-    const std::string index = "[" + std::to_string(r + 1) + "]";
-    realNumber(row, columns.column(category + "vector" + index), result.shift[r]);
+    realNumber(row, column("vector", {r}), result.shift[r]);
     for (int c = 0; c < 3; ++c)
-      realNumber(row,
-                 columns.column(category + "matrix" + index + "[" + std::to_string(c + 1) + "]"),
-                 result.rotation[c][r]);
+      realNumber(row, column("matrix", {r, c}), result.rotation[c][r]);
   }
   return result;
 }

@@ -62,7 +62,7 @@ class GiftiNumbers {
 
   Status open() {
     if (const Status status = readShape(); !status)
-      return status;
+      return status.error();
     const std::string_view encoding = m_array.tag.attribute("Encoding");
     if (encoding == "ASCII") {
       m_text = true;
@@ -100,7 +100,7 @@ class GiftiNumbers {
   const char* place() const { return m_array.tag.begin(); }
 
  private:
-  Status fault(std::string reason, std::string remedy = {}) const {
+  Status fault(const std::string& reason, std::string remedy = {}) const {
     return m_source.atLine(place(), "an array " + reason, std::move(remedy));
   }
   Status tooFew(std::uint64_t held) const {
@@ -276,7 +276,7 @@ class GiftiParser {
     if (Status status = numbers.open(); !status)
       return status;
     std::vector<Triangle> corners(numbers.rows());
-    const Status read = numbers.each([&](std::size_t row, int column, auto& values) {
+    Status read = numbers.each([&](std::size_t row, int column, auto& values) {
       std::int64_t vertex = 0;
       const bool there = values.integer(numbers.type(), vertex);
       corners[row][std::size_t(column)] = indexFrom(vertex);

@@ -120,7 +120,7 @@ class GltfReader {
     const GltfUnpackedMesh& unpacked = m_unpacked.at(&packed);
     const std::vector<glm::vec3>& positions = unpacked.positions;
     if (const Status granted = grant(unpacked.corners.size(), where); !granted)
-      return granted;
+      return granted.error();
     RawMesh mesh = opened(primitive, instance);
     mesh.triangles = cut(unpacked.corners, Mode::triangles);
     std::vector<std::uint32_t> scratch;

@@ -108,11 +108,11 @@ class ThreeDsReader {
       for (const ChunkSpan& entry : *entries)
         if (entry.id == material)
           if (const Status done = readMaterial(entry); !done)
-            return done;
+            return done.error();
       for (const ChunkSpan& entry : *entries)
         if (entry.id == object)
           if (const Status done = readObject(entry); !done)
-            return done;
+            return done.error();
     }
     return Unit{};
   }
@@ -175,7 +175,7 @@ class ThreeDsReader {
     for (const ChunkSpan& part : *parts)
       if (part.id == triangleMesh)
         if (const Status done = readMesh(part, name); !done)
-          return done;
+          return done.error();
     return Unit{};
   }
 
@@ -225,7 +225,7 @@ class ThreeDsReader {
         paint(entry, materialOf, used);
     for (std::size_t i = 0; i < used.size(); ++i)
       if (const Status added = addPainted({part, materialOf, i, used[i]}, positions, name); !added)
-        return added;
+        return added.error();
     return Unit{};
   }
 
@@ -274,7 +274,7 @@ class ThreeDsReader {
     cutFaces({faces, 0, faces.size()}, positions, mesh.triangles, tally);
     if (const Status judged = judge(m_source, faces, tally, BadFaces::areErrors, m_result.warnings);
         !judged)
-      return judged;
+      return judged.error();
     keepUsed(positions, m_scratch, mesh);
     m_scratch.clear();
     return finish(m_source, std::move(mesh), m_result);

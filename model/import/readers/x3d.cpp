@@ -274,7 +274,7 @@ class X3dReader {
       if (kind == x3dGeometries.end())
         warnOnce("shapes of kind " + inQuotes(child->type) + " are left out");
       else if (const Status added = addGeometry(*child, *kind, visit); !added)
-        return added;
+        return added.error();
     }
     return Unit{};
   }
@@ -297,7 +297,7 @@ class X3dReader {
     cutFaces({faces, 0, faces.size()}, positions, mesh.triangles, tally);
     if (const Status judged = judge(m_source, faces, tally, BadFaces::areErrors, m_result.warnings);
         !judged)
-      return judged;
+      return judged.error();
     std::vector<std::uint32_t> scratch;
     keepUsed(positions, scratch, mesh);
     // A mirroring transform turns surfaces inside out; its triangles turn with it.

@@ -156,7 +156,7 @@ class X3dClassicParser {
       else if (key == "PROTO" || key == "EXTERNPROTO")
         skipPrototype();
       else if (const Status read = readField(key, node, depth); !read)
-        return read;
+        return read.error();
     }
     return Unit{};
   }
@@ -188,7 +188,7 @@ class X3dClassicParser {
       if (isValue(item))
         continue;
       if (const Status read = readNode(item, &node, depth + 1); !read)
-        return read;
+        return read.error();
     }
     node.fields.emplace_back(key, std::string_view(begin, std::size_t(m_at - 1 - begin)));
     return Unit{};

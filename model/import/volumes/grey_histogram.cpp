@@ -12,7 +12,7 @@ GreyHistogram::GreyHistogram(const GreyVolume& volume)
     return;
   m_counts.assign(65536, 0);
   for (const std::int16_t code : volume.voxels)
-    ++m_counts[std::size_t(int(code) + 32768)];
+    ++m_counts[std::size_t(std::ptrdiff_t(code) + 32768)];
   if (volume.slope < 0.0) {
     // slope × c + zero = −slope × (−1 − c) + zero + slope: the codes run backwards.
     std::reverse(m_counts.begin(), m_counts.end());

@@ -94,7 +94,7 @@ class Thresholder {
     m_mask.labels = {{1, m_threshold.name, {}, {}}};
     m_mask.voxels.resize(m_volume.voxels.size());
     parallelFor(m_mask.voxels.size(), std::size_t(1) << 16, [&](std::size_t i) {
-      m_mask.voxels[i] = within[std::size_t(int(m_volume.voxels[i]) + 32768)];
+      m_mask.voxels[i] = within[std::size_t(std::ptrdiff_t(m_volume.voxels[i]) + 32768)];
     });
     return std::any_of(m_mask.voxels.begin(), m_mask.voxels.end(), [](auto v) { return v != 0; });
   }

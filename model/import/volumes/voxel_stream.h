@@ -61,6 +61,7 @@ Status forEachRun(const VoxelLayout& layout, const VoxelBytes& stored, std::uint
 template <class Visit>
 void withNumberType(ScalarType type, const Visit& visit) {
   switch (type) {
+    // NOLINTNEXTLINE(bugprone-branch-clone): each has another type
     case ScalarType::int8:
       return visit(std::int8_t());
     case ScalarType::uint8:

@@ -20,8 +20,6 @@
 #include "model/import/worker/child_main.h"
 #include "model/import/worker/confinement.h"
 
-extern char** environ;
-
 namespace sline::model {
 
 namespace {

@@ -43,7 +43,7 @@ void removeTraces(Object object) {
   if (object.isStream())
     object = object.getDict();
   if (object.isArray()) {
-    for (Object item : object.getArrayAsVector())
+    for (const Object& item : object.getArrayAsVector())
       if (!item.isIndirect())
         removeTraces(item);
     return;

@@ -35,7 +35,7 @@ class WebpFile : public RowFile {
     const std::unique_ptr<WebPMemoryWriter, decltype(&WebPMemoryWriterClear)> owner(
         &packed, &WebPMemoryWriterClear);
     if (const Status done = pack(packed); !done.ok())
-      return done;
+      return done.error();
     WebPData whole{packed.mem, packed.size};
     const std::string xmp = xmpPacket(m_layout.credit);
     if (xmp.empty())
@@ -47,7 +47,7 @@ class WebpFile : public RowFile {
     if (!mux || WebPMuxSetChunk(mux.get(), "XMP ", &chunk, 0) != WEBP_MUX_OK ||
         WebPMuxAssemble(mux.get(), &credited) != WEBP_MUX_OK)
       return failed("there is too little memory");
-    const Status written = write(credited);
+    Status written = write(credited);
     WebPDataClear(&credited);
     return written;
   }

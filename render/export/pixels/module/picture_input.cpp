@@ -14,7 +14,7 @@ namespace sline::render {
 
 namespace {
 
-using std::string_view_literals::operator""sv;
+using namespace std::string_view_literals;
 
 /// How a kind of file begins.
 struct Signature {
