@@ -27,8 +27,8 @@ Result<RawMeshes> readingFirst(std::span<const std::filesystem::path> files,
 /// Descriptor over which request and answer go: a file in memory.
 inline constexpr int exchangeDescriptor = 3;
 
-/// Does what the request on `exchangeDescriptor` asks for and writes the answer in its place.
-/// Returns the exit status: 0 where there is an answer, 2 where there was no request.
+/// Does what the request on `exchangeDescriptor` asks for, writes the answer in its place and ends
+/// the process. Returns only where there was no request, with the status to end with.
 int runReadingChild(std::span<const ChildReader> readers);
 
 }  // namespace sline::model
