@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/import/dicom/segment_table.h"
 
-#include <algorithm>
-#include <cmath>
 #include <glm/mat3x3.hpp>
 #include <utility>
+
+#include "model/import/readers/colour_of_light.h"
 
 namespace sline::model {
 
@@ -14,12 +14,6 @@ constexpr Tag segmentNumber{0x0062, 0x0004};
 constexpr Tag segmentLabel{0x0062, 0x0005};
 constexpr Tag displayLab{0x0062, 0x000d};
 constexpr Tag codeMeaning{0x0008, 0x0104};
-
-std::uint8_t encoded(double linear) {
-  const double x = std::clamp(linear, 0.0, 1.0);
-  const double y = x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
-  return std::uint8_t(std::lround(255.0 * y));
-}
 
 /// The meaning of a code sequence's first code; empty without.
 std::string meaningIn(const DataSet& item, Tag sequence) {
@@ -63,8 +57,7 @@ Colour colourOfLab(const std::array<std::uint16_t, 3>& lab) {
   // XYZ under D50 → linear sRGB (Bradford's adaptation to D65 included); columns x, y, z.
   const glm::dmat3 toLinear(3.1338561, -0.9787684, 0.0719453, -1.6168667, 1.9161415, -0.2289914,
                             -0.4906146, 0.0334540, 1.4052427);
-  const glm::dvec3 rgb = toLinear * xyz;
-  return {encoded(rgb.x), encoded(rgb.y), encoded(rgb.z)};
+  return colourOfLight(toLinear * xyz);
 }
 
 }  // namespace sline::model
