@@ -10,7 +10,7 @@ packages=(
   build-essential cmake ninja-build pkg-config
   # Qt and OpenGL, with a display and without one; the letters of labels
   qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
-  libgl-dev libglx-mesa0 libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri
+  libqt6opengl6-dev libgl-dev libglx-mesa0 libepoxy-dev libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri
   fonts-dejavu-core fonts-dejavu-extra
   # meshes and volumes, pixel files, films
   libvtk9-dev libopenmesh-dev libopenimageio-dev libwebp-dev libgif-dev
