@@ -73,7 +73,7 @@ class GuardedBytes : public DcmProducer {
 
   OFBool good() const override { return m_fault == Fault::none; }
   OFCondition status() const override { return good() ? EC_Normal : EC_CorruptedData; }
-  OFBool eos() override { return m_at == m_bytes.size(); }
+  OFBool eos() override { return isAtEnd(); }
   offile_off_t avail() override { return good() ? offile_off_t(m_bytes.size() - m_at) : 0; }
   offile_off_t read(void* buffer, offile_off_t size) override;
   offile_off_t skip(offile_off_t size) override;
@@ -82,6 +82,8 @@ class GuardedBytes : public DcmProducer {
   Fault fault() const { return m_fault; }
   /// How many bytes have been read.
   std::size_t position() const { return m_at; }
+  std::string_view rest() const { return m_bytes.substr(m_at); }
+  bool isAtEnd() const { return m_at == m_bytes.size(); }
 
  private:
   void watch();
@@ -93,12 +95,35 @@ class GuardedBytes : public DcmProducer {
   Fault m_fault = Fault::none;
 };
 
-/// A stream of them; the producer must outlive it. Values are read at once.
+/// Opens the bytes again where a long value stands, once somebody asks for it. They must outlive
+/// the elements.
+class BytesFrom : public DcmInputStreamFactory {
+ public:
+  explicit BytesFrom(std::string_view rest) : m_rest(rest) {}
+  DcmInputStream* create() const override;
+  DcmInputStreamFactory* clone() const override { return new BytesFrom(*this); }
+  DcmInputStreamFactoryType ident() const override { return DFT_DcmInputFileStreamFactory; }
+
+ private:
+  std::string_view m_rest;
+};
+
+/// A stream of guarded bytes. Long values are passed over and read when they are asked for: a
+/// stream that cannot be opened again would have their memory allocated by the length that the
+/// file promises, up to 4 GB, before the bytes are found missing.
 class GuardedStream : public DcmInputStream {
  public:
-  explicit GuardedStream(GuardedBytes& bytes) : DcmInputStream(&bytes) {}
-  DcmInputStreamFactory* newFactory() const override { return nullptr; }
+  explicit GuardedStream(std::string_view bytes) : DcmInputStream(&m_bytes), m_bytes(bytes) {}
+  DcmInputStreamFactory* newFactory() const override { return new BytesFrom(m_bytes.rest()); }
+  const GuardedBytes& bytes() const { return m_bytes; }
+
+ private:
+  GuardedBytes m_bytes;
 };
+
+DcmInputStream* BytesFrom::create() const {
+  return new GuardedStream(m_rest);
+}
 
 GuardedBytes::GuardedBytes(std::string_view bytes) : m_bytes(bytes), m_stack(stackHere()) {}
 
@@ -190,8 +215,8 @@ Status DicomFile::parseData(std::string_view text, const std::string& syntax, Ex
            syntax != deflated && known.getXfer() != EXS_Unknown)
     kind = known.getXfer();
   m_dataset = std::make_shared<DcmDataset>();
-  GuardedBytes bytes(text);
-  GuardedStream stream(bytes);
+  GuardedStream stream(text);
+  const GuardedBytes& bytes = stream.bytes();
   const DcmTagKey end = extent == Extent::beginning
                             ? DcmTagKey(behindSeries.group, behindSeries.element)
                             : DCM_UndefinedTagKey;
@@ -199,14 +224,14 @@ Status DicomFile::parseData(std::string_view text, const std::string& syntax, Ex
   const OFCondition done =
       m_dataset->readUntilTag(stream, kind, EGL_noChange, DCM_MaxReadLength, end);
   m_dataset->transferEnd();
-  const bool whole = extent == Extent::beginning || bytes.eos();
+  const bool whole = extent == Extent::beginning || bytes.isAtEnd();
   if (done.bad() || !bytes.good() || !whole) {
     const std::size_t at = text.data() >= m_source.begin() && text.data() <= m_source.end()
                                ? std::size_t(text.data() - m_source.begin()) + bytes.position()
                                : bytes.position();
     return m_source.at(
         "byte " + std::to_string(at) + (syntax == deflated ? " of the unpacked data" : ""),
-        reasonFor(bytes, done, bytes.eos()), sendAgain);
+        reasonFor(bytes, done, bytes.isAtEnd()), sendAgain);
   }
   m_data = DataSet(*m_dataset);
   return Unit{};
@@ -220,25 +245,24 @@ Result<DicomFile> DicomFile::parsed(Source source, Extent extent) {
     return file.m_source.whole(
         "is not a DICOM file: neither 'DICM' nor an element stands where it should",
         "Give the file the extension of its kind");
-  GuardedBytes bytes(text);
-  GuardedStream stream(bytes);
+  GuardedStream stream(text);
+  const GuardedBytes& bytes = stream.bytes();
   DcmMetaInfo meta;
   meta.transferInit();
   const OFCondition done = meta.read(stream, EXS_Unknown, EGL_noChange, DCM_MaxReadLength);
   meta.transferEnd();
   if ((done.bad() && done != EC_EndOfStream) || !bytes.good())
     return file.m_source.at("byte " + std::to_string(bytes.position()),
-                            reasonFor(bytes, done, bytes.eos()), sendAgain);
+                            reasonFor(bytes, done, bytes.isAtEnd()), sendAgain);
   const DataSet header(meta);
   const std::string syntax = header.text(transferSyntax);
   std::string_view rest = text.substr(bytes.position());
-  std::string inflated;
   if (syntax == deflated) {
     Result<std::string> data = file.unpacked(rest);
     if (!data)
       return data.error();
-    inflated = std::move(*data);
-    rest = inflated;
+    file.m_inflated = std::make_unique<const std::string>(std::move(*data));
+    rest = *file.m_inflated;
   }
   if (const Status status = file.parseData(rest, syntax, extent); !status)
     return status.error();

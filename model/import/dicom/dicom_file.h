@@ -44,7 +44,8 @@ class DicomFile {
   Status parseData(std::string_view text, const std::string& syntax, Extent extent);
 
   Source m_source;
-  std::shared_ptr<DcmDataset> m_dataset;
+  std::unique_ptr<const std::string> m_inflated;  ///< the data of a file that is deflated
+  std::shared_ptr<DcmDataset> m_dataset;          ///< takes long values from those two
   DataSet m_data;
   std::string m_sopClass;
   PixelCoding m_pixelCoding = PixelCoding::native;
