@@ -4361,17 +4361,6 @@ OpenGL: %3</translation>
 </context>
 <context>
     <name>sline::widgets::Session</name>
-    <message>
-        <source>Γ of %1</source>
-        <translation>Γ von %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>Γ of %n items</source>
-        <translation>
-            <numerusform>Γ von %n Element</numerusform>
-            <numerusform>Γ von %n Elementen</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>%1 and %n more</source>
         <translation>

@@ -306,13 +306,6 @@
 <context>
     <name>sline::widgets::Session</name>
     <message numerus="yes">
-        <source>Γ of %n items</source>
-        <translation>
-            <numerusform>Γ of %n item</numerusform>
-            <numerusform>Γ of %n items</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%1 and %n more</source>
         <translation>
             <numerusform>%1 and %n more</numerusform>

@@ -4361,17 +4361,6 @@ OpenGL: %3</translation>
 </context>
 <context>
     <name>sline::widgets::Session</name>
-    <message>
-        <source>Γ of %1</source>
-        <translation>Γ van %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>Γ of %n items</source>
-        <translation>
-            <numerusform>Γ van %n onderdeel</numerusform>
-            <numerusform>Γ van %n onderdelen</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>%1 and %n more</source>
         <translation>

@@ -10,6 +10,7 @@
 #include "model/anatomy/anatomical_names.h"
 #include "model/edit/annotations.h"
 #include "model/edit/views.h"
+#include "model/edit/visibility.h"
 #include "model/files/scene_file.h"
 #include "model/geometry/nearest_point.h"
 #include "model/scene/markup.h"

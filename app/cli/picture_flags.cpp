@@ -8,8 +8,9 @@
 #include "app/cli/camera_file.h"
 #include "app/cli/interruption.h"
 #include "app/cli/names.h"
-#include "model/edit/style.h"
+#include "model/edit/look.h"
 #include "model/edit/views.h"
+#include "model/edit/visibility.h"
 #include "model/geometry/plane_section.h"
 #include "render/export/pixels/image_file.h"
 #include "render/gpu/headless/context.h"
@@ -295,7 +296,7 @@ Result<model::Scene> styled(const model::Scene& scene, const PictureOrder& order
                    [](const Patch& a, const Patch& b) { return a.depth < b.depth; });
   model::Scene result = scene;
   for (const Patch& patch : patches)
-    result = model::withStyle(result, allBelow(scene, patch.node), patch.style).scene;
+    result = model::withLook(result, allBelow(scene, patch.node), patch.style).scene;
   if (order.blackAndWhite)
     result = model::withInkAlone(result).scene;
   return order.only.empty() ? result : withOnly(result, order.only);

@@ -12,6 +12,7 @@
 #include "app/cli/picture_options.h"
 #include "app/cli/targets.h"
 #include "app/cli/thumbnail.h"
+#include "model/base/colour_text.h"
 #include "model/edit/views.h"
 #include "model/files/scene_file.h"
 #include "render/export/pixels/image_file.h"
@@ -40,14 +41,6 @@ std::string nameOf(const model::Scene& scene, model::NodeId id) {
   std::replace_if(
       name.begin(), name.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }, ' ');
   return name;
-}
-
-std::string hex(const Colour& colour) {
-  std::ostringstream text;
-  text << '#' << std::hex << std::setfill('0');
-  for (const int value : {int(colour.red), int(colour.green), int(colour.blue)})
-    text << std::setw(2) << value;
-  return text.str();
 }
 
 std::string rounded(double value) {
@@ -101,7 +94,7 @@ void printJson(const model::Scene& scene, const render::PrintProof& proof,
   for (const render::ProofProposal& proposal : proof.proposals) {
     Json json{{"structure", nameOf(scene, proposal.node)}};
     if (proposal.colour)
-      json["colour"] = hex(*proposal.colour);
+      json["colour"] = colourText(*proposal.colour);
     if (proposal.gamma)
       json["gamma"] = jsonNumber(proposal.gamma->value());
     root["proposals"].push_back(std::move(json));
@@ -144,7 +137,7 @@ void printProposals(const model::Scene& scene, const render::PrintProof& proof,
   for (const render::ProofProposal& proposal : proof.proposals) {
     std::cout << "  " << nameOf(scene, proposal.node) << ": ";
     if (proposal.colour)
-      std::cout << "colour " << hex(*proposal.colour);
+      std::cout << "colour " << colourText(*proposal.colour);
     if (proposal.gamma)
       std::cout << (proposal.colour ? ", " : "") << "gamma " << rounded(proposal.gamma->value());
     std::cout << '\n';

@@ -6,7 +6,9 @@
 #include <charconv>
 #include <cmath>
 
+#include "model/base/colour_text.h"
 #include "model/import/volumes/threshold_presets.h"
+#include "model/scene/style_fields.h"
 
 namespace sline::cli {
 
@@ -22,10 +24,6 @@ constexpr std::array<Choice<model::Frame>, 3> frames{
     {{"LPS", model::Frame::lps}, {"RAS", model::Frame::ras}, {"file", model::Frame::file}}};
 constexpr std::array<Choice<float>, 4> units{
     {{"mm", 1.0f}, {"cm", 10.0f}, {"m", 1000.0f}, {"inch", 25.4f}}};
-constexpr std::array<Choice<model::Fill>, 4> fills{{{"none", model::Fill::none},
-                                                    {"paper", model::Fill::paper},
-                                                    {"tint", model::Fill::tint},
-                                                    {"veil", model::Fill::veil}}};
 constexpr std::array<Choice<render::Background>, 4> backgrounds{
     {{"white", render::Background::white},
      {"paper", render::Background::paper},
@@ -76,13 +74,6 @@ std::optional<T> number(std::string_view text) {
   return value;
 }
 
-int hexDigit(char c) {
-  if (c >= '0' && c <= '9')
-    return c - '0';
-  const char small = lower(c);
-  return small >= 'a' && small <= 'f' ? small - 'a' + 10 : -1;
-}
-
 }  // namespace
 
 Result<Size> parseSize(std::string_view text) {
@@ -129,57 +120,51 @@ Result<Gamma> parseGamma(std::string_view text) {
 
 namespace {
 
-template <class T>
-Result<T> withinRange(std::string_view what, std::string_view text) {
-  const std::string right = "a number from 0 to " + std::to_string(int(T::clamped(1e6f).value())) +
+Result<float> withinLimits(std::string_view what, std::string_view text,
+                           const model::Limits& limits) {
+  const std::string right = "a number from " + std::to_string(int(limits.low)) + " to " +
+                            std::to_string(int(limits.high)) +
                             " (1 is the usual), or NAME=NUMBER for one structure or group";
   const auto value = number<float>(text);
   if (!value)
     return wrong(what, text, right);
-  const auto bounded = T::from(*value);
-  if (!bounded)
+  if (!(*value >= limits.low && *value <= limits.high))
     return Error{.reason = std::string(what) + " " + std::string(text) + " is out of range",
                  .remedy = "Give " + right};
-  return *bounded;
+  return *value;
 }
 
-using PenWeight = Bounded<struct PenWeightTag, 0, 10>;
+template <class Field>
+Result<model::Style> parseField(const Field& field, std::string_view what, std::string_view text) {
+  const Result<float> number = withinLimits(what, text, field.limits());
+  if (!number)
+    return number.error();
+  model::Style style;
+  if constexpr (std::is_same_v<typename Field::Value, float>)
+    style.*field.own = *number;
+  else
+    style.*field.own = Field::Value::clamped(*number);
+  return style;
+}
 
 }  // namespace
 
 Result<model::Style> parsePen(std::string_view text) {
-  const Result<PenWeight> pen = withinRange<PenWeight>("pen", text);
-  if (!pen)
-    return pen.error();
-  return model::Style{.penWeight = pen->value()};
+  return parseField(model::style_fields::penWeight, "pen", text);
 }
 
 Result<model::Style> parseHatchDensity(std::string_view text) {
-  const Result<HatchDensity> density = withinRange<HatchDensity>("hatch density", text);
-  if (!density)
-    return density.error();
-  return model::Style{.hatchDensity = *density};
+  return parseField(model::style_fields::hatchDensity, "hatch density", text);
 }
 
 Result<model::Style> parseHatchTone(std::string_view text) {
-  const Result<HatchTone> tone = withinRange<HatchTone>("hatch tone", text);
-  if (!tone)
-    return tone.error();
-  return model::Style{.hatchTone = *tone};
+  return parseField(model::style_fields::hatchTone, "hatch tone", text);
 }
 
 Result<Colour> parseColour(std::string_view text) {
-  constexpr std::string_view right = "NAME=#rrggbb, such as liver=#a0523c";
-  if (text.size() != 7 || text.front() != '#')
-    return wrong("colour", text, right);
-  std::array<int, 6> digits{};
-  std::transform(text.begin() + 1, text.end(), digits.begin(), hexDigit);
-  if (std::find(digits.begin(), digits.end(), -1) != digits.end())
-    return wrong("colour", text, right);
-  const auto channel = [&digits](std::size_t i) {
-    return std::uint8_t(16 * digits[2 * i] + digits[2 * i + 1]);
-  };
-  return Colour{channel(0), channel(1), channel(2)};
+  if (const std::optional<Colour> colour = colourFrom(text))
+    return *colour;
+  return wrong("colour", text, "NAME=#rrggbb, such as liver=#a0523c");
 }
 
 Result<model::Frame> parseFrame(std::string_view text) {
@@ -234,6 +219,9 @@ Result<model::Threshold> parseThreshold(std::string_view text) {
 }
 
 Result<model::Fill> parseFill(std::string_view text) {
+  std::array<Choice<model::Fill>, model::fillNames.size()> fills;
+  for (std::size_t i = 0; i < fills.size(); ++i)
+    fills[i] = {model::fillNames[i], model::Fill(i)};
   return parseChoice(fills, "fill", text);
 }
 

@@ -15,6 +15,8 @@ namespace sline {
 template <class Tag, int Low, int High>
 class Bounded {
  public:
+  static constexpr float low = float(Low);
+  static constexpr float high = float(High);
   constexpr Bounded() = default;
   static std::optional<Bounded> from(float value) {
     if (!(value >= float(Low) && value <= float(High)))

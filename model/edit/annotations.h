@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edits of annotations: Scene → Scene (see model/edit/style.h for `Edited`).
+// Edits of annotations: Scene → Scene.
 #pragma once
 
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "model/edit/style.h"
+#include "model/edit/edited.h"
 
 namespace sline::model {
 

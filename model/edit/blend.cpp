@@ -6,6 +6,7 @@
 #include <map>
 
 #include "model/scene/resolved_styles.h"
+#include "model/scene/style_fields.h"
 
 namespace sline::model {
 
@@ -20,9 +21,25 @@ Colour between(const Colour& a, const Colour& b, float part) {
           between(a.blue, b.blue, part)};
 }
 
+float between(float a, float b, float part) {
+  return std::lerp(a, b, part);
+}
+
 template <class T>
 T between(const T& a, const T& b, float part) {
   return T::clamped(std::lerp(a.value(), b.value(), part));
+}
+
+Fill between(Fill a, Fill b, float part) {
+  return part < 0.5f ? a : b;
+}
+
+/// Where one end has no answer, the nearer end's.
+template <class T>
+std::optional<T> between(const std::optional<T>& a, const std::optional<T>& b, float part) {
+  if (a && b)
+    return between(*a, *b, part);
+  return part < 0.5f ? a : b;
 }
 
 /// What is hidden at one end has the other end's look there, but is as faint as can be: neither
@@ -36,19 +53,11 @@ ResolvedStyle faint(const ResolvedStyle& look) {
 }
 
 Style styleAt(const ResolvedStyle& a, const ResolvedStyle& b, float part) {
-  const ResolvedStyle& nearer = part < 0.5f ? a : b;
   Style style;
   style.visible = a.visible || b.visible;
-  style.colour = between(a.colour, b.colour, part);
-  style.inkColour = nearer.inkColour;
-  if (a.inkColour && b.inkColour)
-    style.inkColour = between(*a.inkColour, *b.inkColour, part);
-  style.gamma = between(a.gamma, b.gamma, part);
-  style.opacity = between(a.opacity, b.opacity, part);
-  style.fill = nearer.fill;
-  style.penWeight = std::lerp(a.penWeight, b.penWeight, part);
-  style.hatchDensity = between(a.hatchDensity, b.hatchDensity, part);
-  style.hatchTone = between(a.hatchTone, b.hatchTone, part);
+  forEachLookField([&](const auto& field) {
+    style.*field.own = between(a.*field.resolved, b.*field.resolved, part);
+  });
   return style;
 }
 

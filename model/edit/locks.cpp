@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "model/scene/style_fields.h"
+
 namespace sline::model {
 
 namespace {
@@ -16,18 +18,10 @@ void restoreLook(Style& style, const Style& before) {
 
 /// Says of the style what would else be inherited otherwise.
 void answer(Style& style, const ResolvedStyle& before, const ResolvedStyle& now) {
-  const auto keep = [](auto& own, const auto& was, const auto& is) {
-    if (!(was == is))
-      own = was;
-  };
-  keep(style.colour, before.colour, now.colour);
-  keep(style.inkColour, before.inkColour, now.inkColour);
-  keep(style.gamma, before.gamma, now.gamma);
-  keep(style.opacity, before.opacity, now.opacity);
-  keep(style.fill, before.fill, now.fill);
-  keep(style.penWeight, before.penWeight, now.penWeight);
-  keep(style.hatchDensity, before.hatchDensity, now.hatchDensity);
-  keep(style.hatchTone, before.hatchTone, now.hatchTone);
+  forEachLookField([&](const auto& field) {
+    if (before.*field.resolved != now.*field.resolved)
+      style.*field.own = before.*field.resolved;
+  });
 }
 
 }  // namespace

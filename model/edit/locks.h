@@ -4,8 +4,8 @@
 // edits of style, emphasis and tree obey this; a new one does so with the functions here.
 #pragma once
 
+#include "model/edit/edited.h"
 #include "model/edit/node_sets.h"
-#include "model/edit/style.h"
 
 namespace sline::model {
 

@@ -5,31 +5,6 @@
 
 namespace sline::model {
 
-namespace {
-
-template <class Body>
-void forEachField(const Body& body) {
-  body(&Style::colour);
-  body(&Style::inkColour);
-  body(&Style::gamma);
-  body(&Style::opacity);
-  body(&Style::fill);
-  body(&Style::visible);
-  body(&Style::penWeight);
-  body(&Style::hatchDensity);
-  body(&Style::hatchTone);
-}
-
-/// Clears what `which` answers.
-void forget(Style& style, const Style& which) {
-  forEachField([&](auto field) {
-    if (which.*field)
-      (style.*field).reset();
-  });
-}
-
-}  // namespace
-
 Edited withLook(const Scene& scene, std::span<const NodeId> ids, const Style& look) {
   return withStyles(scene, ids, [&look](Style& style, bool named) {
     if (named)
@@ -43,26 +18,42 @@ Edited withLookInherited(const Scene& scene, std::span<const NodeId> ids, const 
   return withStyles(scene, ids, [&which](Style& style, bool) { forget(style, which); });
 }
 
-Style picked(const Style& style, const Style& which) {
-  Style some;
-  forEachField([&](auto field) {
-    if (which.*field)
-      some.*field = style.*field;
-  });
-  return some;
+Style lookOf(const Scene& scene, NodeId id) {
+  return answersOf(scene.resolve(id));
 }
 
-Style lookOf(const Scene& scene, NodeId id) {
-  const ResolvedStyle seen = scene.resolve(id);
-  return {.colour = seen.colour,
-          .inkColour = seen.inkColour,
-          .gamma = seen.gamma,
-          .opacity = seen.opacity,
-          .fill = seen.fill,
-          .visible = seen.visible,
-          .penWeight = seen.penWeight,
-          .hatchDensity = seen.hatchDensity,
-          .hatchTone = seen.hatchTone};
+Edited withInkAlone(const Scene& scene) {
+  const Gamma hatched = Gamma::clamped(3.0f);
+  std::vector<Node> nodes = scene.nodes();
+  for (Node& node : nodes) {
+    node.style.inkColour = Colour{0, 0, 0};
+    if (node.isGroup())
+      continue;
+    node.style.colour = Colour{255, 255, 255};  // of cut faces
+    const ResolvedStyle style = scene.resolve(node.id);
+    const bool shaded = style.gamma.value() > hatched.value();
+    if (shaded) {
+      // As much darker as it was further on the way to its surface: what stood out still does.
+      constexpr float darker = 0.4f;
+      node.style.hatchTone = HatchTone::clamped(
+          style.hatchTone.value() * (1.0f + darker * (style.gamma.value() - hatched.value())));
+      node.style.gamma = hatched;
+    }
+    // Half of a fill would be a tone again.
+    if (shaded || style.fill != Fill::none) {
+      node.style.fill = style.opacity.value() >= 0.5f ? Fill::paper : Fill::none;
+      node.style.opacity = Opacity::clamped(1.0f);
+    }
+  }
+  std::vector<Section> sections = scene.sections();
+  for (Section& section : sections)
+    section.hatched = true;
+  Edited edited{scene, nodes != scene.nodes() || sections != scene.sections()};
+  if (edited.changed) {
+    edited.scene.setNodes(std::move(nodes));
+    edited.scene.setSections(std::move(sections));
+  }
+  return edited;
 }
 
 }  // namespace sline::model

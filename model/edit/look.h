@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Looks: several fields of a style at once, by hand or from a preset (see model/edit/style.h for
-// `Edited`). What is said of a group holds for all in it; what is locked keeps its look.
+// Edits of looks: several fields of a style at once, by hand or from a preset. What is said of a
+// group holds for all in it, so what structures in it said themselves is forgotten; they may say
+// otherwise afterwards, and inherit again. What is locked keeps its look (model/edit/locks.h).
 #pragma once
 
+#include <span>
 #include <string>
 
-#include "model/edit/style.h"
+#include "model/edit/edited.h"
+#include "model/scene/style_fields.h"
 
 namespace sline::model {
 
@@ -16,14 +19,20 @@ struct StylePreset {
   bool operator==(const StylePreset&) const = default;
 };
 
-/// The nodes with those fields that `look` answers; below them they are inherited again.
+/// Gives the nodes those fields that `look` answers; below them these are inherited again. Unknown
+/// ids are ignored.
 Edited withLook(const Scene& scene, std::span<const NodeId> ids, const Style& look);
-/// The nodes, and all below them, inherit again what `which` answers, whatever it answers.
+/// Lets the nodes, and all below them, inherit again what `which` answers, whatever it answers.
 Edited withLookInherited(const Scene& scene, std::span<const NodeId> ids, const Style& which);
 
-/// Those answers of the style for whose fields `which` has any.
-Style picked(const Style& style, const Style& which);
-/// How the node looks, inherited or not; ink that has no colour of its own stays unanswered.
+/// Returns how the node looks, inherited or not; ink that has no colour of its own stays
+/// unanswered.
 Style lookOf(const Scene& scene, NodeId id);
+
+/// Reduces the looks to what a press without colours or tones can print: black ink alone. Γ ends
+/// at 3, where shading would begin; what was shaded or washed hides what is behind it in the colour
+/// of the paper, or where it was rather transparent, not at all. Cut faces become white, with
+/// hatching.
+Edited withInkAlone(const Scene& scene);
 
 }  // namespace sline::model

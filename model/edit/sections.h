@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edits of section planes: Scene → Scene (see model/edit/style.h for `Edited`).
+// Edits of section planes: Scene → Scene.
 #pragma once
 
 #include <optional>
 #include <span>
 
-#include "model/edit/style.h"
+#include "model/edit/edited.h"
 
 namespace sline::model {
 

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "model/edit/locks.h"
+#include "model/scene/style_fields.h"
 
 namespace sline::model {
 

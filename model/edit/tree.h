@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edits of the tree: Scene → Scene (see model/edit/style.h for `Edited`). What is locked keeps its
+// Edits of the tree: Scene → Scene. What is locked keeps its
 // name and its place and is not removed (model/edit/locks.h).
 #pragma once
 
 #include <string>
 
-#include "model/edit/style.h"
+#include "model/edit/edited.h"
 
 namespace sline::model {
 

@@ -5,6 +5,9 @@
 #include <map>
 #include <set>
 
+#include "model/scene/resolved_styles.h"
+#include "model/scene/style_fields.h"
+
 namespace sline::model {
 
 namespace {
@@ -58,21 +61,14 @@ ShownScene shown(const Scene& scene, const View& view) {
 }
 
 std::vector<Look> looksOf(const Scene& scene) {
+  const std::vector<ResolvedStyle> resolved = resolveAll(scene);
   std::vector<Look> looks;
-  for (const Node& node : scene.nodes()) {
+  for (std::size_t i = 0; i < resolved.size(); ++i) {
+    const Node& node = scene.nodes()[i];
     Look look{.node = node.id};
+    if (!node.isGroup())
+      look.style = answersOf(resolved[i]);
     look.style.visible = node.style.visible.value_or(true);
-    if (!node.isGroup()) {
-      const ResolvedStyle seen = scene.resolve(node.id);
-      look.style.colour = seen.colour;
-      look.style.inkColour = seen.inkColour;
-      look.style.gamma = seen.gamma;
-      look.style.opacity = seen.opacity;
-      look.style.fill = seen.fill;
-      look.style.penWeight = seen.penWeight;
-      look.style.hatchDensity = seen.hatchDensity;
-      look.style.hatchTone = seen.hatchTone;
-    }
     looks.push_back(std::move(look));
   }
   return looks;

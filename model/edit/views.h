@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "model/edit/style.h"
+#include "model/edit/edited.h"
 
 namespace sline::model {
 

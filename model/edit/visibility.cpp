@@ -17,9 +17,14 @@ Edited edited(const Scene& before, Scene&& after) {
 }
 
 Scene withVisible(const Scene& scene, std::span<const NodeId> ids, bool visible) {
-  Style patch;
-  patch.visible = visible;
-  return withStyle(scene, ids, patch).scene;
+  const NodeSet named = setOf(ids);
+  std::vector<Node> nodes = scene.nodes();
+  for (Node& node : nodes)
+    if (named.contains(node.id.value))
+      node.style.visible = visible;
+  Scene after = scene;
+  after.setNodes(std::move(nodes));
+  return after;
 }
 
 bool saysHidden(const Scene& scene, NodeId id) {
@@ -132,6 +137,29 @@ Edited withOthersHidden(const Scene& scene, std::span<const NodeId> ids) {
   if (top.empty())
     return {scene, false};
   return edited(scene, withVisible(scene, others, false));
+}
+
+Edited withOnlyVisible(const Scene& scene, std::span<const NodeId> ids) {
+  std::unordered_set<std::uint64_t> shown;  // the structures, and all that stands above them
+  for (const NodeId id : ids)
+    for (const NodeId structure : scene.structuresBelow(id))
+      for (const Node* node = scene.find(structure); node && shown.insert(node->id.value).second;
+           node = scene.find(node->parent)) {
+      }
+  std::vector<Node> nodes = scene.nodes();
+  for (Node& node : nodes) {
+    const bool show = shown.contains(node.id.value);
+    if (show && node.style.visible == false)
+      node.style.visible = true;
+    // Below a hidden group nothing needs hiding, and all comes back with the group.
+    const bool parentShown = node.parent == rootId || shown.contains(node.parent.value);
+    if (!show && parentShown)
+      node.style.visible = false;
+  }
+  Edited edited{scene, nodes != scene.nodes()};
+  if (edited.changed)
+    edited.scene.setNodes(std::move(nodes));
+  return edited;
 }
 
 }  // namespace sline::model

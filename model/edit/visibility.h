@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Showing and hiding: Scene → Scene (see model/edit/style.h for `Edited`).
+// Showing and hiding: edits Scene → Scene.
 #pragma once
 
-#include "model/edit/style.h"
+#include <span>
+
+#include "model/edit/edited.h"
 
 namespace sline::model {
 
@@ -19,5 +21,8 @@ Edited withShown(const Scene& scene, std::span<const NodeId> ids);
 /// Hides what is not at or below the nodes and not above them. The nodes stay as they are, unlike
 /// with `withOnlyVisible`, which shows them.
 Edited withOthersHidden(const Scene& scene, std::span<const NodeId> ids);
+/// Shows exactly the structures at or below the nodes: everything else is hidden, groups above the
+/// shown ones are made visible.
+Edited withOnlyVisible(const Scene& scene, std::span<const NodeId> ids);
 
 }  // namespace sline::model

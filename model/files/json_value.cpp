@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/files/json_value.h"
+#include "model/base/colour_text.h"
 
 #include <algorithm>
 #include <array>
@@ -70,16 +71,6 @@ class Census {
 std::string plainMessage(std::string_view message) {
   const std::size_t end = message.find("] ");
   return std::string(end == std::string_view::npos ? message : message.substr(end + 2));
-}
-
-std::optional<int> hexDigit(char c) {
-  if (c >= '0' && c <= '9')
-    return c - '0';
-  if (c >= 'a' && c <= 'f')
-    return c - 'a' + 10;
-  if (c >= 'A' && c <= 'F')
-    return c - 'A' + 10;
-  return std::nullopt;
 }
 
 }  // namespace
@@ -181,20 +172,11 @@ glm::vec3 JsonValue::point() const {
 }
 
 Colour JsonValue::colour() const {
-  Colour colour;
-  const std::string digits = m_json->is_string() ? m_json->get<std::string>() : std::string();
-  bool good = digits.size() == 7 && digits[0] == '#';
-  std::size_t at = 1;
-  for (std::uint8_t* channel : {&colour.red, &colour.green, &colour.blue}) {
-    const auto high = good ? hexDigit(digits[at]) : std::nullopt;
-    const auto low = good ? hexDigit(digits[at + 1]) : std::nullopt;
-    good = high && low;
-    *channel = good ? std::uint8_t(16 * *high + *low) : std::uint8_t(0);
-    at += 2;
-  }
-  if (!good)
+  const auto* text = m_json->get_ptr<const std::string*>();
+  const std::optional<Colour> colour = text ? colourFrom(*text) : std::nullopt;
+  if (!colour)
     fail("a colour as \"#rrggbb\" is expected here");
-  return colour;
+  return colour.value_or(Colour());
 }
 
 std::optional<std::size_t> JsonValue::oneOf(std::span<const std::string_view> names) const {
@@ -226,6 +208,21 @@ JsonValue JsonObject::need(std::string_view key) {
     return *value;
   m_value.fail("\"" + std::string(key) + "\" is missing");
   return {nothing, m_value, key};
+}
+
+std::optional<std::size_t> JsonObject::takeChoice(std::string_view key,
+                                                  std::span<const std::string_view> names,
+                                                  bool newer) {
+  const std::optional<JsonValue> value = take(key);
+  if (!value)
+    return std::nullopt;
+  const std::optional<std::size_t> index = value->oneOf(names);
+  if (!index && newer)
+    giveBack(key, value->json());
+  else if (!index)
+    value->fail("\"" + std::string(names.front()) +
+                "\" or another word of this format is expected here");
+  return index;
 }
 
 void JsonObject::giveBack(std::string_view key, Json rest) {

@@ -98,6 +98,10 @@ class JsonObject {
   std::optional<JsonValue> take(std::string_view key);
   /// A null with a fault where there is no such key.
   JsonValue need(std::string_view key);
+  /// Takes a value that is one of the names, and returns which; absent where there is no such key.
+  /// Any other word is a fault, but in a file of a newer schema, where it is given back.
+  std::optional<std::size_t> takeChoice(std::string_view key,
+                                        std::span<const std::string_view> names, bool newer);
   /// Puts back what was left of a value that was taken.
   void giveBack(std::string_view key, Json rest);
   /// What was not taken: an object, or null where that is nothing.

@@ -9,7 +9,6 @@
 namespace sline::model {
 
 inline constexpr std::string_view formatName = "sline scene";
-inline constexpr std::array<std::string_view, 4> fillNames{"none", "paper", "tint", "veil"};
 inline constexpr std::array<std::string_view, 4> annotationKindNames{"label", "callout", "pin",
                                                                      "distance"};
 inline constexpr std::array<std::string_view, 2> projectionNames{"perspective", "orthographic"};

@@ -7,6 +7,7 @@
 
 #include "model/files/scene_json.h"
 #include "model/files/scene_json_names.h"
+#include "model/files/style_json.h"
 
 namespace sline::model {
 
@@ -29,8 +30,10 @@ class SceneReader {
  private:
   template <class Enum>
   std::optional<Enum> choice(JsonObject& object, std::string_view key,
-                             std::span<const std::string_view> names) const;
-  Style style(JsonObject& object) const;
+                             std::span<const std::string_view> names) const {
+    const std::optional<std::size_t> index = object.takeChoice(key, names, m_newer);
+    return index ? std::optional(Enum(*index)) : std::nullopt;
+  }
   MeshPtr mesh(JsonObject& object) const;
   Node node(const JsonValue& value) const;
   Section section(const JsonValue& value) const;
@@ -48,53 +51,6 @@ class SceneReader {
 
 std::uint64_t idOf(const JsonValue& value) {
   return std::uint64_t(value.whole(1, largestId));
-}
-
-template <class T>
-T bounded(const JsonValue& value, std::string_view range) {
-  const std::optional<T> inRange = T::from(value.number());
-  if (!inRange)
-    value.fail("a number from " + std::string(range) + " is expected here");
-  return inRange.value_or(T());
-}
-
-/// Absent where it is a word of a newer schema: that stays unread.
-template <class Enum>
-std::optional<Enum> SceneReader::choice(JsonObject& object, std::string_view key,
-                                        std::span<const std::string_view> names) const {
-  const std::optional<JsonValue> value = object.take(key);
-  if (!value)
-    return std::nullopt;
-  if (const std::optional<std::size_t> index = value->oneOf(names))
-    return Enum(*index);
-  if (m_newer)
-    object.giveBack(key, value->json());
-  else
-    value->fail("\"" + std::string(names.front()) +
-                "\" or another word of this format is expected here");
-  return std::nullopt;
-}
-
-Style SceneReader::style(JsonObject& object) const {
-  Style style;
-  if (const auto colour = object.take("colour"))
-    style.colour = colour->colour();
-  if (const auto colour = object.take("ink_colour"))
-    style.inkColour = colour->colour();
-  if (const auto gamma = object.take("gamma"))
-    style.gamma = bounded<Gamma>(*gamma, "0 to 5");
-  if (const auto opacity = object.take("opacity"))
-    style.opacity = bounded<Opacity>(*opacity, "0 to 1");
-  style.fill = choice<Fill>(object, "fill", fillNames);
-  if (const auto visible = object.take("visible"))
-    style.visible = visible->flag();
-  if (const auto weight = object.take("pen_weight"))
-    style.penWeight = weight->number();
-  if (const auto density = object.take("hatch_density"))
-    style.hatchDensity = bounded<HatchDensity>(*density, "0 to 4");
-  if (const auto tone = object.take("hatch_tone"))
-    style.hatchTone = bounded<HatchTone>(*tone, "0 to 4");
-  return style;
 }
 
 /// A list of exactly that many.
@@ -194,7 +150,7 @@ Node SceneReader::node(const JsonValue& value) const {
   }
   if (const auto own = object.take("style")) {
     JsonObject inner(*own);
-    node.style = style(inner);
+    node.style = styleFrom(inner, m_newer);
     object.giveBack("style", inner.rest());
   }
   if (const auto locked = object.take("locked"))
@@ -323,7 +279,7 @@ std::vector<Look> SceneReader::looks(const JsonValue& list) const {
     look.node.value = idOf(object.need("node"));
     if (const auto own = object.take("style")) {
       JsonObject inner(*own);
-      look.style = style(inner);
+      look.style = styleFrom(inner, m_newer);
       object.giveBack("style", inner.rest());
     }
     look.unread = object.unread();

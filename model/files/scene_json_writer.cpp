@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 
+#include "model/base/colour_text.h"
 #include "model/files/scene_json.h"
 #include "model/files/scene_json_names.h"
+#include "model/files/style_json.h"
 
 namespace sline::model {
 
@@ -54,39 +56,6 @@ Ordered pointOf(const glm::vec3& p) {
   return Ordered::array({jsonNumber(p.x), jsonNumber(p.y), jsonNumber(p.z)});
 }
 
-std::string colourText(const Colour& c) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string text = "#";
-  for (const std::uint8_t channel : {c.red, c.green, c.blue}) {
-    text += digits[channel >> 4];
-    text += digits[channel & 15];
-  }
-  return text;
-}
-
-Ordered styleOf(const Style& style) {
-  Ordered json = Ordered::object();
-  if (style.colour)
-    json["colour"] = colourText(*style.colour);
-  if (style.inkColour)
-    json["ink_colour"] = colourText(*style.inkColour);
-  if (style.gamma)
-    json["gamma"] = jsonNumber(style.gamma->value());
-  if (style.opacity)
-    json["opacity"] = jsonNumber(style.opacity->value());
-  if (style.fill)
-    json["fill"] = fillNames[std::size_t(*style.fill)];
-  if (style.visible)
-    json["visible"] = *style.visible;
-  if (style.penWeight)
-    json["pen_weight"] = jsonNumber(*style.penWeight);
-  if (style.hatchDensity)
-    json["hatch_density"] = jsonNumber(style.hatchDensity->value());
-  if (style.hatchTone)
-    json["hatch_tone"] = jsonNumber(style.hatchTone->value());
-  return json;
-}
-
 Ordered provenanceOf(const Provenance& p) {
   Ordered json = {{"file", p.file},
                   {"frame", p.frame},
@@ -130,7 +99,7 @@ Ordered nodeOf(const Node& node, const std::map<MeshPtr, std::string>& names) {
                     {"vertices", node.mesh->vertexCount()},
                     {"triangles", node.mesh->triangleCount()}};
   if (node.style != Style())
-    json["style"] = styleOf(node.style);
+    json["style"] = styleJson(node.style);
   if (node.locked)
     json["locked"] = true;
   if (node.provenance != Provenance())
@@ -206,7 +175,7 @@ Ordered viewOf(const View& view) {
   if (view.looks) {
     json["looks"] = Ordered::array();
     for (const Look& look : *view.looks) {
-      json["looks"].push_back({{"node", look.node.value}, {"style", styleOf(look.style)}});
+      json["looks"].push_back({{"node", look.node.value}, {"style", styleJson(look.style)}});
       addUnread(json["looks"].back(), look.unread);
     }
   }

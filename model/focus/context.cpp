@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "model/edit/visibility.h"
+#include "model/scene/style_fields.h"
 
 namespace sline::model {
 

@@ -8,7 +8,7 @@
 
 #include <map>
 
-#include "model/edit/style.h"
+#include "model/edit/edited.h"
 #include "model/focus/analysis.h"
 
 namespace sline::model {

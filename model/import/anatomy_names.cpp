@@ -5,22 +5,13 @@
 #include <charconv>
 #include <tuple>
 
+#include "model/base/colour_text.h"
 #include "model/import/anatomy_table.h"
 #include "model/import/names.h"
 
 namespace sline::model {
 
 namespace {
-
-std::optional<Colour> hexColour(std::string_view text) {
-  unsigned value = 0;
-  if (text.size() != 7 || text[0] != '#')
-    return std::nullopt;
-  const auto [end, fault] = std::from_chars(text.data() + 1, text.data() + 7, value, 16);
-  if (fault != std::errc() || end != text.data() + 7)
-    return std::nullopt;
-  return Colour{std::uint8_t(value >> 16), std::uint8_t(value >> 8), std::uint8_t(value)};
-}
 
 template <class Row>
 void forEachRow(std::string_view text, const Row& row) {
@@ -60,7 +51,7 @@ const AnatomySystem* AnatomyTable::system(std::string_view id) const {
 }
 
 void AnatomyTable::addSystem(const std::vector<std::string_view>& fields) {
-  const auto colour = fields.size() == 3 ? hexColour(fields[2]) : std::nullopt;
+  const auto colour = fields.size() == 3 ? colourFrom(fields[2]) : std::nullopt;
   if (!colour)
     ++m_badRows;
   else
@@ -69,7 +60,7 @@ void AnatomyTable::addSystem(const std::vector<std::string_view>& fields) {
 
 void AnatomyTable::addPattern(const std::vector<std::string_view>& fields) {
   const AnatomySystem* owner = fields.size() == 4 ? system(fields[1]) : nullptr;
-  const auto colour = owner && !fields[2].empty() ? hexColour(fields[2]) : std::nullopt;
+  const auto colour = owner && !fields[2].empty() ? colourFrom(fields[2]) : std::nullopt;
   if (!owner || (!fields[2].empty() && !colour) || (fields[3] != "0" && fields[3] != "1")) {
     ++m_badRows;
     return;

@@ -1,9 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/scene/resolved_styles.h"
 
+#include <unordered_map>
 #include <unordered_set>
 
+#include "model/scene/style_fields.h"
+
 namespace sline::model {
+
+std::vector<ResolvedStyle> resolveAll(const Scene& scene) {
+  std::unordered_map<std::uint64_t, std::size_t> places;
+  std::vector<Style> styles;
+  std::vector<ResolvedStyle> resolved;
+  styles.reserve(scene.nodes().size());
+  resolved.reserve(scene.nodes().size());
+  for (const Node& node : scene.nodes()) {
+    styles.push_back(node.style);
+    resolved.emplace_back();
+    resolved.back().visible = node.style.visible.value_or(true);
+    // A parent stands before its children.
+    if (const auto parent = places.find(node.parent.value); parent != places.end()) {
+      inherit(styles.back(), styles[parent->second]);
+      resolved.back().visible = resolved.back().visible && resolved[parent->second].visible;
+    }
+    answer(resolved.back(), styles.back());
+    places.emplace(node.id.value, places.size());
+  }
+  return resolved;
+}
 
 std::vector<ResolvedStructure> resolvedBelow(const Scene& scene, std::span<const NodeId> ids) {
   std::unordered_set<std::uint64_t> meant;

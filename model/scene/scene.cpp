@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cassert>
-#include <unordered_map>
 #include <unordered_set>
 
-#include "model/scene/resolved_styles.h"
+#include "model/scene/style_fields.h"
 
 namespace sline::model {
 
@@ -26,34 +25,6 @@ void forEachBelow(const std::vector<Node>& nodes, NodeId id, const Visit& visit)
     inside.insert(node.id.value);
     visit(i, node);
   }
-}
-
-/// Takes over what `own` answers and `style` has not heard from a node nearer to the leaf.
-void inherit(Style& style, const Style& own) {
-  const auto take = [](auto& target, const auto& source) {
-    if (!target)
-      target = source;
-  };
-  take(style.colour, own.colour);
-  take(style.inkColour, own.inkColour);
-  take(style.gamma, own.gamma);
-  take(style.opacity, own.opacity);
-  take(style.fill, own.fill);
-  take(style.penWeight, own.penWeight);
-  take(style.hatchDensity, own.hatchDensity);
-  take(style.hatchTone, own.hatchTone);
-}
-
-/// All but the visibility.
-void answer(ResolvedStyle& resolved, const Style& style) {
-  resolved.colour = style.colour.value_or(resolved.colour);
-  resolved.inkColour = style.inkColour;
-  resolved.gamma = style.gamma.value_or(resolved.gamma);
-  resolved.opacity = style.opacity.value_or(resolved.opacity);
-  resolved.fill = style.fill.value_or(resolved.fill);
-  resolved.penWeight = style.penWeight.value_or(resolved.penWeight);
-  resolved.hatchDensity = style.hatchDensity.value_or(resolved.hatchDensity);
-  resolved.hatchTone = style.hatchTone.value_or(resolved.hatchTone);
 }
 
 [[maybe_unused]] bool inTreeOrder(const std::vector<Node>& nodes) {
@@ -216,27 +187,6 @@ void Scene::setAnnotations(std::vector<Annotation> annotations) {
     assert(!annotationFault(annotation) && seen.insert(annotation.id.value).second);
     m_lastAnnotationId = std::max(m_lastAnnotationId, annotation.id.value);
   }
-}
-
-std::vector<ResolvedStyle> resolveAll(const Scene& scene) {
-  std::unordered_map<std::uint64_t, std::size_t> places;
-  std::vector<Style> styles;
-  std::vector<ResolvedStyle> resolved;
-  styles.reserve(scene.nodes().size());
-  resolved.reserve(scene.nodes().size());
-  for (const Node& node : scene.nodes()) {
-    styles.push_back(node.style);
-    resolved.emplace_back();
-    resolved.back().visible = node.style.visible.value_or(true);
-    // A parent stands before its children.
-    if (const auto parent = places.find(node.parent.value); parent != places.end()) {
-      inherit(styles.back(), styles[parent->second]);
-      resolved.back().visible = resolved.back().visible && resolved[parent->second].visible;
-    }
-    answer(resolved.back(), styles.back());
-    places.emplace(node.id.value, places.size());
-  }
-  return resolved;
 }
 
 std::string normalisedName(std::string_view name) {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a structure is drawn. A `Style` says only what its node says itself; what it leaves open
 // comes from the group above (`Scene::resolve`), and at the top from `ResolvedStyle`'s own
-// defaults.
+// defaults. Each field has a row in model/scene/style_fields.h.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <span>
+#include <string_view>
 
 #include "model/base/units.h"
 
@@ -14,6 +17,11 @@ namespace sline::model {
 /// colour), covers it with a flat thin wash of its own colour (METHOD §7, interior), or lets it
 /// show faintly, as through tracing paper.
 enum class Fill { none, paper, tint, veil };
+inline constexpr std::array<std::string_view, 4> fillNames{"none", "paper", "tint", "veil"};
+/// Names of the values in files and on the command line, in their order.
+inline std::span<const std::string_view> namesOf(Fill /*any*/) {
+  return fillNames;
+}
 
 struct Style {
   std::optional<Colour> colour;

@@ -4,34 +4,26 @@
 #include <array>
 #include <cassert>
 
-#include "model/edit/style.h"
+#include "model/edit/look.h"
 
 namespace sline::render {
 
 model::Scene alone(const model::Scene& scene, model::NodeId structure) {
   const model::Node* found = scene.find(structure);
   assert(found && !found->isGroup());
-  const model::ResolvedStyle style = scene.resolve(structure);
   model::Node node = *found;
   node.parent = model::rootId;
-  node.style = {.colour = style.colour,
-                .inkColour = style.inkColour,
-                .gamma = style.gamma,
-                .opacity = Opacity::clamped(1.0f),
-                .fill = model::Fill::none,
-                .visible = true,
-                .penWeight = style.penWeight,
-                .hatchDensity = style.hatchDensity,
-                .hatchTone = style.hatchTone};
+  node.style = model::lookOf(scene, structure);
+  node.style.opacity = Opacity::clamped(1.0f);
+  node.style.fill = model::Fill::none;
+  node.style.visible = true;
   model::Scene result;
   result.append(std::move(node));
   return result;
 }
 
 model::Scene Subject::at(Gamma gamma) const {
-  model::Style patch;
-  patch.gamma = gamma;
-  return model::withStyle(scene, std::array{structure().id}, patch).scene;
+  return model::withLook(scene, std::array{structure().id}, {.gamma = gamma}).scene;
 }
 
 RampPictures rampPictures(Picture& picture, const Subject& subject,
@@ -80,7 +72,7 @@ HatchingPicture hatchingPicture(Picture& picture, const Subject& subject, Gamma 
   patch.gamma = gamma;
   patch.inkColour = Colour{0, 0, 0};
   const model::Scene scene =
-      model::withStyle(subject.scene, std::array{subject.structure().id}, patch).scene;
+      model::withLook(subject.scene, std::array{subject.structure().id}, patch).scene;
   return [&picture, scene, method](const model::Camera& camera, int width, int height) {
     return picture.render(scene, camera,
                           {.width = width,

@@ -7,7 +7,7 @@
 #include <map>
 #include <sstream>
 
-#include "model/edit/style.h"
+#include "model/edit/look.h"
 
 namespace sline::bench {
 
@@ -76,7 +76,7 @@ class Drag {
 
   Status step(model::NodeId id, float gamma, bool warm) {
     const model::Style patch{.gamma = Gamma::clamped(gamma)};
-    const model::Scene scene = model::withStyle(m_plan.scene, std::span(&id, 1), patch).scene;
+    const model::Scene scene = model::withLook(m_plan.scene, std::span(&id, 1), patch).scene;
     const Stopwatch watch;
     if (Status drawn = m_picture.draw(scene, m_plan.camera, m_plan.settings); !drawn)
       return drawn;

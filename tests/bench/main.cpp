@@ -11,7 +11,7 @@
 #include <iostream>
 #include <map>
 
-#include "model/edit/style.h"
+#include "model/edit/look.h"
 #include "model/import/import.h"
 #include "render/gpu/headless/context.h"
 #include "render/picture/picture.h"
@@ -57,7 +57,7 @@ model::Scene withGamma(const model::Scene& scene, std::optional<float> gamma) {
     const float share = ids.size() > 1 ? float(i) / float(ids.size() - 1) : 0.0f;
     const model::Style patch{.gamma = Gamma::clamped(gamma.value_or(5.0f * share)),
                              .visible = true};
-    result = model::withStyle(result, std::span(&ids[i], 1), patch).scene;
+    result = model::withLook(result, std::span(&ids[i], 1), patch).scene;
   }
   return result;
 }

@@ -192,8 +192,9 @@ void GammaPanelTest::stagesAreLive() {
   QVERIFY(f.pictured());
   // A colour changes what has colour.
   const QImage before = f.stage(5).picture();
-  f.session.apply(QStringLiteral("colour"),
-                  model::withColour(f.session.scene(), f.session.selection(), {20, 200, 40}));
+  f.session.apply(
+      QStringLiteral("colour"),
+      model::withLook(f.session.scene(), f.session.selection(), {.colour = Colour{20, 200, 40}}));
   QVERIFY(QTest::qWaitFor([&] { return f.stage(5).picture() != before; }, minute));
   const QColor middle = f.stage(5).picture().pixelColor(f.stage(5).picture().rect().center());
   QVERIFY(middle.green() > 2 * middle.red());

@@ -2,7 +2,7 @@
 // Labels as the picture shows them: drawn, in every mode and language, steady, with their picture.
 #include <QActionGroup>
 
-#include "model/edit/style.h"
+#include "model/edit/look.h"
 #include "model/edit/visibility.h"
 #include "tests/gui/labels_fixture.h"
 #include "tests/support/suite.h"
@@ -111,7 +111,7 @@ class LabelsPictureTest : public QObject {
     f.key(Qt::Key_P);  // from behind
     QVERIFY(f.sheet().plate.labels.front().item.hidden);
     // A structure that is not shown has no label.
-    f.session.apply("hide", model::withStyle(f.session.scene(), {&f.liver, 1}, {.visible = false}));
+    f.session.apply("hide", model::withLook(f.session.scene(), {&f.liver, 1}, {.visible = false}));
     QVERIFY(f.settled());
     QVERIFY(!f.labels().layer().sheet());
     f.undo();

@@ -12,6 +12,7 @@
 #include <QToolBar>
 #include <QtTest>
 
+#include "model/edit/look.h"
 #include "model/edit/visibility.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/suite.h"
@@ -69,8 +70,8 @@ class LanguageTest : public QObject {
     QVERIFY(f.drop(m_body.path()) && f.settled());
     const model::NodeId id = f.session.scene().named("left kidney").front();
     f.session.select({id});
-    QVERIFY(
-        f.session.apply("Γ", model::withGamma(f.session.scene(), {&id, 1}, Gamma::clamped(3.25f))));
+    QVERIFY(f.session.apply(
+        "Γ", model::withLook(f.session.scene(), {&id, 1}, {.gamma = Gamma::clamped(3.25f)})));
     QCOMPARE(f.title("structuresPanel"), QStringLiteral("Structures"));
     QVERIFY(f.speak(QString::fromUtf8(QTest::currentDataTag())));
     QCOMPARE(f.title("structuresPanel"), structures);

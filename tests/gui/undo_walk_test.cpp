@@ -9,6 +9,7 @@
 
 #include "model/edit/annotations.h"
 #include "model/edit/emphasis.h"
+#include "model/edit/look.h"
 #include "model/edit/sections.h"
 #include "model/edit/tree.h"
 #include "model/edit/views.h"
@@ -72,19 +73,19 @@ model::Edited styleEdit(const model::Scene& scene, Chance& chance) {
   model::Style style;
   switch (chance.below(9)) {
     case 0:
-      return model::withGamma(scene, ids, Gamma::clamped(5.0f * chance.share()));
+      return model::withLook(scene, ids, {.gamma = Gamma::clamped(5.0f * chance.share())});
     case 1:
-      return model::withColour(scene, ids, chance.colour());
+      return model::withLook(scene, ids, {.colour = chance.colour()});
     case 2:
-      return model::withFill(scene, ids, model::Fill(chance.below(4)));
+      return model::withLook(scene, ids, {.fill = model::Fill(chance.below(4))});
     case 3:
-      return model::withGammaInherited(scene, ids);
+      return model::withLookInherited(scene, ids, {.gamma = Gamma()});
     case 4:
       return model::withContext(scene, ids);
     case 5:
-      return model::withFocus(scene, ids);
+      return model::withGhost(scene, ids);
     case 6:
-      return model::withStyleReset(scene, ids);
+      return model::withLookInherited(scene, ids, model::wholeLook());
     case 7:
       return chance.rarely() ? model::withInkAlone(scene) : model::withShown(scene, ids);
     default:
@@ -92,7 +93,7 @@ model::Edited styleEdit(const model::Scene& scene, Chance& chance) {
       style.penWeight = chance.share();
       style.hatchDensity = HatchDensity::clamped(chance.share());
       style.inkColour = chance.colour();
-      return model::withStyle(scene, ids, style);
+      return model::withLook(scene, ids, style);
   }
 }
 

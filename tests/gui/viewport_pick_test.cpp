@@ -4,7 +4,7 @@
 #include <QMenu>
 #include <QtTest>
 
-#include "model/edit/emphasis.h"
+#include "model/edit/look.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
@@ -102,7 +102,7 @@ class ViewportPickTest : public QObject {
       QVERIFY(b.selected({id}));
     }
     QVERIFY(b.f.session.apply(
-        "hide", model::withStyle(b.f.session.scene(), {&b.organ, 1}, {.visible = false})));
+        "hide", model::withLook(b.f.session.scene(), {&b.organ, 1}, {.visible = false})));
     b.click(b.middle, Qt::AltModifier);
     QVERIFY(b.selected({b.tumour}));
   }

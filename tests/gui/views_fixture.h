@@ -10,7 +10,7 @@
 #include <QtTest>
 #include <array>
 
-#include "model/edit/style.h"
+#include "model/edit/look.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/shapes.h"
 #include "widgets/views/view_list.h"
@@ -74,7 +74,7 @@ struct Views : WindowFixture {
   }
   void setGamma(model::NodeId id, float gamma) {
     session.apply(QStringLiteral("Γ"),
-                  model::withStyle(scene(), std::array{id}, {.gamma = Gamma::clamped(gamma)}));
+                  model::withLook(scene(), std::array{id}, {.gamma = Gamma::clamped(gamma)}));
   }
   void type(const QString& name) {
     auto* editor = row().findChild<QLineEdit*>(QStringLiteral("viewName"));

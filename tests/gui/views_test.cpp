@@ -3,6 +3,7 @@
 #include <QMenu>
 #include <QScrollBar>
 
+#include "model/edit/look.h"
 #include "model/edit/views.h"
 #include "tests/gui/views_fixture.h"
 #include "tests/support/suite.h"
@@ -214,7 +215,7 @@ void ViewsTest::picturesAreKeptAndDrawnAgain() {
   QVERIFY(f.settled());
   // One that shows something else is drawn again, alone.
   f.session.apply(QStringLiteral("Γ"),
-                  model::withStyle(f.scene(), std::array{f.left}, {.visible = false}));
+                  model::withLook(f.scene(), std::array{f.left}, {.visible = false}));
   f.press("viewUpdate");
   constexpr int minute = 60'000;
   QVERIFY(QTest::qWaitFor([&] { return f.cardPicture(1) != first; }, minute));

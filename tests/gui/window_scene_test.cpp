@@ -4,7 +4,7 @@
 #include <QMenu>
 #include <QtTest>
 
-#include "model/edit/emphasis.h"
+#include "model/edit/look.h"
 #include "model/edit/views.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/model/import/written_meshes.h"
@@ -28,7 +28,8 @@ class WindowSceneTest : public QObject {
     QVERIFY(reload.isEnabled());
     const model::NodeId bladder = f.session.scene().named("bladder").front();
     const model::Node before = *f.session.scene().find(bladder);
-    QVERIFY(f.session.apply("Focus", model::withFocus(f.session.scene(), {&bladder, 1})));
+    QVERIFY(f.session.apply(
+        "Γ", model::withLook(f.session.scene(), {&bladder, 1}, {.gamma = Gamma::clamped(4.5f)})));
     const int steps = f.session.history().count();
 
     reload.trigger();  // nothing has changed
@@ -41,7 +42,7 @@ class WindowSceneTest : public QObject {
     // An edit meanwhile stays.
     const model::NodeId other = f.session.scene().named("left kidney").front();
     QVERIFY(f.session.apply("Hide",
-                            model::withStyle(f.session.scene(), {&other, 1}, {.visible = false})));
+                            model::withLook(f.session.scene(), {&other, 1}, {.visible = false})));
     QVERIFY(f.settled());
     QCOMPARE(f.session.history().count(), steps + 2);
     const model::Node* after = f.session.scene().find(bladder);

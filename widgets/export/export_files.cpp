@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "model/edit/style.h"
+#include "model/edit/look.h"
 #include "model/edit/views.h"
 #include "model/geometry/plane_section.h"
 #include "render/export/pdf/sheet_layout.h"

@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "model/edit/emphasis.h"
+#include "model/edit/look.h"
 #include "model/scene/resolved_styles.h"
 #include "widgets/gamma/gamma_slider.h"
 #include "widgets/gamma/look_drag.h"
@@ -195,8 +196,8 @@ void GammaPanel::connectControls() {
   connect(m_slider, &DragSlider::dragStarted, this,
           [this] { m_drag.begin(m_session.selection()); });
   connect(m_slider, &DragSlider::dragged, this,
-          [this](int position) { m_drag.moveTo(GammaSlider::gammaOf(position)); });
-  connect(m_slider, &DragSlider::dragFinished, this, [this] { m_drag.finish(); });
+          [this](int position) { m_drag.moveTo({.gamma = GammaSlider::gammaOf(position)}); });
+  connect(m_slider, &DragSlider::dragFinished, this, [this] { m_drag.finish(gammaText()); });
   connect(m_slider, &DragSlider::dragCancelled, this, [this] { m_drag.cancel(); });
   connect(m_slider, &DragSlider::stepped, this,
           [this](int position) { step(GammaSlider::gammaOf(position)); });
@@ -204,16 +205,17 @@ void GammaPanel::connectControls() {
           [this](double value) { step(Gamma::clamped(float(value))); });
   connect(m_stages, &StageStrip::chosen, this, [this](Gamma gamma) {
     const NodeIds& ids = m_session.selection();
-    m_session.apply(gammaStepName(m_session.scene(), ids),
-                    model::withGamma(m_session.scene(), ids, gamma));
+    m_session.apply(lookStepName(gammaText(), m_session.scene(), ids),
+                    model::withLook(m_session.scene(), ids, {.gamma = gamma}));
   });
   connect(m_inherit, &QPushButton::clicked, this, [this] {
-    m_session.apply(tr("Inherit Γ"),
-                    model::withGammaInherited(m_session.scene(), m_session.selection()));
+    m_session.apply(
+        tr("Inherit Γ"),
+        model::withLookInherited(m_session.scene(), m_session.selection(), {.gamma = Gamma()}));
   });
   connect(m_fill, &QButtonGroup::idClicked, this, [this](int id) {
-    m_session.apply(tr("Fill"),
-                    model::withFill(m_session.scene(), m_session.selection(), model::Fill(id)));
+    m_session.apply(tr("Fill"), model::withLook(m_session.scene(), m_session.selection(),
+                                                {.fill = model::Fill(id)}));
     showFill();
   });
   connect(&m_session, &Session::selectionChanged, this, &GammaPanel::refresh);
@@ -223,8 +225,8 @@ void GammaPanel::connectControls() {
 
 void GammaPanel::step(Gamma gamma) {
   const NodeIds& ids = m_session.selection();
-  m_session.apply(gammaStepName(m_session.scene(), ids),
-                  model::withGamma(m_session.scene(), ids, gamma),
+  m_session.apply(lookStepName(gammaText(), m_session.scene(), ids),
+                  model::withLook(m_session.scene(), ids, {.gamma = gamma}),
                   lookSeries(QStringLiteral("gamma"), ids));
   showGamma();
 }

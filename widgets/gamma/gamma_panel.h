@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "widgets/gamma/gamma_drag.h"
+#include "widgets/gamma/look_drag.h"
 
 class QButtonGroup;
 class QImage;
@@ -44,7 +44,7 @@ class GammaPanel : public QWidget {
   void step(Gamma gamma);
 
   Session& m_session;
-  GammaDrag m_drag;
+  LookDrag m_drag;
   QLabel* m_title = nullptr;
   QLabel* m_hint = nullptr;
   GammaSlider* m_slider = nullptr;

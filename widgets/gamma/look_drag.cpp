@@ -3,28 +3,33 @@
 
 namespace sline::widgets {
 
-void LookDrag::begin() {
+void LookDrag::begin(NodeIds ids) {
   cancel();
-  m_ids = m_session.selection();
+  m_ids = std::move(ids);
 }
 
 void LookDrag::moveTo(const model::Style& look) {
-  if (!m_ids.empty())
+  if (active())
     m_session.preview(model::withLook(m_session.sceneBeforePreview(), m_ids, look).scene);
 }
 
-void LookDrag::finish(const QString& name) {
-  if (m_ids.empty())
+void LookDrag::finish(const QString& what) {
+  if (!active())
     return;
+  const QString name = lookStepName(what, m_session.scene(), m_ids);
   m_ids.clear();
   m_session.commitPreview(name);
 }
 
 void LookDrag::cancel() {
-  if (m_ids.empty())
+  if (!active())
     return;
   m_ids.clear();
   m_session.cancelPreview();
+}
+
+QString gammaText() {
+  return QStringLiteral("Γ");
 }
 
 QString lookStepName(const QString& what, const model::Scene& scene, const NodeIds& ids) {

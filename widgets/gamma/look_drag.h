@@ -12,16 +12,20 @@ class LookDrag {
  public:
   explicit LookDrag(Session& session) : m_session(session) {}
 
-  void begin();
+  void begin(NodeIds ids);
   void moveTo(const model::Style& look);
-  void finish(const QString& name);
+  /// `what` is changed, such as "Line width".
+  void finish(const QString& what);
   void cancel();
+  bool active() const { return !m_ids.empty(); }
 
  private:
   Session& m_session;
   NodeIds m_ids;
 };
 
+/// "Γ", as what is changed is called in every language.
+QString gammaText();
 /// "Line width of left kidney", "Line width of 3 items": how a change of that kind is called.
 QString lookStepName(const QString& what, const model::Scene& scene, const NodeIds& ids);
 /// Changes of one kind to the same items that follow each other within a second are one.

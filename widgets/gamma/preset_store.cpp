@@ -3,25 +3,15 @@
 
 #include <QSettings>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "widgets/gamma/style_rows.h"
+#include "model/scene/style_fields.h"
 
 namespace sline::widgets {
 
 namespace {
 
 constexpr const char* presetsKey = "presets";
-
-struct FillName {
-  model::Fill fill;
-  const char* name;
-};
-constexpr std::array<FillName, 4> fillNames{{{model::Fill::none, "none"},
-                                             {model::Fill::paper, "paper"},
-                                             {model::Fill::tint, "tint"},
-                                             {model::Fill::veil, "veil"}}};
 
 std::optional<float> number(const QVariant& value) {
   bool fits = false;
@@ -42,39 +32,62 @@ QString written(const Colour& c) {
   return QStringLiteral("#%1").arg(c.red << 16 | c.green << 8 | c.blue, 6, 16, QLatin1Char('0'));
 }
 
+/// Reads what a setting says; nothing where it makes no sense.
+template <class Field>
+std::optional<typename Field::Value> readField(const Field& field, const QVariant& value) {
+  using Value = typename Field::Value;
+  if constexpr (std::is_same_v<Value, Colour>) {
+    return colour(value);
+  } else if constexpr (std::is_same_v<Value, bool>) {
+    return std::nullopt;  // presets hold looks
+  } else if constexpr (std::is_enum_v<Value>) {
+    const auto names = model::namesOf(Value());
+    const auto found = std::find(names.begin(), names.end(), value.toString().toStdString());
+    return found == names.end() ? std::nullopt : std::optional(Value(found - names.begin()));
+  } else {
+    const std::optional<float> read = number(value);
+    if (!read)
+      return std::nullopt;
+    const float within = std::clamp(*read, field.limits().low, field.limits().high);
+    if constexpr (std::is_same_v<Value, float>)
+      return within;
+    else
+      return Value::clamped(within);
+  }
+}
+
+/// Numbers as text, which reads the same whatever kind of file the settings are.
+QVariant settingOf(float value) {
+  return QString::number(double(value));
+}
+QVariant settingOf(const Colour& colour) {
+  return written(colour);
+}
+template <class T>
+QVariant settingOf(const T& value) {
+  if constexpr (std::is_enum_v<T>)
+    return QString::fromUtf8(model::namesOf(value)[std::size_t(value)]);
+  else
+    return settingOf(value.value());
+}
+
+QString settingKey(std::string_view key) {
+  return QString::fromStdString(model::camelCase(key));
+}
+
 model::Style readLook(const QSettings& settings) {
   model::Style look;
-  if (const auto gamma = number(settings.value(QStringLiteral("gamma"))))
-    look.gamma = Gamma::clamped(*gamma);
-  const QString fill = settings.value(QStringLiteral("fill")).toString();
-  for (const FillName& row : fillNames)
-    if (fill == QLatin1String(row.name))
-      look.fill = row.fill;
-  for (const StyleNumber& row : styleNumbers())
-    if (const auto value = number(settings.value(row.id)))
-      model::patch(look, row.look(std::clamp(*value, 0.0f, float(row.high / row.shown))));
-  for (const StyleColour& row : styleColours())
-    if (const auto value = colour(settings.value(row.id)))
-      look.*row.field = *value;
+  model::forEachLookField([&](const auto& field) {
+    look.*field.own = readField(field, settings.value(settingKey(field.key)));
+  });
   return look;
 }
 
 void writeLook(QSettings& settings, const model::Style& look) {
-  // As text, which reads the same whatever kind of file the settings are.
-  const auto put = [&settings](const QString& id, float value) {
-    settings.setValue(id, QString::number(double(value)));
-  };
-  if (look.gamma)
-    put(QStringLiteral("gamma"), look.gamma->value());
-  for (const FillName& row : fillNames)
-    if (look.fill == row.fill)
-      settings.setValue(QStringLiteral("fill"), QLatin1String(row.name));
-  for (const StyleNumber& row : styleNumbers())
-    if (const auto value = row.own(look))
-      put(row.id, *value);
-  for (const StyleColour& row : styleColours())
-    if (const auto& value = look.*row.field)
-      settings.setValue(row.id, written(*value));
+  model::forEachLookField([&](const auto& field) {
+    if (const auto& own = look.*field.own)
+      settings.setValue(settingKey(field.key), settingOf(*own));
+  });
 }
 
 }  // namespace

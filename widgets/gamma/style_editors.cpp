@@ -122,12 +122,11 @@ StyleNumberEditor::StyleNumberEditor(Session& session, StyleNumber row, QWidget*
   layout->addWidget(m_slider, 1, 0);
   layout->addWidget(m_number, 1, 1);
   layout->setColumnStretch(0, 1);
-  connect(m_slider, &DragSlider::dragStarted, this, [this] { m_drag.begin(); });
+  connect(m_slider, &DragSlider::dragStarted, this,
+          [this] { m_drag.begin(this->session().selection()); });
   connect(m_slider, &DragSlider::dragged, this,
           [this](int position) { m_drag.moveTo(lookOf(m_slider->valueOf(position))); });
-  connect(m_slider, &DragSlider::dragFinished, this, [this] {
-    m_drag.finish(lookStepName(text(), this->session().scene(), this->session().selection()));
-  });
+  connect(m_slider, &DragSlider::dragFinished, this, [this] { m_drag.finish(text()); });
   connect(m_slider, &DragSlider::dragCancelled, this, [this] { m_drag.cancel(); });
   connect(m_slider, &DragSlider::stepped, this,
           [this](int position) { apply(lookOf(m_slider->valueOf(position))); });

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "model/edit/annotations.h"
+#include "model/edit/look.h"
 #include "model/import/file_kinds.h"
 #include "model/import/scene_inputs.h"
 
@@ -98,9 +99,7 @@ model::Scene solid(const model::Scene& scene) {
     if (node.parent == model::rootId)
       top.push_back(node.id);
   }
-  model::Style patch;
-  patch.fill = model::Fill::paper;
-  return model::withStyle(scene, top, patch).scene;
+  return model::withLook(scene, top, {.fill = model::Fill::paper}).scene;
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/edit/style.h"
+#include "model/edit/edited.h"
 #include "widgets/session/document.h"
 #include "widgets/session/scene_job.h"
 #include "widgets/session/shown_names.h"

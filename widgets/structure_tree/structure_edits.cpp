@@ -69,43 +69,21 @@ void ghostNodes(Session& session, const NodeIds& ids) {
   session.apply(tr("Ghost"), model::withGhost(session.scene(), ids));
 }
 
-void inherit(Session& session, const NodeIds& ids, model::Inherited what) {
-  QString name;
-  switch (what) {
-    case model::Inherited::gamma:
-      name = tr("Inherit Γ");
-      break;
-    case model::Inherited::colour:
-      name = tr("Inherit Colour");
-      break;
-    case model::Inherited::opacity:
-      name = tr("Inherit Opacity");
-      break;
-    case model::Inherited::all:
-      name = tr("Inherit All");
-      break;
-  }
-  session.apply(name, model::withInherited(session.scene(), ids, what));
+void inherit(Session& session, const NodeIds& ids, const model::Style& which) {
+  QString name = tr("Inherit All");
+  if (which == model::Style{.gamma = Gamma()})
+    name = tr("Inherit Γ");
+  else if (which == model::Style{.colour = Colour()})
+    name = tr("Inherit Colour");
+  else if (which == model::Style{.opacity = Opacity()})
+    name = tr("Inherit Opacity");
+  session.apply(name, model::withLookInherited(session.scene(), ids, which));
 }
 
-bool saysItself(const model::Scene& scene, const NodeIds& ids, model::Inherited what) {
+bool saysItself(const model::Scene& scene, const NodeIds& ids, const model::Style& which) {
   const model::NodeSet meant = model::withAllBelow(scene, model::setOf(ids));
   return std::any_of(scene.nodes().begin(), scene.nodes().end(), [&](const model::Node& node) {
-    if (!meant.contains(node.id.value))
-      return false;
-    model::Style looks = node.style;
-    looks.visible.reset();
-    switch (what) {
-      case model::Inherited::gamma:
-        return looks.gamma.has_value();
-      case model::Inherited::colour:
-        return looks.colour.has_value();
-      case model::Inherited::opacity:
-        return looks.opacity.has_value();
-      case model::Inherited::all:
-        return looks != model::Style();
-    }
-    return false;
+    return meant.contains(node.id.value) && model::picked(node.style, which) != model::Style();
   });
 }
 

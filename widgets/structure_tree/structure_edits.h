@@ -2,7 +2,7 @@
 // What keys, menus and clicks ask for, as undo steps of the session with names that people read.
 #pragma once
 
-#include "model/edit/emphasis.h"
+#include "model/edit/look.h"
 #include "widgets/session/session.h"
 
 namespace sline::widgets {
@@ -16,9 +16,11 @@ void isolate(Session& session, const NodeIds& ids);
 void hideOthers(Session& session, const NodeIds& ids);
 void showAll(Session& session);
 void ghostNodes(Session& session, const NodeIds& ids);
-void inherit(Session& session, const NodeIds& ids, model::Inherited what);
-/// True where one of the nodes, or of those below them, says so itself.
-bool saysItself(const model::Scene& scene, const NodeIds& ids, model::Inherited what);
+/// The nodes and all below them inherit again what `which` answers: Γ, colour, opacity or the whole
+/// look.
+void inherit(Session& session, const NodeIds& ids, const model::Style& which);
+/// True where one of the nodes, or of those below them, says any of that itself.
+bool saysItself(const model::Scene& scene, const NodeIds& ids, const model::Style& which);
 
 /// A group of the nodes, selected; the root where there is none.
 model::NodeId groupNodes(Session& session, const NodeIds& ids);

@@ -106,7 +106,8 @@ void StructureTree::chooseColour(const NodeIds& ids) {
   // While it is open each colour shows at once; accepting makes the one undo step.
   const auto show = [this, ids](const QColor& c) {
     const Colour colour{std::uint8_t(c.red()), std::uint8_t(c.green()), std::uint8_t(c.blue())};
-    m_session.preview(model::withColour(m_session.sceneBeforePreview(), ids, colour).scene);
+    m_session.preview(
+        model::withLook(m_session.sceneBeforePreview(), ids, {.colour = colour}).scene);
   };
   connect(dialog, &QColorDialog::currentColorChanged, this, show);
   connect(dialog, &QColorDialog::accepted, this, [this] { m_session.commitPreview(tr("Colour")); });

@@ -231,9 +231,9 @@ bool StructureTreeView::pressControl(const QModelIndex& index, const QPointF& at
 
 bool StructureTreeView::resetControl(const QModelIndex& index) {
   if (index.column() == Model::gamma)
-    inherit(m_session, meant(index), model::Inherited::gamma);
+    inherit(m_session, meant(index), {.gamma = Gamma()});
   else if (index.column() == Model::swatch)
-    inherit(m_session, meant(index), model::Inherited::colour);
+    inherit(m_session, meant(index), {.colour = Colour()});
   else
     return false;
   return true;
@@ -241,7 +241,7 @@ bool StructureTreeView::resetControl(const QModelIndex& index) {
 
 void StructureTreeView::dragGamma(const QPointF& at) {
   const GammaCell cell{QRectF(cellOf(m_dragged, Model::gamma))};
-  m_drag.moveTo(cell.gammaAt(at.x()));
+  m_drag.moveTo({.gamma = cell.gammaAt(at.x())});
 }
 
 void StructureTreeView::sweepTo(const QPointF& at) {
@@ -289,7 +289,7 @@ void StructureTreeView::mouseMoveEvent(QMouseEvent* event) {
 
 void StructureTreeView::mouseReleaseEvent(QMouseEvent* event) {
   if (m_drag.active() && event->button() == Qt::LeftButton)
-    m_drag.finish();
+    m_drag.finish(gammaText());
   else if (m_sweep.active() && event->button() == Qt::LeftButton)
     m_sweep.finish();
   else
@@ -317,7 +317,7 @@ void StructureTreeView::keyPressEvent(QKeyEvent* event) {
   } else if (key == Qt::Key_Space && !m_adding) {
     toggleShown(m_session, m_session.selection());
   } else if (key == Qt::Key_Backspace) {
-    inherit(m_session, m_session.selection(), model::Inherited::gamma);
+    inherit(m_session, m_session.selection(), {.gamma = Gamma()});
   } else if ((key == Qt::Key_Return || key == Qt::Key_Enter) &&
              event->modifiers().testFlags(Qt::NoModifier) && state() != EditingState) {
     emit zoomWanted();

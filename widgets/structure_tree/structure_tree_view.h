@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "model/edit/node_sets.h"
-#include "widgets/gamma/gamma_drag.h"
+#include "widgets/gamma/look_drag.h"
 #include "widgets/structure_tree/drop_place.h"
 #include "widgets/structure_tree/structure_names.h"
 #include "widgets/structure_tree/switch_sweep.h"
@@ -75,7 +75,7 @@ class StructureTreeView : public QTreeView {
 
   Session& m_session;
   StructureTreeModel* m_model;
-  GammaDrag m_drag;
+  LookDrag m_drag;
   model::NodeId m_dragged;
   SwitchSweep m_sweep;
   double m_sweptTo = 0.0;

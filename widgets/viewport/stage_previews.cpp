@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/scene/resolved_styles.h"
+#include "model/scene/style_fields.h"
 
 namespace sline::widgets {
 
@@ -57,17 +58,12 @@ model::Scene previewSubject(const model::Scene& scene, const NodeIds& ids) {
         *std::max_element(structures.begin(), structures.end(),
                           [&size](const auto& a, const auto& b) { return size(a) < size(b); })};
   model::Scene subject;
-  for (const auto& [node, style] : structures)
-    subject.append({.style = {.colour = style.colour,
-                              .inkColour = style.inkColour,
-                              .opacity = style.opacity,
-                              .fill = style.fill,
-                              .visible = true,
-                              .penWeight = style.penWeight,
-                              .hatchDensity = style.hatchDensity,
-                              .hatchTone = style.hatchTone},
-                    .mesh = node->mesh,
-                    .provenance = node->provenance});
+  for (const auto& [node, style] : structures) {
+    model::Style look = model::answersOf(style);
+    look.gamma.reset();
+    look.visible = true;
+    subject.append({.style = look, .mesh = node->mesh, .provenance = node->provenance});
+  }
   return subject;
 }
 

@@ -3,7 +3,9 @@
 
 #include <QAction>
 #include <algorithm>
+#include <array>
 
+#include "model/edit/emphasis.h"
 #include "model/edit/locks.h"
 #include "widgets/structure_tree/structure_edits.h"
 #include "widgets/structure_tree/structure_tree.h"
@@ -17,12 +19,14 @@ namespace {
 /// Which of the nodes and of what is below them say something themselves.
 struct InheritRow {
   const char* action;
-  model::Inherited what;
+  model::Style which;
 };
-constexpr InheritRow inheritRows[] = {{"inherit", model::Inherited::gamma},
-                                      {"inheritColour", model::Inherited::colour},
-                                      {"inheritOpacity", model::Inherited::opacity},
-                                      {"inheritAll", model::Inherited::all}};
+std::array<InheritRow, 4> inheritRows() {
+  return {{{"inherit", {.gamma = Gamma()}},
+           {"inheritColour", {.colour = Colour()}},
+           {"inheritOpacity", {.opacity = Opacity()}},
+           {"inheritAll", model::wholeLook()}}};
+}
 
 }  // namespace
 
@@ -50,8 +54,8 @@ void StructureActions::connectLooks() {
   };
   on("context", [this] { editSelection(tr("Context"), model::withContext); });
   on("ghost", [this] { ghostNodes(m_session, m_session.selection()); });
-  for (const InheritRow& row : inheritRows)
-    on(row.action, [this, row] { inherit(m_session, m_session.selection(), row.what); });
+  for (const InheritRow& row : inheritRows())
+    on(row.action, [this, row] { inherit(m_session, m_session.selection(), row.which); });
   on("toggle", [this] { toggleShown(m_session, m_session.selection()); });
   on("isolate", [this] { isolate(m_session, m_session.selection()); });
   on("hideOthers", [this] { hideOthers(m_session, m_session.selection()); });
@@ -94,8 +98,8 @@ void StructureActions::showState() {
     m_actions[QLatin1String(id)].setEnabled(any);
   for (const char* id : {"context", "ghost", "colour", "rename", "group", "remove"})
     m_actions[QLatin1String(id)].setEnabled(free);
-  for (const InheritRow& row : inheritRows)
-    m_actions[QLatin1String(row.action)].setEnabled(free && saysItself(scene, ids, row.what));
+  for (const InheritRow& row : inheritRows())
+    m_actions[QLatin1String(row.action)].setEnabled(free && saysItself(scene, ids, row.which));
   m_actions[QStringLiteral("ungroup")].setEnabled(
       free && std::any_of(ids.begin(), ids.end(),
                           [&](model::NodeId id) { return scene.find(id)->isGroup(); }));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/import/readers/three_mf_document.h"
+#include "model/base/colour_text.h"
 
 #include <charconv>
 
@@ -43,16 +44,7 @@ std::string modelNamed(const ZipReader& zip) {
 
 /// "#RRGGBB" or "#RRGGBBAA", sRGB.
 std::optional<Colour> colourIn(std::string_view text) {
-  if ((text.size() != 7 && text.size() != 9) || text.front() != '#')
-    return std::nullopt;
-  std::array<std::uint8_t, 3> channels{};
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    const char* const at = text.data() + 1 + 2 * i;
-    const auto [next, fault] = std::from_chars(at, at + 2, channels[i], 16);
-    if (fault != std::errc() || next != at + 2)
-      return std::nullopt;
-  }
-  return Colour{channels[0], channels[1], channels[2]};
+  return text.size() == 9 ? colourFrom(text.substr(0, 7)) : colourFrom(text);
 }
 
 void indexResources(ThreeMfPart& part) {

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "model/base/colour_text.h"
 #include "model/import/readers/source.h"
 #include "model/import/readers/text_cursor.h"
 #include "model/import/readers/xml_tags.h"
@@ -52,7 +53,8 @@ std::optional<double> real(std::string_view text) {
 }
 
 /// Channels as 0 … 255, or as 0 … 1 where `unit`.
-std::optional<Colour> colourFrom(const std::array<std::optional<double>, 3>& channels, bool unit) {
+std::optional<Colour> colourOfChannels(const std::array<std::optional<double>, 3>& channels,
+                                       bool unit) {
   std::array<std::uint8_t, 3> bytes{};
   for (std::size_t i = 0; i < 3; ++i) {
     if (!channels[i])
@@ -63,17 +65,6 @@ std::optional<Colour> colourFrom(const std::array<std::optional<double>, 3>& cha
     bytes[i] = std::uint8_t(value);
   }
   return Colour{bytes[0], bytes[1], bytes[2]};
-}
-
-std::optional<Colour> hexColour(std::string_view text) {
-  text = unquoted(text);
-  unsigned value = 0;
-  if (text.size() != 7 || text[0] != '#')
-    return std::nullopt;
-  const auto [end, fault] = std::from_chars(text.data() + 1, text.data() + 7, value, 16);
-  if (fault != std::errc() || end != text.data() + 7)
-    return std::nullopt;
-  return Colour{std::uint8_t(value >> 16), std::uint8_t(value >> 8), std::uint8_t(value)};
 }
 
 void add(LabelNames& names, std::int64_t value, std::string_view name,
@@ -143,11 +134,11 @@ void addRow(LabelNames& names, const Fields& fields, const Columns& columns) {
   const std::optional<std::int64_t> value = whole(at(columns.value));
   if (!value)
     return;
-  std::optional<Colour> colour = hexColour(at(columns.colour));
+  std::optional<Colour> colour = colourFrom(unquoted(at(columns.colour)));
   if (!colour)
-    colour = colourFrom({real(at(columns.channels[0])), real(at(columns.channels[1])),
-                         real(at(columns.channels[2]))},
-                        false);
+    colour = colourOfChannels({real(at(columns.channels[0])), real(at(columns.channels[1])),
+                               real(at(columns.channels[2]))},
+                              false);
   add(names, *value, at(columns.name), colour);
 }
 
@@ -163,7 +154,7 @@ void addLine(LabelNames& names, std::string_view line, char separator) {
   const auto colourAt = [&](std::size_t at) -> std::optional<Colour> {
     if (at + 3 > words.size())
       return std::nullopt;
-    return colourFrom({real(words[at]), real(words[at + 1]), real(words[at + 2])}, false);
+    return colourOfChannels({real(words[at]), real(words[at + 1]), real(words[at + 2])}, false);
   };
   const std::size_t quote = line.find('"');
   if (const std::optional<Colour> colour = colourAt(1); colour && quote != std::string_view::npos)
@@ -188,7 +179,7 @@ std::optional<Colour> colourIn(const Json& entry) {
     if (found == entry.end())
       continue;
     if (found->is_string())
-      return hexColour(found->get_ref<const std::string&>());
+      return colourFrom(unquoted(found->get_ref<const std::string&>()));
     if (!found->is_array() || found->size() < 3)
       return std::nullopt;
     std::array<std::optional<double>, 3> channels;
@@ -198,7 +189,7 @@ std::optional<Colour> colourIn(const Json& entry) {
         channels[i] = (*found)[i].get<double>();
         unit = unit && (*found)[i].is_number_float() && *channels[i] <= 1.0;
       }
-    return colourFrom(channels, unit);
+    return colourOfChannels(channels, unit);
   }
   return std::nullopt;
 }
@@ -285,9 +276,9 @@ LabelNames labelsInCaret(std::string_view xml) {
       name = name.substr(0, name.find('<'));
     if (value)
       add(names, *value, name,
-          colourFrom({real(tag->attribute("Red")), real(tag->attribute("Green")),
-                      real(tag->attribute("Blue"))},
-                     true));
+          colourOfChannels({real(tag->attribute("Red")), real(tag->attribute("Green")),
+                            real(tag->attribute("Blue"))},
+                           true));
   }
   return names;
 }

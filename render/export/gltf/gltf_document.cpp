@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "model/base/colour_text.h"
 #include "model/scene/markup.h"
 #include "model/scene/resolved_styles.h"
 #include "render/export/gltf/gltf_buffer.h"
@@ -115,7 +116,7 @@ class Document {
       return known->second;
     const Colour& c = style.colour;
     Json material{
-        {"name", jsonColour(c)},
+        {"name", colourText(c)},
         {"pbrMetallicRoughness",
          {{"baseColorFactor",
            {linearLight(c.red), linearLight(c.green), linearLight(c.blue), jsonNumber(opacity)}},

@@ -25,12 +25,6 @@ Json jsonPoint(const glm::vec3& p) {
   return Json::array({jsonNumber(p.x), jsonNumber(p.y), jsonNumber(p.z)});
 }
 
-std::string jsonColour(const Colour& colour) {
-  std::array<char, 8> text{};
-  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", colour.red, colour.green, colour.blue);
-  return text.data();
-}
-
 double linearLight(std::uint8_t srgb) {
   const double c = double(srgb) / 255.0;
   return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);

@@ -24,8 +24,6 @@ glm::dmat3 uprightFromLps();
 /// The number with no more digits than a float needs. The value must be finite.
 Json jsonNumber(float value);
 Json jsonPoint(const glm::vec3& p);
-/// "#rrggbb"
-std::string jsonColour(const Colour& colour);
 /// The sRGB transfer function undone (IEC 61966-2-1): factors in glTF are linear.
 double linearLight(std::uint8_t srgb);
 /// The document's text; bytes that are no UTF-8 become U+FFFD.

@@ -7,44 +7,52 @@
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
 
+#include "model/base/colour_text.h"
 #include "model/scene/markup.h"
+#include "model/scene/style_fields.h"
 
 namespace sline::render {
 
 namespace {
 
-constexpr std::array<const char*, 4> fillNames{"none", "paper", "tint", "veil"};
 constexpr std::array<const char*, 4> kindNames{"label", "callout", "pin", "distance"};
+
+Json extraOf(const Colour& colour) {
+  return colourText(colour);
+}
+Json extraOf(bool flag) {
+  return flag;
+}
+Json extraOf(float number) {
+  return jsonNumber(number);
+}
+template <class T>
+Json extraOf(const T& value) {
+  if constexpr (std::is_enum_v<T>)
+    return model::namesOf(value)[std::size_t(value)];
+  else
+    return jsonNumber(value.value());
+}
 
 /// What a style says itself.
 Json ownStyleExtras(const model::Style& style) {
   Json extras = Json::object();
-  if (style.visible)
-    extras["visible"] = *style.visible;
-  if (style.gamma)
-    extras["gamma"] = jsonNumber(style.gamma->value());
-  if (style.opacity)
-    extras["opacity"] = jsonNumber(style.opacity->value());
-  if (style.colour)
-    extras["colour"] = jsonColour(*style.colour);
-  if (style.inkColour)
-    extras["inkColour"] = jsonColour(*style.inkColour);
-  if (style.fill)
-    extras["fill"] = fillNames[std::size_t(*style.fill)];
+  model::forEachStyleField([&](const auto& field) {
+    if (const auto& own = style.*field.own)
+      extras[model::camelCase(field.key)] = extraOf(*own);
+  });
   return extras;
 }
 
 }  // namespace
 
 Json styleExtras(const model::ResolvedStyle& style) {
-  Json extras{{"gamma", jsonNumber(style.gamma.value())},
-              {"fill", fillNames[std::size_t(style.fill)]},
-              {"penWeight", jsonNumber(style.penWeight)},
-              {"hatchDensity", jsonNumber(style.hatchDensity.value())},
-              {"hatchTone", jsonNumber(style.hatchTone.value())}};
-  if (style.inkColour)
-    extras["inkColour"] = jsonColour(*style.inkColour);
-  return extras;
+  // The material says those two, and a hidden structure is not there.
+  model::Style said = model::answersOf(style);
+  said.colour.reset();
+  said.opacity.reset();
+  said.visible.reset();
+  return ownStyleExtras(said);
 }
 
 Json gltfCamera(const model::Camera& camera, const model::Box& bounds) {
@@ -121,7 +129,7 @@ Json annotationNode(const model::Scene& scene, const model::Annotation& annotati
   for (const auto& [tag, text] : annotation.texts)
     extras["texts"][tag] = model::plainText(annotation.kind, text);
   if (annotation.colour)
-    extras["colour"] = jsonColour(*annotation.colour);
+    extras["colour"] = colourText(*annotation.colour);
   extras["places"] = places;
   return {{"name", model::plainTextIn(annotation, language)},
           {"translation", places.front()},

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "model/scene/style_fields.h"
+
 namespace sline::render {
 
 namespace {
@@ -44,18 +46,6 @@ model::MeshPtr bean() {
   return mesh.ok() ? std::make_shared<const model::Mesh>(std::move(*mesh)) : nullptr;
 }
 
-model::Style styleOf(const model::ResolvedStyle& style) {
-  return {.colour = style.colour,
-          .inkColour = style.inkColour,
-          .gamma = style.gamma,
-          .opacity = style.opacity,
-          .fill = style.fill,
-          .visible = true,
-          .penWeight = style.penWeight,
-          .hatchDensity = style.hatchDensity,
-          .hatchTone = style.hatchTone};
-}
-
 Path moved(Path path, const glm::vec2& by) {
   for (Curve& curve : path) {
     curve.start += by;
@@ -90,7 +80,8 @@ Result<std::vector<VectorDrawing>> styleSamples(const ExportOrder& order,
     scene.setKeyLight(order.scene.keyLight());
     model::Node node;
     node.mesh = mesh;
-    node.style = styleOf(order.scene.resolve(id));
+    node.style = model::answersOf(order.scene.resolve(id));
+    node.style.visible = true;
     scene.append(std::move(node));
     Result<VectorDrawing> drawing = drawVectors(scene, camera, settings);
     if (!drawing.ok())

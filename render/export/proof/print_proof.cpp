@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "model/edit/style.h"
+#include "model/edit/look.h"
 #include "render/export/proof/seen_structures.h"
 
 namespace sline::render {
@@ -257,7 +257,7 @@ model::Scene withProposals(const model::Scene& scene, const std::vector<ProofPro
   model::Scene changed = scene;
   for (const ProofProposal& proposal : proposals) {
     const std::array<model::NodeId, 1> one{proposal.node};
-    changed = model::withStyle(changed, one, proposal.style()).scene;
+    changed = model::withLook(changed, one, proposal.style()).scene;
   }
   return changed;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "model/base/colour_text.h"
 #include "render/export/svg/svg_lettering.h"
 #include "render/export/svg/svg_path.h"
 #include "render/export/svg/svg_values.h"
@@ -55,7 +56,7 @@ class Document {
     addCredit();
     if (m_drawing.background)
       m_text += "<rect id=\"background\" width=\"" + width + "\" height=\"" + height +
-                "\" fill=\"" + hex(*m_drawing.background) + "\"/>\n";
+                "\" fill=\"" + colourText(*m_drawing.background) + "\"/>\n";
     const auto hasFills = [](const VectorStructure& s) { return !s.fills.empty(); };
     if (std::any_of(m_drawing.structures.begin(), m_drawing.structures.end(), hasFills))
       addFills();
@@ -84,10 +85,10 @@ class Document {
       return;
     m_text += "<path";
     if (shape.penWidth > 0.0f)
-      m_text += " fill=\"none\" stroke=\"" + hex(shape.colour) + "\" stroke-width=\"" +
+      m_text += " fill=\"none\" stroke=\"" + colourText(shape.colour) + "\" stroke-width=\"" +
                 number(double(shape.penWidth), m_decimals + 1) + "\"";
     else
-      m_text += " fill=\"" + hex(shape.colour) + "\"";
+      m_text += " fill=\"" + colourText(shape.colour) + "\"";
     if (regions)
       m_text += " fill-rule=\"evenodd\"";
     m_text += opacityAttribute(shape.opacity) + " d=\"" + d + "\"/>\n";

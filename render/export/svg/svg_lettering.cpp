@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/svg/svg_lettering.h"
 
+#include "model/base/colour_text.h"
 #include "render/export/label_texts.h"
 #include "render/export/svg/svg_path.h"
 #include "render/export/svg/svg_values.h"
@@ -49,7 +50,7 @@ class Layer {
               "\" inkscape:groupmode=\"layer\" stroke-linejoin=\"round\" font-family=\"" +
               std::string(families) + "\">\n";
     m_text += "<g inkscape:label=\"Halos\" fill=\"none\" stroke-linecap=\"round\" stroke=\"" +
-              hex(writing.lettering.ground) + "\">\n";
+              colourText(writing.lettering.ground) + "\">\n";
     for (const LetteringItem& item : writing.lettering.items)
       addHalo(item, writing.lettering.ground);
     m_text += "</g>\n";
@@ -63,7 +64,7 @@ class Layer {
     for (const LetteringShape& shape : item.shapes)
       if (shape.halo > 0.0f)
         addPath(shape.path, shape.pen + 2.0f * shape.halo,
-                shape.fill ? " fill=\"" + hex(ground) + "\"" : std::string());
+                shape.fill ? " fill=\"" + colourText(ground) + "\"" : std::string());
     if (item.text)
       addPath(pathOf(haloOf(*item.text)), 2.0f * textHalo, {});
   }
@@ -88,9 +89,9 @@ class Layer {
   }
 
   void addShape(const LetteringShape& shape) {
-    std::string more = " fill=\"" + (shape.fill ? hex(*shape.fill) : "none") + "\"";
+    std::string more = " fill=\"" + (shape.fill ? colourText(*shape.fill) : "none") + "\"";
     if (shape.pen > 0.0f)
-      more += " stroke=\"" + hex(shape.ink) + "\"";
+      more += " stroke=\"" + colourText(shape.ink) + "\"";
     if (shape.pen > 0.0f && shape.dashed)
       more += " stroke-dasharray=\"" + number(double(dashPens * shape.pen), m_decimals) + " " +
               number(double(gapPens * shape.pen), m_decimals) + "\"";
@@ -119,7 +120,7 @@ class Layer {
       return all;
     };
     m_text += "<text font-size=\"" + number(double(em), 4) + "\" text-anchor=\"" +
-              anchors[std::size_t(text.anchor)] + "\" fill=\"" + hex(text.ink) + "\"";
+              anchors[std::size_t(text.anchor)] + "\" fill=\"" + colourText(text.ink) + "\"";
     if (text.lines.size() == 1) {
       m_text += place(0) + words(0) + "</text>\n";
       return;

@@ -14,16 +14,6 @@ std::string number(double value, int decimals) {
   return text;
 }
 
-std::string hex(const Colour& colour) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string text = "#";
-  for (const std::uint8_t channel : {colour.red, colour.green, colour.blue}) {
-    text += digits[channel >> 4];
-    text += digits[channel & 15];
-  }
-  return text;
-}
-
 std::string opacityAttribute(float opacity) {
   return opacity < 0.999f ? " opacity=\"" + number(double(opacity), 3) + "\"" : std::string();
 }

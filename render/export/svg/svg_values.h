@@ -10,8 +10,6 @@ namespace sline::render {
 
 /// Rounded to so many decimals, without needless zeros.
 std::string number(double value, int decimals);
-/// "#rrggbb"
-std::string hex(const Colour& colour);
 /// The whole attribute with a space before it; nothing where it is opaque.
 std::string opacityAttribute(float opacity);
 

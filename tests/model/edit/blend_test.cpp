@@ -5,7 +5,7 @@
 #include <QtTest>
 #include <array>
 
-#include "model/edit/style.h"
+#include "model/edit/look.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 
@@ -31,7 +31,7 @@ struct Pair {
                         .mesh = test::sphere(10, 2)});
     to = from;
   }
-  void change(NodeId id, const Style& style) { to = withStyle(to, std::array{id}, style).scene; }
+  void change(NodeId id, const Style& style) { to = withLook(to, std::array{id}, style).scene; }
 };
 
 }  // namespace
@@ -111,7 +111,7 @@ void BlendTest::whatAppearsFadesIn() {
 
 void BlendTest::whatStaysHiddenStays() {
   Pair p;
-  p.from = withStyle(p.from, std::array{p.group}, {.visible = false}).scene;
+  p.from = withLook(p.from, std::array{p.group}, {.visible = false}).scene;
   p.change(p.ball, {.visible = false});
   QVERIFY(!SceneBlend(p.from, p.to).at(0.5).resolve(p.ball).visible);
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <QTest>
 
-#include "model/edit/style.h"
+#include "model/edit/look.h"
 #include "model/edit/tree.h"
+#include "model/edit/visibility.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 
@@ -186,26 +187,26 @@ void EditTest::patchesStyle() {
   Style patch;
   patch.gamma = Gamma::clamped(3.0f);
   patch.fill = Fill::tint;
-  const Edited edited = withStyle(s.scene, s.ids("B d x"), patch);
+  const Edited edited = withLook(s.scene, s.ids("B d x"), patch);
   QVERIFY(edited.changed);
   QCOMPARE(edited.scene.resolve(s.id("b1")).gamma.value(), 3.0f);  // handed down
   QVERIFY(edited.scene.resolve(s.id("d")).fill == Fill::tint);
   QVERIFY(edited.scene.resolve(s.id("a")) == ResolvedStyle{});
   QVERIFY(!edited.scene.find(s.id("d"))->style.colour.has_value());
-  QVERIFY(!withStyle(edited.scene, s.ids("B d"), patch).changed);
-  QVERIFY(!withStyle(s.scene, s.ids("B d"), Style{}).changed);
-  QVERIFY(!withStyle(s.scene, s.ids("x"), patch).changed);
+  QVERIFY(!withLook(edited.scene, s.ids("B d"), patch).changed);
+  QVERIFY(!withLook(s.scene, s.ids("B d"), Style{}).changed);
+  QVERIFY(!withLook(s.scene, s.ids("x"), patch).changed);
 }
 
 void EditTest::resetsStyle() {
   const Sample s;
   Style patch;
   patch.gamma = Gamma::clamped(3.0f);
-  const Scene styled = withStyle(s.scene, s.ids("B"), patch).scene;
-  const Edited edited = withStyleReset(styled, s.ids("B b1"));
+  const Scene styled = withLook(s.scene, s.ids("B"), patch).scene;
+  const Edited edited = withLookInherited(styled, s.ids("B b1"), wholeLook());
   QVERIFY(edited.changed);
   QVERIFY(edited.scene == s.scene);
-  QVERIFY(!withStyleReset(s.scene, s.ids("B b1")).changed);
+  QVERIFY(!withLookInherited(s.scene, s.ids("B b1"), wholeLook()).changed);
 }
 
 void EditTest::showsOnly_data() {
@@ -239,7 +240,7 @@ void EditTest::showsOnlyAfterHiding() {
   const Sample s;
   Style hidden;
   hidden.visible = false;
-  const Scene dark = withStyle(s.scene, s.ids("A B b1 d"), hidden).scene;
+  const Scene dark = withLook(s.scene, s.ids("A B b1 d"), hidden).scene;
   QCOMPARE(visibleNames(dark), QString());
   QCOMPARE(visibleNames(withOnlyVisible(dark, s.ids("b1")).scene), QString("b1"));
   QCOMPARE(visibleNames(withOnlyVisible(dark, s.ids("root")).scene), QString("b1 b2 a d"));
@@ -276,7 +277,7 @@ void EditTest::inkAlone() {
   style.opacity = Opacity::clamped(opacity);
   style.inkColour = Colour{10, 20, 200};
   // What a group says holds for what is in it.
-  const Scene scene = withStyle(s.scene, s.ids("A"), style).scene;
+  const Scene scene = withLook(s.scene, s.ids("A"), style).scene;
   const Edited edited = withInkAlone(scene);
   QVERIFY(edited.changed);
   for (const NodeId id : s.ids("b1 a")) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Γ, colour and fill of groups; focus and context. The tree is A ( a b ) c.
+// Γ, colour and fill of groups; context and ghosts. The tree is A ( a b ) c.
 #include <QTest>
 
 #include "model/edit/emphasis.h"
+#include "model/edit/look.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 
@@ -33,61 +34,51 @@ class EmphasisEditTest : public QObject {
   void groupsSpeakForAllInThem() {
     const NodeId only[] = {m_a};
     const NodeId group[] = {m_group};
-    Scene scene = withGamma(m_scene, only, gamma(4.0f)).scene;
+    Scene scene = withLook(m_scene, only, {.gamma = gamma(4.0f)}).scene;
     QCOMPARE(gammaOf(scene, m_a), 4.0f);
     QCOMPARE(gammaOf(scene, m_b), 2.0f);
     QVERIFY((gammaRangeOf(scene, m_group) == GammaRange{gamma(2.0f), gamma(4.0f)}));
-    scene = withGamma(scene, group, gamma(3.0f)).scene;
+    scene = withLook(scene, group, {.gamma = gamma(3.0f)}).scene;
     QCOMPARE(gammaOf(scene, m_a), 3.0f);
     QVERIFY(!scene.find(m_a)->style.gamma.has_value());
     QVERIFY((gammaRangeOf(scene, m_group) == GammaRange{gamma(3.0f), gamma(3.0f)}));
-    QVERIFY(!withGamma(scene, group, gamma(3.0f)).changed);
-    scene = withColour(scene, group, {1, 2, 3}).scene;
+    QVERIFY(!withLook(scene, group, {.gamma = gamma(3.0f)}).changed);
+    scene = withLook(scene, group, {.colour = Colour{1, 2, 3}}).scene;
     QVERIFY((scene.resolve(m_b).colour == Colour{1, 2, 3}));
-    scene = withGammaInherited(scene, group).scene;
+    scene = withLookInherited(scene, group, {.gamma = Gamma()}).scene;
     QCOMPARE(gammaOf(scene, m_a), 2.0f);
-    QVERIFY(!withGammaInherited(scene, group).changed);
+    QVERIFY(!withLookInherited(scene, group, {.gamma = Gamma()}).changed);
   }
 
   void rangesPassOverWhatIsHidden() {
     const NodeId only[] = {m_a};
-    Scene scene = withGamma(m_scene, only, gamma(4.0f)).scene;
+    Scene scene = withLook(m_scene, only, {.gamma = gamma(4.0f)}).scene;
     Style hidden;
     hidden.visible = false;
-    scene = withStyle(scene, only, hidden).scene;
+    scene = withLook(scene, only, hidden).scene;
     QVERIFY((gammaRangeOf(scene, m_group) == GammaRange{gamma(2.0f), gamma(2.0f)}));
     const NodeId group[] = {m_group};
-    scene = withStyle(scene, group, hidden).scene;
+    scene = withLook(scene, group, hidden).scene;
     QVERIFY((gammaRangeOf(scene, m_group) == GammaRange{gamma(2.0f), gamma(4.0f)}));
   }
 
-  void focusAndContext() {
-    const NodeId focus[] = {m_a};
-    const Edited focused = withFocus(m_scene, focus);
-    QVERIFY(focused.changed);
-    QCOMPARE(gammaOf(focused.scene, m_a), 4.5f);
-    QVERIFY(focused.scene.resolve(m_a).fill == Fill::paper);
-    for (const NodeId other : {m_b, m_c}) {
-      QCOMPARE(gammaOf(focused.scene, other), 1.0f);
-      QVERIFY(focused.scene.resolve(other).fill == Fill::veil);
-    }
-    QVERIFY(!withFocus(focused.scene, focus).changed);
-    QVERIFY(!withFocus(m_scene, {}).changed);
-
+  void contextIsContoursUnderAVeil() {
+    const NodeId only[] = {m_a};
     const NodeId group[] = {m_group};
-    const Edited context = withContext(focused.scene, group);
-    QCOMPARE(gammaOf(context.scene, m_a), 1.0f);
-    QCOMPARE(gammaOf(context.scene, m_b), 1.0f);
-    const Edited grouped = withFocus(focused.scene, group);
-    QCOMPARE(gammaOf(grouped.scene, m_a), 4.5f);
-    QCOMPARE(gammaOf(grouped.scene, m_b), 4.5f);
-    QCOMPARE(gammaOf(grouped.scene, m_c), 1.0f);
+    const Scene shaded = withLook(m_scene, only, {.gamma = gamma(4.5f)}).scene;
+    const Edited context = withContext(shaded, group);
+    for (const NodeId id : {m_a, m_b}) {
+      QCOMPARE(gammaOf(context.scene, id), 1.0f);
+      QVERIFY(context.scene.resolve(id).fill == Fill::veil);
+    }
+    QVERIFY(context.scene.resolve(m_c) == m_scene.resolve(m_c));
+    QVERIFY(!withContext(context.scene, group).changed);
   }
 
   void ghostsAreOutlinesUnderAVeil() {
     const NodeId only[] = {m_a};
     const NodeId group[] = {m_group};
-    Scene scene = withGamma(m_scene, only, gamma(4.0f)).scene;
+    Scene scene = withLook(m_scene, only, {.gamma = gamma(4.0f)}).scene;
     scene = withGhost(scene, group).scene;
     for (const NodeId id : {m_a, m_b}) {
       QCOMPARE(gammaOf(scene, id), 0.0f);
@@ -98,33 +89,33 @@ class EmphasisEditTest : public QObject {
   }
 
   void inheritsFieldByField_data() {
-    QTest::addColumn<int>("what");
+    QTest::addColumn<Style>("which");
     QTest::addColumn<bool>("gammaStays");
     QTest::addColumn<bool>("colourStays");
     QTest::addColumn<bool>("opacityStays");
-    QTest::newRow("gamma") << int(Inherited::gamma) << false << true << true;
-    QTest::newRow("colour") << int(Inherited::colour) << true << false << true;
-    QTest::newRow("opacity") << int(Inherited::opacity) << true << true << false;
-    QTest::newRow("all") << int(Inherited::all) << false << false << false;
+    QTest::newRow("gamma") << Style{.gamma = Gamma()} << false << true << true;
+    QTest::newRow("colour") << Style{.colour = Colour()} << true << false << true;
+    QTest::newRow("opacity") << Style{.opacity = Opacity()} << true << true << false;
+    QTest::newRow("all") << wholeLook() << false << false << false;
   }
   void inheritsFieldByField() {
-    QFETCH(int, what);
+    QFETCH(Style, which);
     QFETCH(bool, gammaStays);
     QFETCH(bool, colourStays);
     QFETCH(bool, opacityStays);
     const NodeId only[] = {m_a};
     Style own{.colour = Colour{1, 2, 3}, .gamma = gamma(4.0f), .opacity = Opacity::clamped(0.5f)};
     own.visible = false;
-    const Scene scene = withStyle(m_scene, only, own).scene;
+    const Scene scene = withLook(m_scene, only, own).scene;
     const NodeId group[] = {m_group};
     for (const auto& named : {std::span<const NodeId>(only), std::span<const NodeId>(group)}) {
-      const Scene after = withInherited(scene, named, Inherited(what)).scene;
+      const Scene after = withLookInherited(scene, named, which).scene;
       const Style& style = after.find(m_a)->style;
       QCOMPARE(style.gamma.has_value(), gammaStays);
       QCOMPARE(style.colour.has_value(), colourStays);
       QCOMPARE(style.opacity.has_value(), opacityStays);
       QVERIFY2(style.visible == false, "what is hidden stays hidden");
-      QVERIFY(!withInherited(after, named, Inherited(what)).changed);
+      QVERIFY(!withLookInherited(after, named, which).changed);
     }
   }
 };

@@ -6,6 +6,7 @@
 
 #include "model/edit/emphasis.h"
 #include "model/edit/locks.h"
+#include "model/edit/look.h"
 #include "model/edit/tree.h"
 #include "model/edit/visibility.h"
 #include "tests/model/edit/written_tree.h"
@@ -34,23 +35,24 @@ class LocksTest : public QObject {
                       .penWeight = 3.0f,
                       .hatchDensity = HatchDensity::clamped(2.0f),
                       .hatchTone = HatchTone::clamped(2.0f)};
-    row("gamma", [](const Scene& s, Ids ids) { return withGamma(s, ids, Gamma::clamped(5.0f)); });
-    row("colour", [](const Scene& s, Ids ids) { return withColour(s, ids, {1, 2, 3}); });
-    row("fill", [](const Scene& s, Ids ids) { return withFill(s, ids, Fill::veil); });
-    row("style", [style](const Scene& s, Ids ids) { return withStyle(s, ids, style); });
-    row("reset", withStyleReset);
-    row("focus", withFocus);
+    row("gamma",
+        [](const Scene& s, Ids ids) { return withLook(s, ids, {.gamma = Gamma::clamped(5.0f)}); });
+    row("colour", [](const Scene& s, Ids ids) {
+      return withLook(s, ids, {.colour = Colour{1, 2, 3}});
+    });
+    row("fill", [](const Scene& s, Ids ids) { return withLook(s, ids, {.fill = Fill::veil}); });
+    row("style", [style](const Scene& s, Ids ids) { return withLook(s, ids, style); });
     row("context", withContext);
     row("ghost", withGhost);
     row("inherit all",
-        [](const Scene& s, Ids ids) { return withInherited(s, ids, Inherited::all); });
+        [](const Scene& s, Ids ids) { return withLookInherited(s, ids, wholeLook()); });
   }
   /// The locked ones, named or not, look as before; the others, which were like them, do not.
   void looksStay() {
     QFETCH(Edit, edit);
     Scene scene = readTree("A(a l! L!(m) b) l2! K!(k) c");
     const Style all{.colour = Colour{200, 10, 10}, .gamma = Gamma::clamped(2.5f)};
-    scene = withStyle(scene, nodesNamed(scene, "A"), all).scene;
+    scene = withLook(scene, nodesNamed(scene, "A"), all).scene;
     const Style own{.opacity = Opacity::clamped(0.9f)};
     const NodeSet locks = lockedNodes(scene);
     std::vector<Node> nodes = scene.nodes();

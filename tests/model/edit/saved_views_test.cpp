@@ -3,7 +3,7 @@
 #include <QtTest>
 #include <limits>
 
-#include "model/edit/style.h"
+#include "model/edit/look.h"
 #include "model/edit/views.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
@@ -127,7 +127,7 @@ void SavedViewsTest::whatIsSeenComesBack() {
   const View view = viewOf(scene, camera, "all");
   QCOMPARE(*view.annotations, std::vector<AnnotationId>{pin});
   Scene changed =
-      withStyle(scene, std::array{ball}, {.gamma = Gamma::clamped(5), .visible = false}).scene;
+      withLook(scene, std::array{ball}, {.gamma = Gamma::clamped(5), .visible = false}).scene;
   changed.setSections({});
   std::vector<Annotation> annotations = changed.annotations();
   for (Annotation& each : annotations)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/edit/sections.h"
+#include "model/edit/look.h"
 
 #include <QTest>
 
@@ -97,7 +98,7 @@ void SectionsTest::throughTheMiddle() {
   QCOMPARE(organs.scope, s.organs);
   Style hidden;
   hidden.visible = false;
-  const Scene without = withStyle(s.scene, std::array{s.liver}, hidden).scene;
+  const Scene without = withLook(s.scene, std::array{s.liver}, hidden).scene;
   QVERIFY(std::abs(anatomicalSection(without, s.organs, AnatomicalView::right)
                        .plane.distance({0, 5, 5})) < 1e-4);
   const Section given = anatomicalSection(s.scene, rootId, AnatomicalView::inferior, 12.0f);

@@ -2,6 +2,7 @@
 // Order, groups and their ends.
 #include <QTest>
 
+#include "model/edit/look.h"
 #include "model/edit/tree.h"
 #include "tests/model/edit/written_tree.h"
 #include "tests/support/suite.h"
@@ -155,7 +156,7 @@ class TreeEditTest : public QObject {
   void dissolvedGroupsHandTheirLookDown() {
     Scene scene = readTree("A(B(b) a c) d");
     const auto set = [&](const char* name, const Style& style) {
-      scene = withStyle(scene, nodesNamed(scene, name), style).scene;
+      scene = withLook(scene, nodesNamed(scene, name), style).scene;
     };
     set("A", {.colour = Colour{9, 8, 7}, .gamma = Gamma::clamped(3.0f)});
     set("B", {.opacity = Opacity::clamped(0.5f), .visible = false});

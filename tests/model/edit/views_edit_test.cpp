@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Saved views, annotations and the key light as edits.
+#include "model/edit/look.h"
 #include "model/edit/views.h"
 
 #include <QtTest>
@@ -100,15 +101,15 @@ void ViewsEditTest::viewSpeaksOfWhatIsGone() {
 void ViewsEditTest::looksBringBackWhatWasSeen() {
   Sample s;
   const View view{.name = "as it was", .looks = looksOf(s.scene)};
-  Scene changed = withStyle(s.scene, std::array{s.group, s.two, s.other},
-                            {.colour = Colour{9, 9, 9},
-                             .gamma = Gamma::clamped(5),
-                             .opacity = Opacity::clamped(0.1f),
-                             .fill = Fill::veil,
-                             .visible = false,
-                             .penWeight = 3.0f,
-                             .hatchDensity = HatchDensity::clamped(2),
-                             .hatchTone = HatchTone::clamped(0.5f)})
+  Scene changed = withLook(s.scene, std::array{s.group, s.two, s.other},
+                           {.colour = Colour{9, 9, 9},
+                            .gamma = Gamma::clamped(5),
+                            .opacity = Opacity::clamped(0.1f),
+                            .fill = Fill::veil,
+                            .visible = false,
+                            .penWeight = 3.0f,
+                            .hatchDensity = HatchDensity::clamped(2),
+                            .hatchTone = HatchTone::clamped(0.5f)})
                       .scene;
   QVERIFY(!changed.resolve(s.two).visible);
   const Scene back = shown(changed, view).scene;

@@ -2,7 +2,7 @@
 #include <QtTest>
 #include <glm/geometric.hpp>
 
-#include "model/edit/style.h"
+#include "model/edit/look.h"
 #include "render/labels/anchors.h"
 #include "render/labels/best_place.h"
 #include "tests/support/shapes.h"
@@ -59,7 +59,7 @@ std::vector<ShownLabel> shown(const model::Scene& scene, const std::string& lang
 }
 
 model::Scene styled(const model::Scene& scene, model::NodeId node, const model::Style& style) {
-  return model::withStyle(scene, std::vector{node}, style).scene;
+  return model::withLook(scene, std::vector{node}, style).scene;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/edit/look.h"
 #include "tests/render/picture/section_scenes.h"
 #include "tests/support/suite.h"
 

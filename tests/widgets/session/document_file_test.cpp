@@ -6,7 +6,7 @@
 #include <QTest>
 #include <fstream>
 
-#include "model/edit/emphasis.h"
+#include "model/edit/look.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 #include "widgets/session/autosaver.h"
@@ -50,7 +50,8 @@ class DocumentFileTest : public QObject {
   static bool gamma(Session& session, float value, const QString& series = {}) {
     const model::NodeId first[] = {session.scene().nodes().front().id};
     return session.apply(QStringLiteral("Γ"),
-                         model::withGamma(session.scene(), first, Gamma::clamped(value)), series);
+                         model::withLook(session.scene(), first, {.gamma = Gamma::clamped(value)}),
+                         series);
   }
   /// False where it was not saved.
   static bool save(Session& session, const fs::path& path,

@@ -5,7 +5,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "model/edit/emphasis.h"
+#include "model/edit/look.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
@@ -33,7 +33,7 @@ class SessionTest : public QObject {
   }
   static model::Edited withGamma(const Session& session, float gamma) {
     const model::NodeId first[] = {session.scene().nodes().front().id};
-    return model::withGamma(session.scene(), first, Gamma::clamped(gamma));
+    return model::withLook(session.scene(), first, {.gamma = Gamma::clamped(gamma)});
   }
 
  private slots:

@@ -7,6 +7,7 @@
 
 #include "model/edit/emphasis.h"
 #include "model/edit/locks.h"
+#include "model/edit/look.h"
 #include "model/edit/tree.h"
 #include "model/edit/visibility.h"
 #include "tests/support/shapes.h"
@@ -83,7 +84,7 @@ class StructureTreeModelTest : public QObject {
     };
     const model::NodeId kidney[] = {id(session, "kidney")};
     const model::NodeId organs[] = {id(session, "Organs")};
-    session.apply({}, model::withGamma(session.scene(), kidney, Gamma::clamped(4.0f)));
+    session.apply({}, model::withLook(session.scene(), kidney, {.gamma = Gamma::clamped(4.0f)}));
     QCOMPARE(changed(), QStringLiteral("Organs kidney"));  // the group's range is another one
     session.apply({}, model::withHidden(session.scene(), organs));
     QCOMPARE(changed(), QStringLiteral("Organs kidney ureter"));
@@ -98,7 +99,7 @@ class StructureTreeModelTest : public QObject {
     Model tree(session);
     QSignalSpy changes(&tree, &QAbstractItemModel::dataChanged);
     const model::NodeId organs[] = {id(session, "Organs")};
-    session.apply({}, model::withGamma(session.scene(), organs, Gamma::clamped(4.0f)));
+    session.apply({}, model::withLook(session.scene(), organs, {.gamma = Gamma::clamped(4.0f)}));
     QCOMPARE(changes.count(), 2);  // the group; what is in it
     for (const auto& arguments : std::as_const(changes)) {
       QCOMPARE(arguments[0].toModelIndex().column(), int(Model::gamma));
@@ -220,7 +221,7 @@ class StructureTreeModelTest : public QObject {
     QVERIFY(open(session));
     Model tree(session);
     const model::NodeId organs[] = {id(session, "Organs")};
-    session.apply({}, model::withGamma(session.scene(), organs, Gamma::clamped(3.0f)));
+    session.apply({}, model::withLook(session.scene(), organs, {.gamma = Gamma::clamped(3.0f)}));
     const QModelIndex group = tree.indexOf(organs[0]);
     const QModelIndex kidney = tree.indexOf(id(session, "kidney"));
     QVERIFY(group.data(Model::ownGammaRole).toBool());

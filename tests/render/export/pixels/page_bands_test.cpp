@@ -5,7 +5,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "model/edit/style.h"
+#include "model/edit/look.h"
 #include "model/import/import.h"
 #include "tests/render/export/pixels/ordered_scene.h"
 #include "tests/support/suite.h"
@@ -86,7 +86,7 @@ render::ExportOrder anatomyOrder(const model::Scene& imported) {
     style.fill = number % 4 == 0 ? model::Fill::paper : model::Fill::none;
     if (number % 5 == 1)
       style.opacity = Opacity::clamped(0.5f);
-    order.scene = model::withStyle(order.scene, std::span(&id, 1), style).scene;
+    order.scene = model::withLook(order.scene, std::span(&id, 1), style).scene;
     ++number;
   }
   cut(order.scene, model::AnatomicalView::posterior, imported.visibleBounds().centre().y,

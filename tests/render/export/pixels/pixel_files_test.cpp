@@ -12,7 +12,7 @@
 #include <cmath>
 #include <set>
 
-#include "model/edit/style.h"
+#include "model/edit/look.h"
 #include "tests/render/export/pixels/ordered_scene.h"
 #include "tests/support/suite.h"
 
