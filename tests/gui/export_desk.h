@@ -41,9 +41,9 @@ struct ExportDesk : WindowFixture {
     settings.setValue(QStringLiteral("export/width"), 160);
     settings.setValue(QStringLiteral("export/height"), 90);
     // Short films.
-    settings.setValue(QStringLiteral("export/seconds"), 1);
-    settings.setValue(QStringLiteral("export/framesPerSecond"), 5);
-    settings.setValue(QStringLiteral("export/filmHeight"), 90);
+    settings.setValue(QStringLiteral("export/options/seconds"), 1);
+    settings.setValue(QStringLiteral("export/options/framesPerSecond"), 5);
+    settings.setValue(QStringLiteral("export/options/filmHeight"), 90);
     open(fineness);
   }
 

@@ -8,6 +8,7 @@
 #include <QSet>
 #include <QStandardPaths>
 #include <algorithm>
+#include <vector>
 
 namespace sline::test {
 
@@ -146,29 +147,56 @@ QList<QByteArray> shapesOf(const QString& marker) {
   return shapes;
 }
 
-void scan(const QByteArray& bytes, const QStringList& markers, int depth, QSet<QString>& found) {
-  const QByteArray small = lower(bytes);
-  for (const QString& marker : markers)
-    for (const QByteArray& shape : shapesOf(marker))
-      if (small.contains(shape))
-        found << marker;
+/// All shapes of all markers, found in one walk over the bytes: pixels are many.
+class Shapes {
+ public:
+  explicit Shapes(const QStringList& markers) {
+    for (const QString& marker : markers)
+      for (const QByteArray& shape : shapesOf(marker)) {
+        std::vector<Shape>& same = m_beginning[beginningOf(shape, 0)];
+        if (std::none_of(same.begin(), same.end(),
+                         [&](const Shape& each) { return each.bytes == shape; }))
+          same.push_back({shape, marker});
+      }
+  }
+
+  void findIn(const QByteArray& bytes, QSet<QString>& found) const {
+    const QByteArray small = lower(bytes);
+    for (qsizetype at = 0; at + 1 < small.size(); ++at)
+      for (const Shape& shape : m_beginning[beginningOf(small, at)])
+        if (QByteArrayView(small).sliced(at).startsWith(shape.bytes))
+          found << shape.marker;
+  }
+
+ private:
+  struct Shape {
+    QByteArray bytes;
+    QString marker;
+  };
+
+  static std::size_t beginningOf(const QByteArray& bytes, qsizetype at) {
+    return std::size_t(std::uint8_t(bytes[at])) << 8 | std::uint8_t(bytes[at + 1]);
+  }
+
+  /// By their first two bytes.
+  std::vector<std::vector<Shape>> m_beginning{65536};
+};
+
+void scan(const QByteArray& bytes, const Shapes& shapes, int depth, QSet<QString>& found) {
+  shapes.findIn(bytes, found);
   if (depth >= deepest)
     return;
   for (const QByteArray& inner : unpacked(bytes))
-    scan(inner, markers, depth + 1, found);
+    scan(inner, shapes, depth + 1, found);
   // Escapes hide texts, which are short; pixels have none.
   constexpr qsizetype longestText = 8'000'000;
   if (bytes.size() > longestText)
     return;
   for (const QByteArray& inner : unescaped(bytes)) {
-    const QByteArray plain = lower(inner);
-    for (const QString& marker : markers)
-      for (const QByteArray& shape : shapesOf(marker))
-        if (plain.contains(shape))
-          found << marker;
+    shapes.findIn(inner, found);
     // What is hidden once may be packed, too; what is hidden twice nobody writes by mistake.
     for (const QByteArray& deeper : unpacked(inner))
-      scan(deeper, markers, depth + 1, found);
+      scan(deeper, shapes, depth + 1, found);
   }
 }
 
@@ -184,7 +212,7 @@ QByteArray outputOf(const QString& program, const QStringList& arguments) {
 
 QStringList markersIn(const QByteArray& file, const QStringList& markers) {
   QSet<QString> found;
-  scan(file, markers, 0, found);
+  scan(file, Shapes(markers), 0, found);
   QStringList sorted(found.begin(), found.end());
   sorted.sort();
   return sorted;

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
+#include <utility>
 
 #include "model/base/colour_text.h"
 #include "model/scene/markup.h"
@@ -52,7 +53,11 @@ Json styleExtras(const model::ResolvedStyle& style) {
   said.colour.reset();
   said.opacity.reset();
   said.visible.reset();
-  return ownStyleExtras(said);
+  // Last, as not every structure has one.
+  const std::optional<Colour> ink = std::exchange(said.inkColour, std::nullopt);
+  Json extras = ownStyleExtras(said);
+  extras.update(ownStyleExtras({.inkColour = ink}));
+  return extras;
 }
 
 Json gltfCamera(const model::Camera& camera, const model::Box& bounds) {
