@@ -42,7 +42,7 @@ Result<glm::vec2> parsePage(std::string_view text) {
     float value = 0.0f;
     const auto [end, fault] = std::from_chars(part.data(), part.data() + part.size(), value);
     if (fault != std::errc() || end != part.data() + part.size() ||
-        !(value >= render::smallestPageMm && value <= render::largestPageMm))
+        !render::pageLimitsMm.contain(value))
       return std::nullopt;
     return value;
   };
@@ -184,7 +184,8 @@ void tellOfSheet(const render::ExportOrder& job,
     return;
   const auto rounded = [](float mm) { return std::to_string(std::lround(mm)); };
   for (const auto& [kind, target] : targets)
-    if (kind != "pdf" && kind != "glb")
+    if (const render::ExportFormat* format = render::exportFormat(kind);
+        !format->choices.sheet && format->page != render::PageUse::none)
       tell(target + " is of the sheet's figure: " + rounded(job.page.sizeMm.x) + " by " +
            rounded(job.page.sizeMm.y) + " mm");
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/cli/names.h"
+#include "render/export/formats/export_formats.h"
 
 namespace sline::cli {
 
@@ -72,13 +73,17 @@ Status addFilmTarget(const FilmFlags& flags, std::map<std::string, std::string>&
   std::string extension = std::filesystem::path(*flags.file).extension().string();
   for (char& c : extension)
     c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-  for (const char* kind : {"mp4", "webp", "gif"}) {
-    if (extension != std::string(".") + kind)
+  std::string known;
+  for (const render::ExportFormat& format : render::exportFormats()) {
+    if (!format.choices.film || !*format.extension)
       continue;
-    const auto [other, fresh] = targets.emplace(kind, *flags.file);
+    known += (known.empty() ? "" : ", ") + std::string(format.extension);
+    if (extension != std::string(".") + format.extension)
+      continue;
+    const auto [other, fresh] = targets.emplace(format.id, *flags.file);
     if (!fresh)
       return Error{.file = *flags.file,
-                   .reason = "--video and --" + std::string(kind) + " " + other->second +
+                   .reason = "--video and --" + std::string(format.id) + " " + other->second +
                              " ask for two films of one kind",
                    .remedy = "Leave one out, or export twice"};
     return Unit{};
@@ -87,7 +92,7 @@ Status addFilmTarget(const FilmFlags& flags, std::map<std::string, std::string>&
                .reason = extension.empty()
                              ? "the name has no extension, which decides the kind of film"
                              : "no film is written as \"" + extension + "\"",
-               .remedy = "Give one of mp4, webp, gif"};
+               .remedy = "Give one of " + known};
 }
 
 }  // namespace sline::cli

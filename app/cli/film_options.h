@@ -21,17 +21,17 @@ inline void addFilmOptions(CLI::App& command, FilmFlags& flags) {
       ->capture_default_str();
   command.add_option("--seconds", flags.seconds, "How long a film is")
       ->type_name("S")
-      ->check(within(0.1, 600.0))
+      ->check(within(render::filmSecondsLimits))
       ->capture_default_str();
   command.add_option("--fps", flags.framesPerSecond, "Frames per second; GIF: at most 50")
       ->type_name("N")
-      ->check(within(1.0, 60.0))
+      ->check(within(render::framesPerSecondLimits))
       ->capture_default_str();
   command
       .add_option("--film-height", flags.height,
                   "Of a film, in pixels; the page's shape gives the width")
       ->type_name("PIXELS")
-      ->check(within(16.0, 4320.0))
+      ->check(within(render::filmHeightLimits))
       ->capture_default_str();
   command
       .add_option("--hold", flags.hold,

@@ -24,7 +24,7 @@ inline void addLabelOptions(CLI::App& command, LabelFlags& flags, const std::str
       ->type_name("TAG");
   command.add_option("--label-size", flags.points, "Of labels' letters, in points of " + size)
       ->type_name("PT")
-      ->check(within(4.0, 48.0))
+      ->check(within(render::letterLimitsPt))
       ->capture_default_str();
   command
       .add_option("--marks", flags.marks,

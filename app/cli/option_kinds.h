@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/cli/arguments.h"
+#include "model/base/units.h"
 
 namespace sline::cli {
 
@@ -37,6 +38,12 @@ CLI::Validator within(Number low, Number high) {
             return text + " is no number in the range " + right;
           },
           CLI::Range(low, high).get_description()};
+}
+
+/// The same for numbers that are typed as plain ones, whatever the field's type.
+template <class Number>
+CLI::Validator within(const Limits<Number>& limits) {
+  return within(double(limits.low), double(limits.high));
 }
 
 }  // namespace sline::cli

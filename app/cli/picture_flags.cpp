@@ -150,10 +150,10 @@ Result<int> understoodSamples(const std::string& text, const Size& size) {
   if (!samples.ok())
     return samples.error();
   const int number = samples->value_or(render::samplesAtOnce({size.width, size.height}));
-  if (*samples && std::max(size.width, size.height) > render::largestPixelSide / number)
+  if (*samples && std::max(size.width, size.height) > render::pixelSideLimits.high / number)
     return Error{.reason = text + " samples across a pixel are too many for so large a picture",
                  .remedy = "Its longer side times the samples may reach " +
-                           std::to_string(render::largestPixelSide) + "; take fewer"};
+                           std::to_string(render::pixelSideLimits.high) + "; take fewer"};
   return number;
 }
 

@@ -18,7 +18,7 @@ inline void addPixelOptions(CLI::App& command, PixelFlags& flags) {
       ->excludes("--size-mm");
   command.add_option("--dpi", flags.dpi, "Pixels to the inch, for png, tiff, jpeg and exr")
       ->type_name("N")
-      ->check(within(10.0, 4800.0))
+      ->check(within(render::dpiLimits))
       ->capture_default_str();
   command.add_option("--bits", flags.bits, "Of a channel in png and tiff; 1 needs --bw")
       ->type_name("8|16|1")

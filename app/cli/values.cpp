@@ -77,9 +77,9 @@ std::optional<T> number(std::string_view text) {
 }  // namespace
 
 Result<Size> parseSize(std::string_view text) {
-  const std::string right = "WIDTHxHEIGHT in pixels, each from " + std::to_string(smallestSide) +
-                            " to " + std::to_string(render::largestPixelSide) +
-                            ", such as 1920x1080";
+  const std::string right = "WIDTHxHEIGHT in pixels, each from " +
+                            std::to_string(render::pixelSideLimits.low) + " to " +
+                            std::to_string(render::pixelSideLimits.high) + ", such as 1920x1080";
   const std::size_t cut = text.find_first_of("xX");
   if (cut == std::string_view::npos)
     return wrong("size", text, right);
@@ -88,7 +88,7 @@ Result<Size> parseSize(std::string_view text) {
   if (!width || !height)
     return wrong("size", text, right);
   const auto [low, high] = std::minmax(*width, *height);
-  if (low < smallestSide || high > render::largestPixelSide)
+  if (low < render::pixelSideLimits.low || high > render::pixelSideLimits.high)
     return Error{.reason = "size " + std::string(text) + " is out of range",
                  .remedy = "Give " + right};
   return Size{*width, *height};
@@ -121,7 +121,7 @@ Result<Gamma> parseGamma(std::string_view text) {
 namespace {
 
 Result<float> withinLimits(std::string_view what, std::string_view text,
-                           const model::Limits& limits) {
+                           const Limits<float>& limits) {
   const std::string right = "a number from " + std::to_string(int(limits.low)) + " to " +
                             std::to_string(int(limits.high)) +
                             " (1 is the usual), or NAME=NUMBER for one structure or group";

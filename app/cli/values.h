@@ -22,10 +22,9 @@ struct Size {
   int height = 720;
   float aspect() const { return float(width) / float(height); }
 };
-inline constexpr int smallestSide = 16;
 inline constexpr int mostSamples = 4;
 
-/// "1920x1080"; both sides within [smallestSide, render::largestPixelSide].
+/// "1920x1080"; both sides within `render::pixelSideLimits`.
 Result<Size> parseSize(std::string_view text);
 /// "auto" (nothing) or a number from 1 to 4.
 Result<std::optional<int>> parseSamples(std::string_view text);

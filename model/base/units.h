@@ -11,6 +11,15 @@
 
 namespace sline {
 
+/// The lowest and highest value that something takes.
+template <class Number>
+struct Limits {
+  Number low{};
+  Number high{};
+  bool operator==(const Limits&) const = default;
+  constexpr bool contain(Number value) const { return value >= low && value <= high; }
+};
+
 /// A float held in [Low, High]; `from` refuses what lies outside, `clamped` pulls it in.
 template <class Tag, int Low, int High>
 class Bounded {

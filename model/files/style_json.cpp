@@ -10,9 +10,9 @@ namespace {
 
 using Ordered = nlohmann::ordered_json;
 
-float numberWithin(const JsonValue& value, const Limits& limits) {
+float numberWithin(const JsonValue& value, const Limits<float>& limits) {
   const float number = value.number();
-  if (number >= limits.low && number <= limits.high)
+  if (limits.contain(number))
     return number;
   value.fail("a number from " + std::to_string(int(limits.low)) + " to " +
              std::to_string(int(limits.high)) + " is expected here");

@@ -13,13 +13,6 @@
 
 namespace sline::model {
 
-/// The lowest and highest number that a field takes.
-struct Limits {
-  float low = 0.0f;
-  float high = 0.0f;
-  bool operator==(const Limits&) const = default;
-};
-
 /// One question that a style answers. `Own` is the member of `Style`, `Resolved` that of
 /// `ResolvedStyle`.
 template <auto Own, auto Resolved>
@@ -30,10 +23,10 @@ struct StyleField {
   /// Whether a structure is shown is no part of its look: groups above hide it whatever it says.
   static constexpr bool isLook = !std::same_as<Value, bool>;
 
-  std::string_view key;  ///< its name in scene files, words parted by "_"
-  Limits plain = {};     ///< limits of a plain number; a `Bounded` has its own
+  std::string_view key;      ///< its name in scene files, words parted by "_"
+  Limits<float> plain = {};  ///< limits of a plain number; a `Bounded` has its own
 
-  Limits limits() const {
+  Limits<float> limits() const {
     if constexpr (std::is_class_v<Value> && requires { Value::clamped(0.0f); })
       return {Value::low, Value::high};
     else

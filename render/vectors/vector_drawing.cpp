@@ -279,7 +279,7 @@ class Drawing {
 Result<VectorDrawing> drawVectors(const model::Scene& scene, const model::Camera& camera,
                                   const VectorSettings& settings, const VectorProgress& progress) {
   for (const float side : {settings.sizeMm.x, settings.sizeMm.y})
-    if (!(side >= smallestPageMm && side <= largestPageMm))
+    if (!pageLimitsMm.contain(side))
       return Error{
           .reason = "a page with a side of " + std::to_string(side) + " mm cannot be drawn",
           .remedy = "Ask for 10 to 5000 mm each way"};

@@ -69,8 +69,7 @@ Result<VectorDrawing> drawVectors(const model::Scene& scene, const model::Camera
                                   const VectorSettings& settings,
                                   const VectorProgress& progress = {});
 
-/// The smallest and the largest side of a page, mm.
-inline constexpr float smallestPageMm = 10.0f;
-inline constexpr float largestPageMm = 5000.0f;
+/// Of either side of a page.
+inline constexpr Limits<float> pageLimitsMm{10.0f, 5000.0f};
 
 }  // namespace sline::render

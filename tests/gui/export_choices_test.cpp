@@ -34,7 +34,7 @@ class ExportChoicesTest : public QObject {
   void pixelsAndMillimetresAreLinked() {
     QString pixels;
     for (const render::ExportFormat& format : render::exportFormats())
-      if (widgets::pageUseOf(QLatin1String(format.id)) == widgets::PageUse::pixels &&
+      if (widgets::pageUseOf(QLatin1String(format.id)) == render::PageUse::pixels &&
           pixels.isEmpty())
         pixels = QLatin1String(format.id);
     if (pixels.isEmpty())

@@ -175,7 +175,8 @@ void TranslationsTest::upToDate() {
   QFETCH(bool, pluralsOnly);
   const QTemporaryDir folder;
   const QString fresh = folder.filePath(QStringLiteral("fresh.ts"));
-  QStringList arguments{"-I", ".", "-silent", "widgets", "app/main.cpp", "-ts", fresh};
+  QStringList arguments{"-I",           ".",   "-silent", "widgets", "render/export/formats",
+                        "app/main.cpp", "-ts", fresh};
   QProcess lupdate;
   lupdate.setWorkingDirectory(QStringLiteral(SLINE_SOURCE));
   lupdate.start(QStringLiteral(SLINE_LUPDATE), arguments);

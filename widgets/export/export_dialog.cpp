@@ -267,7 +267,7 @@ void ExportDialog::chooseKind() {
     m_draft.kind = item->data(Qt::UserRole).toString();
   m_help->setText(helpOf(*formatOf(m_draft.kind)));
   m_page->refresh();
-  const bool page = pageUseOf(m_draft.kind) != PageUse::none;
+  const bool page = pageUseOf(m_draft.kind) != render::PageUse::none;
   m_pageHeading->setVisible(page);
   m_page->setVisible(page);
   for (QWidget* widget : m_subjectWidgets)

@@ -4,46 +4,20 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "render/vectors/vector_drawing.h"
 #include "widgets/export/export_rows.h"
-#include "widgets/export/page_presets.h"
 
 namespace sline::widgets {
 
 namespace {
 
-// What the dialog offers for a kind that says nothing of itself here: all.
-struct KindTraits {
-  const char* kind;
-  bool oneView = true;
-  PageUse page = PageUse::pixels;
-  bool names = false;
-};
-constexpr std::array traits{
-    KindTraits{.kind = "png"},
-    KindTraits{.kind = "tiff"},
-    KindTraits{.kind = "jpeg"},
-    KindTraits{.kind = "exr"},
-    KindTraits{.kind = "webp-picture"},
-    KindTraits{.kind = "jp2"},
-    KindTraits{.kind = "svg", .page = PageUse::drawing, .names = true},
-    KindTraits{.kind = "pdf", .page = PageUse::drawing, .names = true},
-    KindTraits{.kind = "glb", .oneView = false, .page = PageUse::none, .names = true},
-    KindTraits{.kind = "mp4", .oneView = false, .page = PageUse::shape},
-    KindTraits{.kind = "webp", .oneView = false, .page = PageUse::shape},
-    KindTraits{.kind = "gif", .oneView = false, .page = PageUse::shape},
-    KindTraits{.kind = "frames", .oneView = false, .page = PageUse::shape},
-    KindTraits{.kind = "anki", .oneView = false, .names = true},
-};
-
-const KindTraits& traitsOf(const QString& kind) {
-  static constexpr KindTraits all{.kind = "", .names = true};
-  const auto* const found = std::find_if(traits.begin(), traits.end(), [&kind](const auto& each) {
-    return kind == QLatin1String(each.kind);
-  });
-  return found == traits.end() ? all : *found;
+/// What is offered for a kind that is unknown: all.
+const render::ExportFormat& traitsOf(const QString& kind) {
+  static constexpr render::ExportFormat all{.names = true};
+  const render::ExportFormat* const found = formatOf(kind);
+  return found ? *found : all;
 }
 
 QString keyOf(const char* name) {
@@ -51,19 +25,17 @@ QString keyOf(const char* name) {
 }
 
 /// The number under that key, where it lies within the limits.
-float numberIn(const QSettings& settings, const char* name, float standard, glm::vec2 limits) {
+float numberIn(const QSettings& settings, const char* name, float standard,
+               const Limits<float>& limits) {
   bool read = false;
   const float value = settings.value(keyOf(name)).toFloat(&read);
-  return read && value >= limits.x && value <= limits.y ? value : standard;
+  return read && limits.contain(value) ? value : standard;
 }
 
 }  // namespace
 
 const render::ExportFormat* formatOf(const QString& kind) {
-  for (const render::ExportFormat& format : render::exportFormats())
-    if (kind == QLatin1String(format.id))
-      return &format;
-  return nullptr;
+  return render::exportFormat(kind.toStdString());
 }
 
 bool showsOneView(const QString& kind) {
@@ -71,11 +43,15 @@ bool showsOneView(const QString& kind) {
 }
 
 bool pageIsAsPreviewed(const QString& kind) {
-  return showsOneView(kind) || kind == QLatin1String("anki");
+  return showsOneView(kind) || traitsOf(kind).choices.anki;
 }
 
-PageUse pageUseOf(const QString& kind) {
+render::PageUse pageUseOf(const QString& kind) {
   return traitsOf(kind).page;
+}
+
+const render::KindChoices& choicesOf(const QString& kind) {
+  return traitsOf(kind).choices;
 }
 
 bool holdsNames(const QString& kind) {
@@ -95,9 +71,9 @@ ExportDraft rememberedDraft(const QSettings& settings) {
                    ? PageUnit::pixels
                    : PageUnit::millimetres;
   render::ExportPage& page = draft.order.page;
-  page.sizeMm.x = numberIn(settings, "width", page.sizeMm.x, pageLimitsMm);
-  page.sizeMm.y = numberIn(settings, "height", page.sizeMm.y, pageLimitsMm);
-  page.dpi = numberIn(settings, "dpi", page.dpi, dpiLimits);
+  page.sizeMm.x = numberIn(settings, "width", page.sizeMm.x, render::pageLimitsMm);
+  page.sizeMm.y = numberIn(settings, "height", page.sizeMm.y, render::pageLimitsMm);
+  page.dpi = numberIn(settings, "dpi", page.dpi, render::dpiLimits);
   draft.order.labels.mode = render::LabelMode::on;
   for (const ExportRow& row : exportRows({}))
     row.fromSettings(draft.order, settings.value(keyOf("options/") + row.id));

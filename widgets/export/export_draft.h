@@ -31,10 +31,9 @@ const render::ExportFormat* formatOf(const QString& kind);
 bool showsOneView(const QString& kind);
 /// A kind whose pages have their labels where the preview has them.
 bool pageIsAsPreviewed(const QString& kind);
-/// What the page is to a kind: nothing; the shape of its pictures; a sheet of lines and shapes; so
-/// many pixels.
-enum class PageUse { none, shape, drawing, pixels };
-PageUse pageUseOf(const QString& kind);
+render::PageUse pageUseOf(const QString& kind);
+/// Which choices of its own a kind has.
+const render::KindChoices& choicesOf(const QString& kind);
 /// A kind that holds names of structures besides what is seen.
 bool holdsNames(const QString& kind);
 

@@ -15,12 +15,6 @@ namespace sline::widgets {
 
 namespace {
 
-/// Kinds that have a choice of depth; what was chosen for them is not asked of others.
-bool isFine(const QString& kind) {
-  return kind == QLatin1String("png") || kind == QLatin1String("tiff") ||
-         kind == QLatin1String("jp2");
-}
-
 /// Of a film's picture: the page's shape, so small that letters are read on a screen, whatever
 /// paper was chosen for others: 10 points are 1/30 of its height.
 glm::vec2 filmPage(const glm::vec2& sizeMm) {
@@ -35,20 +29,22 @@ ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const mo
   order.camera = view ? view->camera : source.camera;
   order.viewName = view ? view->name : viewNameOf(source.camera);
   order.look.keyLight = source.keyLight;
-  if (!isFine(draft.kind))
+  // What was chosen for other kinds is not asked of this one.
+  const render::KindChoices& choices = choicesOf(draft.kind);
+  if (!choices.depth)
     order.pixels.bits = render::ExportPixels().bits;
-  const bool drawing = pageUseOf(draft.kind) == PageUse::drawing;
-  if (draft.order.pixels.pureInk && (isFine(draft.kind) || drawing)) {
+  order.pixels.pureInk = order.pixels.pureInk && choices.pureInk;
+  if (order.pixels.pureInk) {
     order.scene = model::withInkAlone(order.scene).scene;
     order.look.background = render::Background::white;
   }
   order.labels.onDark = order.look.background == render::Background::dark;
-  if (pageUseOf(draft.kind) == PageUse::shape)
+  if (pageUseOf(draft.kind) == render::PageUse::shape)
     order.page.sizeMm = filmPage(order.page.sizeMm);
   if (isSheet(draft))
     order.page.sizeMm = render::sheetFigureMm(order);
   const float aspect = order.page.sizeMm.x / order.page.sizeMm.y;
-  if (pageUseOf(draft.kind) != PageUse::none)
+  if (pageUseOf(draft.kind) != render::PageUse::none)
     order.camera = reframed(order.camera, source.aspect, aspect);
   return file;
 }
@@ -96,7 +92,7 @@ model::Camera reframed(model::Camera camera, float before, float aspect) {
 }
 
 bool isSheet(const ExportDraft& draft) {
-  return draft.kind == QLatin1String("pdf") && draft.order.sheet.kind != render::SheetKind::none;
+  return choicesOf(draft.kind).sheet && draft.order.sheet.kind != render::SheetKind::none;
 }
 
 std::vector<ExportFile> exportFiles(const ExportDraft& draft, const ExportSource& source) {

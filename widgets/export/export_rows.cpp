@@ -72,28 +72,31 @@ std::vector<ExportRow> labelRows(const QStringList& languages) {
       [](auto& o) -> auto& { return o.labels.language; });
   // Which languages there are is a matter of the scene.
   language.kept = false;
-  return {
-      bound(
-          {.id = QStringLiteral("labels"),
-           .part = ExportPart::labels,
-           .text = tr("&Labels"),
-           .tip = tr("How the scene's labels stand in the picture"),
-           .kinds = {},
-           .control = modes,
-           .read = {},
-           .write = {}},
-          [](auto& o) -> auto& { return o.labels.mode; }),
-      language,
-      bound(
-          {.id = QStringLiteral("labelSize"),
-           .part = ExportPart::labels,
-           .text = tr("Le&tters"),
-           .tip = tr("How large the letters of labels are on paper"),
-           .kinds = {},
-           .control = RowNumber{.low = 4, .high = 48, .decimals = 1, .step = 1, .unit = tr("pt")},
-           .read = {},
-           .write = {}},
-          [](auto& o) -> auto& { return o.labels.points; })};
+  return {bound(
+              {.id = QStringLiteral("labels"),
+               .part = ExportPart::labels,
+               .text = tr("&Labels"),
+               .tip = tr("How the scene's labels stand in the picture"),
+               .kinds = {},
+               .control = modes,
+               .read = {},
+               .write = {}},
+              [](auto& o) -> auto& { return o.labels.mode; }),
+          language,
+          bound(
+              {.id = QStringLiteral("labelSize"),
+               .part = ExportPart::labels,
+               .text = tr("Le&tters"),
+               .tip = tr("How large the letters of labels are on paper"),
+               .kinds = {},
+               .control = RowNumber{.low = double(render::letterLimitsPt.low),
+                                    .high = double(render::letterLimitsPt.high),
+                                    .decimals = 1,
+                                    .step = 1,
+                                    .unit = tr("pt")},
+               .read = {},
+               .write = {}},
+              [](auto& o) -> auto& { return o.labels.points; })};
 }
 
 template <class Field>
@@ -127,7 +130,7 @@ std::vector<ExportRow> markRows() {
 }  // namespace
 
 bool ExportRow::isFor(const QString& kind) const {
-  return kinds.isEmpty() ? pageUseOf(kind) != PageUse::none : kinds.contains(kind);
+  return kinds.isEmpty() ? pageUseOf(kind) != render::PageUse::none : kinds.contains(kind);
 }
 
 QVariant ExportRow::toSettings(const ExportOrder& order) const {

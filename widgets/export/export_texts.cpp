@@ -4,7 +4,6 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
-#include <array>
 
 #include "widgets/export/export_rows.h"
 #include "widgets/export/note_texts.h"
@@ -14,73 +13,9 @@ namespace sline::widgets {
 
 namespace {
 
-// The renderer's table is English: these are its texts, for translators.
-[[maybe_unused]] constexpr const char* tableTexts[] = {
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "PNG picture"),
-    QT_TRANSLATE_NOOP(
-        "sline::render::ExportFormat",
-        "A picture made of pixels for screens, documents and print: sRGB, grey or pure "
-        "ink, 8 or 16 bits, transparent where asked for"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "TIFF picture"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat",
-                      "The same for printers and journals, with its colour profile"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "JPEG picture"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat",
-                      "A picture made of pixels where files must be small; on white"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "EXR picture"),
-    QT_TRANSLATE_NOOP(
-        "sline::render::ExportFormat",
-        "A picture in linear light, as halves with alpha multiplied in, for compositing"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "WebP picture"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat",
-                      "A picture for web pages, smaller than PNG and as exact: 8 bits in colour"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "JPEG 2000 picture"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat",
-                      "A picture for archives that ask for it, exact: 8 or 16 bits"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "SVG drawing"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat",
-                      "Vectors for Inkscape, Illustrator and print: lines and hatching as smooth "
-                      "paths, hidden ones removed, a named group for each structure"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "PDF document"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat",
-                      "The same vectors on a page of their own, or a sheet with title, legend and "
-                      "numbered labels, a page to test oneself and its key"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "GLB surfaces (glTF)"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat",
-                      "Surfaces for Blender, PowerPoint, web pages and headsets: groups, names and "
-                      "colours, annotations, cameras of the saved views"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "MP4 film"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat",
-                      "A film for slides and web pages, where the program ffmpeg is installed"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "Animated WebP"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "A film that browsers show as a picture"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "Animated GIF"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat",
-                      "A film that every program shows, of at most 255 colours: small ones"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "Frames of a film"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat",
-                      "A new folder of numbered PNG pictures, for programs that cut films"),
-    QT_TRANSLATE_NOOP("sline::render::ExportFormat", "Anki deck"),
-    QT_TRANSLATE_NOOP(
-        "sline::render::ExportFormat",
-        "Cards that ask for the labels of the picture: a package for Anki (.apkg), or "
-        "text and pictures in a ZIP (.zip) or a new folder"),
-};
-
 QString numberText(qlonglong number) {
   return QLocale().toString(number);
 }
-
-/// How large files of a kind are, about: drawings are mostly empty, which packs well.
-struct Weight {
-  const char* kind;
-  double perPixel;
-  double perTriangle;
-};
-constexpr std::array weights{
-    Weight{"png", 0.4, 0.0},   Weight{"tiff", 1.0, 0.0},          Weight{"exr", 2.0, 0.0},
-    Weight{"jpeg", 0.25, 0.0}, Weight{"webp-picture", 0.25, 0.0}, Weight{"jp2", 1.0, 0.0},
-    Weight{"svg", 0.0, 2.0},   Weight{"pdf", 0.0, 1.0},           Weight{"glb", 0.0, 30.0}};
 
 std::size_t shownTriangles(const model::Scene& scene) {
   std::size_t triangles = 0;
@@ -105,7 +40,7 @@ QString subjectText(const ExportDraft& draft, const std::vector<ExportFile>& fil
   const int structures = shownStructures(files.front().order.scene);
   if (files.size() > 1)
     return tr("%n files, one for each saved view.", nullptr, int(files.size()));
-  return pageUseOf(draft.kind) != PageUse::none
+  return pageUseOf(draft.kind) != render::PageUse::none
              ? tr("%n structures, seen as in the window.", nullptr, structures)
              : tr("%n structures as surfaces.", nullptr, structures);
 }
@@ -141,27 +76,25 @@ QString labelText(const std::vector<ExportFile>& files) {
 QString sizeText(const ExportDraft& draft) {
   const render::ExportPage& page = draft.order.page;
   const render::FilmOptions& film = draft.order.film;
-  if (pageUseOf(draft.kind) == PageUse::shape)
+  if (pageUseOf(draft.kind) == render::PageUse::shape)
     return tr("%1 seconds, %2 pixels high, %3 pictures a second.")
         .arg(QLocale().toString(film.seconds, 'g', 4), numberText(film.height),
              numberText(film.framesPerSecond));
-  if (pageUseOf(draft.kind) == PageUse::drawing)
+  if (pageUseOf(draft.kind) == render::PageUse::drawing)
     return tr("%1, as lines and shapes of any sharpness.").arg(millimetresText(page));
   return tr("%1, %2 at %3 dpi.")
       .arg(millimetresText(page), pixelsText(page), numberText(std::lround(page.dpi)));
 }
 
 QString weightText(const ExportDraft& draft, const std::vector<ExportFile>& files) {
-  const auto* const weight =
-      std::find_if(weights.begin(), weights.end(),
-                   [&draft](const Weight& each) { return draft.kind == QLatin1String(each.kind); });
-  if (weight == weights.end())
+  const render::ExportFormat& format = *formatOf(draft.kind);
+  if (format.bytesPerPixel == 0.0 && format.bytesPerTriangle == 0.0)
     return {};
   const glm::ivec2 pixels = render::pixelsOf(draft.order.page);
   double bytes = 0.0;
   for (const ExportFile& file : files)
-    bytes += weight->perPixel * double(pixels.x) * double(pixels.y) +
-             weight->perTriangle * double(shownTriangles(file.order.scene));
+    bytes += format.bytesPerPixel * double(pixels.x) * double(pixels.y) +
+             format.bytesPerTriangle * double(shownTriangles(file.order.scene));
   constexpr double megabyte = 1e6;
   return bytes < megabyte         ? tr("Less than 1 MB.")
          : bytes < 10 * megabyte  ? tr("A few MB.")
@@ -207,7 +140,7 @@ QString pixelsText(const render::ExportPage& page) {
 
 QStringList exportSummary(const ExportDraft& draft, const std::vector<ExportFile>& files) {
   QStringList sentences{subjectText(draft, files)};
-  if (pageUseOf(draft.kind) != PageUse::none)
+  if (pageUseOf(draft.kind) != render::PageUse::none)
     sentences << labelText(files) << sizeText(draft);
   sentences << weightText(draft, files) << privacyText(draft) << creditText(draft);
   sentences.removeAll(QString());

@@ -13,9 +13,23 @@ using render::Motion;
 using render::Paper;
 using render::SheetKind;
 
-QStringList films() {
-  return {QStringLiteral("mp4"), QStringLiteral("webp"), QStringLiteral("gif"),
-          QStringLiteral("frames")};
+/// The kinds that have that choice.
+QStringList kindsWith(bool render::KindChoices::*choice) {
+  QStringList kinds;
+  for (const render::ExportFormat& format : render::exportFormats())
+    if (format.choices.*choice)
+      kinds << QLatin1String(format.id);
+  return kinds;
+}
+
+template <class Number>
+RowNumber numberWithin(const Limits<Number>& limits, int decimals, double step,
+                       const QString& unit) {
+  return {.low = double(limits.low),
+          .high = double(limits.high),
+          .decimals = decimals,
+          .step = step,
+          .unit = unit};
 }
 
 ExportRow row(const char* id, const QString& text, const QString& tip, const QStringList& kinds) {
@@ -40,28 +54,28 @@ ExportRow notKept(ExportRow row) {
 }
 
 std::vector<ExportRow> pixelRows() {
-  const QStringList fine{QStringLiteral("png"), QStringLiteral("tiff")};
+  using Choices = render::KindChoices;
   const RowChoice depths{
       {{QStringLiteral("8"), tr("8 bits"), 8}, {QStringLiteral("16"), tr("16 bits"), 16}}};
   return {bound(
               with(row("bits", tr("&Depth"), tr("Of each colour; 16 bits for work that follows"),
-                       fine + QStringList{QStringLiteral("jp2")}),
+                       kindsWith(&Choices::depth)),
                    depths),
               [](auto& o) -> auto& { return o.pixels.bits; }),
           bound(
               row("grey", tr("&Grey"), tr("Without colours, with a grey profile"),
-                  fine + QStringList{QStringLiteral("jpeg"), QStringLiteral("jp2")}),
+                  kindsWith(&Choices::grey)),
               [](auto& o) -> auto& { return o.pixels.grey; }),
           bound(
               row("pureInk", tr("Black in&k alone"),
                   tr("For print without tones: each pixel is ink or paper; what is shaded is "
                      "hatched instead"),
-                  fine + QStringList{QStringLiteral("svg"), QStringLiteral("pdf")}),
+                  kindsWith(&Choices::pureInk)),
               [](auto& o) -> auto& { return o.pixels.pureInk; })};
 }
 
 std::vector<ExportRow> sheetRows() {
-  const QStringList pdf{QStringLiteral("pdf")};
+  const QStringList kindsOfSheets = kindsWith(&render::KindChoices::sheet);
   const RowChoice kinds{
       {{QStringLiteral("none"), tr("The figure alone"), int(SheetKind::none)},
        {QStringLiteral("figure"), tr("With title and legend"), int(SheetKind::figure)},
@@ -69,61 +83,64 @@ std::vector<ExportRow> sheetRows() {
        {QStringLiteral("patient"), tr("For a patient"), int(SheetKind::patient)}}};
   const RowChoice papers{{{QStringLiteral("a4"), tr("A4"), int(Paper::a4)},
                           {QStringLiteral("letter"), tr("US Letter"), int(Paper::letter)}}};
-  return {bound(
-              with(row("sheet", tr("Shee&t"),
-                       tr("The page around the figure, of a paper of its own"), pdf),
-                   kinds),
-              [](auto& o) -> auto& { return o.sheet.kind; }),
-          bound(
-              with(row("sheetPaper", tr("Paper of the sheet"), tr("Of sheets alone"), pdf), papers),
-              [](auto& o) -> auto& { return o.sheet.paper; }),
-          notKept(bound(
-              with(row("sheetTitle", tr("T&itle"), tr("At the head of a sheet"), pdf),
-                   RowText{.longest = 120}),
-              [](auto& o) -> auto& { return o.sheet.title; })),
-          notKept(bound(
-              with(row("sheetText", tr("Text"),
-                       tr("Of a sheet for a patient; each line is a paragraph"), pdf),
-                   RowText{.longest = 4000, .lines = 3}),
-              [](auto& o) -> auto& { return o.sheet.text; })),
-          bound(
-              row("sheetLandscape", tr("Landscape"), tr("Wider than high"), pdf),
-              [](auto& o) -> auto& { return o.sheet.landscape; })};
+  return {
+      bound(
+          with(row("sheet", tr("Shee&t"), tr("The page around the figure, of a paper of its own"),
+                   kindsOfSheets),
+               kinds),
+          [](auto& o) -> auto& { return o.sheet.kind; }),
+      bound(
+          with(row("sheetPaper", tr("Paper of the sheet"), tr("Of sheets alone"), kindsOfSheets),
+               papers),
+          [](auto& o) -> auto& { return o.sheet.paper; }),
+      notKept(bound(
+          with(row("sheetTitle", tr("T&itle"), tr("At the head of a sheet"), kindsOfSheets),
+               RowText{.longest = 120}),
+          [](auto& o) -> auto& { return o.sheet.title; })),
+      notKept(bound(
+          with(row("sheetText", tr("Text"),
+                   tr("Of a sheet for a patient; each line is a paragraph"), kindsOfSheets),
+               RowText{.longest = 4000, .lines = 3}),
+          [](auto& o) -> auto& { return o.sheet.text; })),
+      bound(
+          row("sheetLandscape", tr("Landscape"), tr("Wider than high"), kindsOfSheets),
+          [](auto& o) -> auto& { return o.sheet.landscape; })};
 }
 
 std::vector<ExportRow> filmRows() {
+  const QStringList films = kindsWith(&render::KindChoices::film);
   const RowChoice motions{
       {{QStringLiteral("turntable"), tr("Once around"), int(Motion::turntable)},
        {QStringLiteral("tour"), tr("From view to view"), int(Motion::tour)},
        {QStringLiteral("gammaSweep"), tr("Γ from 0 to 5"), int(Motion::gammaSweep)}}};
   return {bound(
-              with(row("motion", tr("&Motion"), tr("What moves in the film"), films()), motions),
+              with(row("motion", tr("&Motion"), tr("What moves in the film"), films), motions),
               [](auto& o) -> auto& { return o.film.motion; }),
           bound(
-              with(row("seconds", tr("Len&gth"), tr("Of the whole film"), films()),
-                   RowNumber{.low = 1, .high = 600, .decimals = 1, .step = 1, .unit = tr("s")}),
+              with(row("seconds", tr("Len&gth"), tr("Of the whole film"), films),
+                   numberWithin(render::filmSecondsLimits, 1, 1.0, tr("s"))),
               [](auto& o) -> auto& { return o.film.seconds; }),
           bound(
               with(row("framesPerSecond", tr("Pictures a secon&d"),
-                       tr("More are smoother, and more to draw"), films()),
-                   RowNumber{.low = 1, .high = 60, .decimals = 0, .step = 5, .unit = {}}),
+                       tr("More are smoother, and more to draw"), films),
+                   numberWithin(render::framesPerSecondLimits, 0, 5.0, {})),
               [](auto& o) -> auto& { return o.film.framesPerSecond; }),
           bound(
               with(row("filmHeight", tr("Height of the film"),
-                       tr("The page's shape gives the width"), films()),
-                   RowNumber{.low = 90, .high = 2160, .decimals = 0, .step = 90, .unit = tr("px")}),
+                       tr("The page's shape gives the width"), films),
+                   numberWithin(render::filmHeightLimits, 0, 90.0, tr("px"))),
               [](auto& o) -> auto& { return o.film.height; })};
 }
 
 std::vector<ExportRow> ankiRows() {
-  const QStringList anki{QStringLiteral("anki")};
+  const QStringList decks = kindsWith(&render::KindChoices::anki);
   return {notKept(bound(
-              with(row("deck", tr("&Deck"), tr("Its name in Anki; else the view's name"), anki),
+              with(row("deck", tr("&Deck"), tr("Its name in Anki; else the view's name"), decks),
                    RowText{.longest = 120}),
               [](auto& o) -> auto& { return o.anki.deck; })),
           bound(
               row("othersShown", tr("S&how the other labels"),
-                  tr("A card asks for one label and shows the others"), anki),
+                  tr("A card asks for one label and shows the others"), decks),
               [](auto& o) -> auto& { return o.anki.othersShown; })};
 }
 

@@ -39,7 +39,7 @@ PagePanel::PagePanel(ExportDraft& draft, QWidget* parent)
   m_unit->setAccessibleName(tr("Unit of width and height"));
   m_unit->addItem(tr("mm"), int(PageUnit::millimetres));
   m_unit->addItem(tr("px"), int(PageUnit::pixels));
-  m_dpi->setRange(double(dpiLimits.x), double(dpiLimits.y));
+  m_dpi->setRange(double(render::dpiLimits.low), double(render::dpiLimits.high));
   m_dpi->setSuffix(tr(" dpi"));
   m_dpi->setSingleStep(50.0);
   m_dpiText->setBuddy(m_dpi);
@@ -121,7 +121,7 @@ void PagePanel::connectControls() {
 }
 
 float PagePanel::millimetresPerUnit() const {
-  return m_draft.unit == PageUnit::pixels && pageUseOf(m_draft.kind) == PageUse::pixels
+  return m_draft.unit == PageUnit::pixels && pageUseOf(m_draft.kind) == render::PageUse::pixels
              ? render::millimetresPerInch / m_draft.order.page.dpi
              : 1.0f;
 }
@@ -137,20 +137,22 @@ void PagePanel::setSize(const glm::vec2& sizeMm) {
 }
 
 void PagePanel::refresh() {
-  const bool pixels = pageUseOf(m_draft.kind) == PageUse::pixels;
+  const bool pixels = pageUseOf(m_draft.kind) == render::PageUse::pixels;
   const render::ExportPage& page = m_draft.order.page;
   const float unit = millimetresPerUnit();
   const bool inPixels = unit != 1.0f;
   const float most =
-      pixels ? std::min(pageLimitsMm.y, float(mostPixels) / page.dpi * render::millimetresPerInch)
-             : pageLimitsMm.y;
+      pixels ? std::min(render::pageLimitsMm.high,
+                        float(render::pixelSideLimits.high) / page.dpi * render::millimetresPerInch)
+             : render::pageLimitsMm.high;
   const std::pair<QDoubleSpinBox*, float> sides[] = {{m_width, page.sizeMm.x},
                                                      {m_height, page.sizeMm.y}};
   for (const auto& [box, millimetres] : sides) {
     const QSignalBlocker quiet(box);
     box->setDecimals(inPixels ? 0 : 1);
     box->setSingleStep(inPixels ? 100.0 : 10.0);
-    box->setRange(double(pageLimitsMm.x / unit), double(std::max(most, millimetres) / unit));
+    box->setRange(double(render::pageLimitsMm.low / unit),
+                  double(std::max(most, millimetres) / unit));
     box->setValue(double(millimetres / unit));
   }
   const QSignalBlocker quietDpi(m_dpi);

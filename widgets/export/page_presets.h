@@ -9,12 +9,6 @@
 
 namespace sline::widgets {
 
-/// The smallest and the largest, of either side and of dots to the inch.
-inline constexpr glm::vec2 pageLimitsMm{10.0f, 5000.0f};
-inline constexpr glm::vec2 dpiLimits{36.0f, 2400.0f};
-/// Of either side of a picture.
-inline constexpr int mostPixels = 20'000;
-
 struct PagePreset {
   QString id;
   QString text;

@@ -4,27 +4,53 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 
 #include "render/export/order/export_order.h"
 
 namespace sline::render {
 
-/// English texts; the window translates them in the context "sline::render::ExportFormat".
+/// What the page is to files of a kind: nothing; the shape of its pictures; a sheet of lines and
+/// shapes; so many pixels.
+enum class PageUse { none, shape, drawing, pixels };
+
+/// Which of the order's choices mean something to a kind, besides those that all kinds have.
+struct KindChoices {
+  bool depth = false;    ///< pixels.bits
+  bool grey = false;     ///< pixels.grey
+  bool pureInk = false;  ///< pixels.pureInk
+  bool sheet = false;
+  bool film = false;
+  bool anki = false;
+};
+
+/// All that distinguishes a kind. Its texts are English; the window translates them in the context
+/// "sline::render::ExportFormat".
 struct ExportFormat {
-  const char* id;              ///< its flag without the dashes, its extension unless there are more
-  const char* title;           ///< "SVG drawing"
-  const char* help;            ///< one sentence: what it is for, what it contains
-  const char* extension;       ///< of a file whose name has none; empty: it is a folder
-  const char* otherExtension;  ///< that a person may type as well; empty: there is none
+  const char* id = "";         ///< its flag without the dashes, its extension unless there are more
+  const char* title = "";      ///< "SVG drawing"
+  const char* help = "";       ///< one sentence: what it is for, what it contains
+  const char* extension = "";  ///< of a file whose name has none; empty: it is a folder
+  const char* otherExtension = "";  ///< that a person may type as well; empty: there is none
+  PageUse page = PageUse::pixels;
+  bool oneView = true;  ///< shows the scene from one place; others hold it whole, or all its views
+  bool names = false;   ///< holds names of structures besides what is seen
+  KindChoices choices = {};
+  // How large files are, about: drawings are mostly empty, which packs well. Zeros: nobody knows.
+  double bytesPerPixel = 0.0;
+  double bytesPerTriangle = 0.0;
   /// Writes the whole file or, with an error, none. Runs on any thread; makes the OpenGL context
   /// that it needs.
   Status (*write)(const ExportOrder& order, const std::filesystem::path& target,
-                  const ExportProgress& progress);
-  /// Of what `write` will note, that which the order alone tells: quick, draws nothing.
-  ExportNotes (*foreseen)(const ExportOrder& order);
+                  const ExportProgress& progress) = nullptr;
+  /// Returns those of the notes that `write` will make which the order alone tells: quick, draws
+  /// nothing.
+  ExportNotes (*foreseen)(const ExportOrder& order) = nullptr;
 };
 
 /// In the order in which a person should meet them.
 std::span<const ExportFormat> exportFormats();
+/// Returns null where there is no such kind.
+const ExportFormat* exportFormat(std::string_view id);
 
 }  // namespace sline::render

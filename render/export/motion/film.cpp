@@ -26,11 +26,11 @@ Error tooLongRests(const FilmOptions& options) {
 }
 
 Status checked(const FilmOptions& options, const glm::ivec2& size) {
-  if (!(options.seconds >= shortestFilm && options.seconds <= longestFilm))
+  if (!filmSecondsLimits.contain(options.seconds))
     return Error{.reason = "a film takes 0.1 to 600 seconds", .remedy = "Choose another length"};
-  if (options.framesPerSecond < 1 || options.framesPerSecond > mostFramesPerSecond)
+  if (!framesPerSecondLimits.contain(options.framesPerSecond))
     return Error{.reason = "a film has 1 to 60 frames per second", .remedy = "Choose another rate"};
-  if (std::min(size.x, size.y) < smallestFilm || std::max(size.x, size.y) > largestFilm)
+  if (!filmHeightLimits.contain(size.x) || !filmHeightLimits.contain(size.y))
     return Error{.reason = "frames of " + std::to_string(size.x) + " × " + std::to_string(size.y) +
                            " pixels are none for a film",
                  .remedy = "Choose a height for which both sides have 16 to 4320 pixels"};

@@ -12,12 +12,6 @@
 
 namespace sline::render {
 
-inline constexpr double shortestFilm = 0.1;
-inline constexpr double longestFilm = 600.0;  ///< seconds
-inline constexpr int mostFramesPerSecond = 60;
-inline constexpr int smallestFilm = 16;
-inline constexpr int largestFilm = 4320;  ///< pixels of its height, and of its width
-
 /// Pixels: of the page's shape, both even, as films want it.
 glm::ivec2 filmSize(const ExportOrder& order);
 int filmFrames(const FilmOptions& options);

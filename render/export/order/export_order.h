@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "model/base/result.h"
+#include "model/base/units.h"
 #include "model/scene/scene.h"
 #include "render/export/order/export_notes.h"
 #include "render/export/order/label_style.h"
@@ -24,6 +25,7 @@ struct ExportPage {
   glm::vec2 sizeMm{160.0f, 90.0f};
   float dpi = 300.0f;  ///< pixels to the inch, for pictures made of pixels
 };
+inline constexpr Limits<float> dpiLimits{10.0f, 4800.0f};
 
 /// How the scene is drawn, besides what it says itself.
 struct ExportLook {
@@ -42,7 +44,8 @@ struct ExportPixels {
   bool pureInk = false;
   int samples = 0;  ///< across a pixel; 0: as many as its size allows
 };
-inline constexpr int largestPixelSide = 20'000;
+/// Of either side of a picture.
+inline constexpr Limits<int> pixelSideLimits{16, 20'000};
 
 /// What stands at the edge of a picture, so that it can be read without the program.
 struct ExportMarks {
@@ -85,6 +88,10 @@ struct FilmOptions {
   std::optional<double> hold;
   std::vector<model::NodeId> swept;  ///< whose Γ changes; none: everything's
 };
+inline constexpr Limits<double> filmSecondsLimits{0.1, 600.0};
+inline constexpr Limits<int> framesPerSecondLimits{1, 60};
+/// Of its height, and of its width.
+inline constexpr Limits<int> filmHeightLimits{16, 4320};
 
 /// For decks of cards that ask for labels.
 struct AnkiOptions {

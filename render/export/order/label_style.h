@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "model/base/units.h"
 #include "render/labels/shapes.h"
 
 namespace sline::render {
@@ -18,6 +19,8 @@ inline constexpr float millimetresPerPoint = millimetresPerInch / 72.0f;
 /// How high a picture is taken to be where nobody says: its 720 output units (METHOD §4) are then
 /// 1/96 inch each.
 inline constexpr float usualHeightMm = 190.5f;
+
+inline constexpr Limits<float> letterLimitsPt{4.0f, 48.0f};
 
 struct LabelStyle {
   LabelMode mode = LabelMode::on;

@@ -69,7 +69,7 @@ Result<std::vector<VectorDrawing>> styleSamples(const ExportOrder& order,
   model::Camera camera;
   camera.projection = model::Projection::orthographic;
   camera.heightMm = height;
-  const VectorSettings settings{.sizeMm = {std::max(sampleMm.x, smallestPageMm), height},
+  const VectorSettings settings{.sizeMm = {std::max(sampleMm.x, pageLimitsMm.low), height},
                                 .background = order.look.background,
                                 .light = order.look.light,
                                 .keyLight = order.look.keyLight};

@@ -33,7 +33,7 @@ PixelLayout layoutOf(const ExportOrder& order, PixelKind kind, glm::ivec2 size) 
 Status checkOrder(PixelKind kind, const ExportOrder& order, glm::ivec2 size,
                   const std::filesystem::path& target) {
   const int bits = order.pixels.bits;
-  const int largest = std::min(traitsOf(kind).largestSide, largestPixelSide);
+  const int largest = std::min(traitsOf(kind).largestSide, pixelSideLimits.high);
   if (std::max(size.x, size.y) > largest)
     return Error{.file = target.string(),
                  .reason = "a picture of " + std::to_string(size.x) + "×" + std::to_string(size.y) +

@@ -6,8 +6,8 @@
 
 namespace sline::render {
 
-/// Pictures of the order's page in pixels, up to `largestPixelSide` each way, drawn in bands and
-/// written as they are drawn. PNG and TIFF say their resolution and are sRGB (or grey with its
+/// Pictures of the order's page in pixels, up to `pixelSideLimits.high` each way, drawn in bands
+/// and written as they are drawn. PNG and TIFF say their resolution and are sRGB (or grey with its
 /// curve): 8 or 16 bits with straight alpha where the background is transparent, or ink alone.
 Status writePng(const ExportOrder& order, const std::filesystem::path& target,
                 const ExportProgress& progress);
