@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
+#include "render/vectors/vector_drawing.h"
 #include "widgets/export/export_texts.h"
 #include "widgets/export/page_presets.h"
 #include "widgets/export/row_form.h"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "model/edit/emphasis.h"
 #include "model/edit/locks.h"
 #include "model/edit/tree.h"
 #include "model/edit/visibility.h"
