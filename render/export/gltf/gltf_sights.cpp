@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "model/base/colour_text.h"
+#include "model/files/style_json.h"
 #include "model/scene/markup.h"
 #include "model/scene/style_fields.h"
 
@@ -18,30 +19,12 @@ namespace {
 
 constexpr std::array<const char*, 4> kindNames{"label", "callout", "pin", "distance"};
 
-Json extraOf(const Colour& colour) {
-  return colourText(colour);
-}
-Json extraOf(bool flag) {
-  return flag;
-}
-Json extraOf(float number) {
-  return jsonNumber(number);
-}
-template <class T>
-Json extraOf(const T& value) {
-  if constexpr (std::is_enum_v<T>)
-    return model::namesOf(value)[std::size_t(value)];
-  else
-    return jsonNumber(value.value());
-}
-
-/// What a style says itself.
+/// Returns what a style says itself, as in scene files but for the form of the keys.
 Json ownStyleExtras(const model::Style& style) {
   Json extras = Json::object();
-  model::forEachStyleField([&](const auto& field) {
-    if (const auto& own = style.*field.own)
-      extras[model::camelCase(field.key)] = extraOf(*own);
-  });
+  const Json own = model::styleJson(style);
+  for (const auto& [key, value] : own.items())
+    extras[model::camelCase(key)] = value;
   return extras;
 }
 
