@@ -136,6 +136,289 @@
     </message>
 </context>
 <context>
+    <name>sline::render::ExportOption</name>
+    <message>
+        <source>&amp;Deck</source>
+        <translation>&amp;Stapel</translation>
+    </message>
+    <message>
+        <source>Its name in Anki; else the view&apos;s name</source>
+        <translation>Sein Name in Anki; sonst der Name der Ansicht</translation>
+    </message>
+    <message>
+        <source>S&amp;how the other labels</source>
+        <translation>Die and&amp;eren Beschriftungen zeigen</translation>
+    </message>
+    <message>
+        <source>A card asks for one label and shows the others</source>
+        <translation>Eine Karte fragt nach einer Beschriftung und zeigt die anderen</translation>
+    </message>
+    <message>
+        <source>Once around</source>
+        <translation>Einmal herum</translation>
+    </message>
+    <message>
+        <source>From view to view</source>
+        <translation>Von Ansicht zu Ansicht</translation>
+    </message>
+    <message>
+        <source>Γ from 0 to 5</source>
+        <translation>Γ von 0 bis 5</translation>
+    </message>
+    <message>
+        <source>Len&amp;gth</source>
+        <translation>&amp;Dauer</translation>
+    </message>
+    <message>
+        <source>Of the whole film</source>
+        <translation>Des ganzen Films</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Pictures a secon&amp;d</source>
+        <translation>Bi&amp;lder je Sekunde</translation>
+    </message>
+    <message>
+        <source>More are smoother, and more to draw</source>
+        <translation>Mehr sind flüssiger, und mehr zu zeichnen</translation>
+    </message>
+    <message>
+        <source>Height of the film</source>
+        <translation>Höhe des Films</translation>
+    </message>
+    <message>
+        <source>The page&apos;s shape gives the width</source>
+        <translation>Die Form der Seite gibt die Breite</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>&amp;Motion</source>
+        <translation>Be&amp;wegung</translation>
+    </message>
+    <message>
+        <source>What moves in the film</source>
+        <translation>Was sich im Film bewegt</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Transparent</source>
+        <translation>Durchsichtig</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Nummern</translation>
+    </message>
+    <message>
+        <source>Blank lines, for a test</source>
+        <translation>Leere Zeilen, zum Abfragen</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>&amp;Labels</source>
+        <translation>Beschri&amp;ftungen</translation>
+    </message>
+    <message>
+        <source>How the scene&apos;s labels stand in the picture</source>
+        <translation>Wie die Beschriftungen der Szene im Bild stehen</translation>
+    </message>
+    <message>
+        <source>Le&amp;tters</source>
+        <translation>Bu&amp;chstaben</translation>
+    </message>
+    <message>
+        <source>How large the letters of labels are on paper</source>
+        <translation>Wie groß die Buchstaben der Beschriftung auf Papier sind</translation>
+    </message>
+    <message>
+        <source>pt</source>
+        <translation>pt</translation>
+    </message>
+    <message>
+        <source>&amp;Right and left</source>
+        <translation>&amp;Rechts und links</translation>
+    </message>
+    <message>
+        <source>R and L, and the body&apos;s other directions</source>
+        <translation>R und L und die anderen Richtungen des Körpers</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the view</source>
+        <translation>&amp;Name der Ansicht</translation>
+    </message>
+    <message>
+        <source>“Anterior view”, or the saved view&apos;s name</source>
+        <translation>„Ansicht von vorn“ oder der Name der gespeicherten Ansicht</translation>
+    </message>
+    <message>
+        <source>S&amp;cale bar</source>
+        <translation>&amp;Maßstab</translation>
+    </message>
+    <message>
+        <source>How long a centimetre is</source>
+        <translation>Wie lang ein Zentimeter ist</translation>
+    </message>
+    <message>
+        <source>S&amp;ections</source>
+        <translation>Schn&amp;itte</translation>
+    </message>
+    <message>
+        <source>What sections have taken away</source>
+        <translation>Was Schnitte weggenommen haben</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Urheber</translation>
+    </message>
+    <message>
+        <source>Written into the file, which says of nobody who made it where this is empty</source>
+        <translation>Kommt in die Datei; bleibt es leer, sagt sie von niemandem, wer sie gemacht hat</translation>
+    </message>
+    <message>
+        <source>Rights</source>
+        <translation>Rechte</translation>
+    </message>
+    <message>
+        <source>Whose it is or what others may do with it, as in “CC BY 4.0”</source>
+        <translation>Wem es gehört oder was andere damit dürfen, wie „CC BY 4.0“</translation>
+    </message>
+    <message>
+        <source>Back&amp;ground</source>
+        <translation>Hinter&amp;grund</translation>
+    </message>
+    <message>
+        <source>What lies behind the drawing</source>
+        <translation>Was hinter der Zeichnung liegt</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>Of texts and numbers; where a label has no text in it, the scene&apos;s own</source>
+        <translation>Der Texte und Zahlen; wo eine Beschriftung in ihr keinen Text hat, die der Szene</translation>
+    </message>
+    <message>
+        <source>Black in&amp;k alone</source>
+        <translation>Nur schwar&amp;ze Tinte</translation>
+    </message>
+    <message>
+        <source>For print without tones: each pixel is ink or paper; what is shaded is hatched instead</source>
+        <translation>Für Druck ohne Töne: Jedes Pixel ist Tinte oder Papier; statt schattiert wird schraffiert</translation>
+    </message>
+    <message>
+        <source>The figure alone</source>
+        <translation>Nur die Abbildung</translation>
+    </message>
+    <message>
+        <source>With title and legend</source>
+        <translation>Mit Titel und Legende</translation>
+    </message>
+    <message>
+        <source>For teaching, with self-test</source>
+        <translation>Für Unterricht, mit Selbsttest</translation>
+    </message>
+    <message>
+        <source>For a patient</source>
+        <translation>Für Patienten</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>US Letter</source>
+        <translation>US Letter</translation>
+    </message>
+    <message>
+        <source>Paper of the sheet</source>
+        <translation>Papier des Blatts</translation>
+    </message>
+    <message>
+        <source>Of sheets alone</source>
+        <translation>Nur von Blättern</translation>
+    </message>
+    <message>
+        <source>T&amp;itle</source>
+        <translation>T&amp;itel</translation>
+    </message>
+    <message>
+        <source>At the head of a sheet</source>
+        <translation>Oben auf einem Blatt</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Of a sheet for a patient; each line is a paragraph</source>
+        <translation>Eines Blatts für Patienten; jede Zeile ist ein Absatz</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Querformat</translation>
+    </message>
+    <message>
+        <source>Wider than high</source>
+        <translation>Breiter als hoch</translation>
+    </message>
+    <message>
+        <source>Shee&amp;t</source>
+        <translation>&amp;Blatt</translation>
+    </message>
+    <message>
+        <source>The page around the figure, of a paper of its own</source>
+        <translation>Die Seite um die Abbildung, auf eigenem Papier</translation>
+    </message>
+    <message>
+        <source>8 bits</source>
+        <translation>8 Bit</translation>
+    </message>
+    <message>
+        <source>16 bits</source>
+        <translation>16 Bit</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>&amp;Tiefe</translation>
+    </message>
+    <message>
+        <source>Of each colour; 16 bits for work that follows</source>
+        <translation>Jeder Farbe; 16 Bit zum Weiterarbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>&amp;Grau</translation>
+    </message>
+    <message>
+        <source>Without colours, with a grey profile</source>
+        <translation>Ohne Farben, mit Grauprofil</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets</name>
     <message>
         <source>Silhouette</source>
@@ -1682,18 +1965,6 @@
         <translation>Die gespeicherten Ansichten nacheinander auf dem ganzen Bildschirm</translation>
     </message>
     <message>
-        <source>Transparent</source>
-        <translation>Durchsichtig</translation>
-    </message>
-    <message>
-        <source>Back&amp;ground</source>
-        <translation>Hinter&amp;grund</translation>
-    </message>
-    <message>
-        <source>What lies behind the drawing</source>
-        <translation>Was hinter der Zeichnung liegt</translation>
-    </message>
-    <message>
         <source>The scene&apos;s own</source>
         <translation>Die der Szene</translation>
     </message>
@@ -1706,68 +1977,12 @@
         <translation>Nummern</translation>
     </message>
     <message>
-        <source>Blank lines, for a test</source>
-        <translation>Leere Zeilen, zum Abfragen</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Keine</translation>
-    </message>
-    <message>
-        <source>Lan&amp;guage</source>
-        <translation>&amp;Sprache</translation>
-    </message>
-    <message>
-        <source>Of texts and numbers; where a label has no text in it, the scene&apos;s own</source>
-        <translation>Der Texte und Zahlen; wo eine Beschriftung in ihr keinen Text hat, die der Szene</translation>
-    </message>
-    <message>
         <source>&amp;Labels</source>
         <translation>Beschri&amp;ftungen</translation>
     </message>
     <message>
-        <source>How the scene&apos;s labels stand in the picture</source>
-        <translation>Wie die Beschriftungen der Szene im Bild stehen</translation>
-    </message>
-    <message>
-        <source>Le&amp;tters</source>
-        <translation>Bu&amp;chstaben</translation>
-    </message>
-    <message>
-        <source>How large the letters of labels are on paper</source>
-        <translation>Wie groß die Buchstaben der Beschriftung auf Papier sind</translation>
-    </message>
-    <message>
         <source>pt</source>
         <translation>pt</translation>
-    </message>
-    <message>
-        <source>&amp;Right and left</source>
-        <translation>&amp;Rechts und links</translation>
-    </message>
-    <message>
-        <source>R and L, and the body&apos;s other directions</source>
-        <translation>R und L und die anderen Richtungen des Körpers</translation>
-    </message>
-    <message>
-        <source>&amp;Name of the view</source>
-        <translation>&amp;Name der Ansicht</translation>
-    </message>
-    <message>
-        <source>“Anterior view”, or the saved view&apos;s name</source>
-        <translation>„Ansicht von vorn“ oder der Name der gespeicherten Ansicht</translation>
-    </message>
-    <message>
-        <source>S&amp;cale bar</source>
-        <translation>&amp;Maßstab</translation>
-    </message>
-    <message>
-        <source>S&amp;ections</source>
-        <translation>Schn&amp;itte</translation>
-    </message>
-    <message>
-        <source>What sections have taken away</source>
-        <translation>Was Schnitte weggenommen haben</translation>
     </message>
     <message numerus="yes">
         <source>%n files, one for each saved view.</source>
@@ -2099,172 +2314,8 @@
         <translation>%1 Sekunden, %2 Pixel hoch, %3 Bilder je Sekunde.</translation>
     </message>
     <message>
-        <source>8 bits</source>
-        <translation>8 Bit</translation>
-    </message>
-    <message>
-        <source>16 bits</source>
-        <translation>16 Bit</translation>
-    </message>
-    <message>
-        <source>&amp;Depth</source>
-        <translation>&amp;Tiefe</translation>
-    </message>
-    <message>
-        <source>Of each colour; 16 bits for work that follows</source>
-        <translation>Jeder Farbe; 16 Bit zum Weiterarbeiten</translation>
-    </message>
-    <message>
-        <source>&amp;Grey</source>
-        <translation>&amp;Grau</translation>
-    </message>
-    <message>
-        <source>Without colours, with a grey profile</source>
-        <translation>Ohne Farben, mit Grauprofil</translation>
-    </message>
-    <message>
-        <source>Black in&amp;k alone</source>
-        <translation>Nur schwar&amp;ze Tinte</translation>
-    </message>
-    <message>
-        <source>For print without tones: each pixel is ink or paper; what is shaded is hatched instead</source>
-        <translation>Für Druck ohne Töne: Jedes Pixel ist Tinte oder Papier; statt schattiert wird schraffiert</translation>
-    </message>
-    <message>
-        <source>The figure alone</source>
-        <translation>Nur die Abbildung</translation>
-    </message>
-    <message>
-        <source>With title and legend</source>
-        <translation>Mit Titel und Legende</translation>
-    </message>
-    <message>
-        <source>For teaching, with self-test</source>
-        <translation>Für Unterricht, mit Selbsttest</translation>
-    </message>
-    <message>
-        <source>For a patient</source>
-        <translation>Für Patienten</translation>
-    </message>
-    <message>
-        <source>Shee&amp;t</source>
-        <translation>&amp;Blatt</translation>
-    </message>
-    <message>
-        <source>The page around the figure, of a paper of its own</source>
-        <translation>Die Seite um die Abbildung, auf eigenem Papier</translation>
-    </message>
-    <message>
-        <source>Paper of the sheet</source>
-        <translation>Papier des Blatts</translation>
-    </message>
-    <message>
-        <source>Of sheets alone</source>
-        <translation>Nur von Blättern</translation>
-    </message>
-    <message>
-        <source>T&amp;itle</source>
-        <translation>T&amp;itel</translation>
-    </message>
-    <message>
-        <source>At the head of a sheet</source>
-        <translation>Oben auf einem Blatt</translation>
-    </message>
-    <message>
-        <source>Text</source>
-        <translation>Text</translation>
-    </message>
-    <message>
-        <source>Of a sheet for a patient; each line is a paragraph</source>
-        <translation>Eines Blatts für Patienten; jede Zeile ist ein Absatz</translation>
-    </message>
-    <message>
-        <source>Wider than high</source>
-        <translation>Breiter als hoch</translation>
-    </message>
-    <message>
-        <source>Once around</source>
-        <translation>Einmal herum</translation>
-    </message>
-    <message>
-        <source>From view to view</source>
-        <translation>Von Ansicht zu Ansicht</translation>
-    </message>
-    <message>
-        <source>Γ from 0 to 5</source>
-        <translation>Γ von 0 bis 5</translation>
-    </message>
-    <message>
-        <source>&amp;Motion</source>
-        <translation>Be&amp;wegung</translation>
-    </message>
-    <message>
-        <source>What moves in the film</source>
-        <translation>Was sich im Film bewegt</translation>
-    </message>
-    <message>
-        <source>Len&amp;gth</source>
-        <translation>&amp;Dauer</translation>
-    </message>
-    <message>
-        <source>Of the whole film</source>
-        <translation>Des ganzen Films</translation>
-    </message>
-    <message>
-        <source>Pictures a secon&amp;d</source>
-        <translation>Bi&amp;lder je Sekunde</translation>
-    </message>
-    <message>
-        <source>More are smoother, and more to draw</source>
-        <translation>Mehr sind flüssiger, und mehr zu zeichnen</translation>
-    </message>
-    <message>
-        <source>Height of the film</source>
-        <translation>Höhe des Films</translation>
-    </message>
-    <message>
-        <source>The page&apos;s shape gives the width</source>
-        <translation>Die Form der Seite gibt die Breite</translation>
-    </message>
-    <message>
-        <source>px</source>
-        <translation>px</translation>
-    </message>
-    <message>
-        <source>&amp;Deck</source>
-        <translation>&amp;Stapel</translation>
-    </message>
-    <message>
-        <source>Its name in Anki; else the view&apos;s name</source>
-        <translation>Sein Name in Anki; sonst der Name der Ansicht</translation>
-    </message>
-    <message>
-        <source>S&amp;how the other labels</source>
-        <translation>Die and&amp;eren Beschriftungen zeigen</translation>
-    </message>
-    <message>
-        <source>A card asks for one label and shows the others</source>
-        <translation>Eine Karte fragt nach einer Beschriftung und zeigt die anderen</translation>
-    </message>
-    <message>
         <source>Author and rights are in the file as you typed them.</source>
         <translation>Urheber und Rechte stehen in der Datei, wie du sie eingetippt hast.</translation>
-    </message>
-    <message>
-        <source>Author</source>
-        <translation>Urheber</translation>
-    </message>
-    <message>
-        <source>Written into the file, which says of nobody who made it where this is empty</source>
-        <translation>Kommt in die Datei; bleibt es leer, sagt sie von niemandem, wer sie gemacht hat</translation>
-    </message>
-    <message>
-        <source>Rights</source>
-        <translation>Rechte</translation>
-    </message>
-    <message>
-        <source>Whose it is or what others may do with it, as in “CC BY 4.0”</source>
-        <translation>Wem es gehört oder was andere damit dürfen, wie „CC BY 4.0“</translation>
     </message>
     <message>
         <source>the view&apos;s name</source>
@@ -2413,10 +2464,6 @@
     <message>
         <source>Find neighbours that a press without colours or some eyes cannot tell apart, and what would help</source>
         <translation>Findet Nachbarn, die ein Druck ohne Farben oder manche Augen nicht unterscheiden, und was helfen würde</translation>
-    </message>
-    <message>
-        <source>Landscape</source>
-        <translation>Querformat</translation>
     </message>
     <message>
         <source>Files from outside open in</source>
@@ -3682,10 +3729,6 @@ OpenGL: %3</translation>
         <translation>Wie gefunden</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>Keep all</source>
         <translation>Alle behalten</translation>
     </message>
@@ -3716,6 +3759,10 @@ OpenGL: %3</translation>
     <message>
         <source>Automatic: takes away the steps of label maps, and refines what is too coarse to draw; steps: so much everywhere</source>
         <translation>Automatisch: nimmt Labelkarten die Stufen und verfeinert, was zum Zeichnen zu grob ist; Schritte: überall so viel</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
     </message>
 </context>
 <context>

@@ -136,6 +136,289 @@
     </message>
 </context>
 <context>
+    <name>sline::render::ExportOption</name>
+    <message>
+        <source>&amp;Deck</source>
+        <translation>&amp;Kortstokk</translation>
+    </message>
+    <message>
+        <source>Its name in Anki; else the view&apos;s name</source>
+        <translation>Navnet i Anki; ellers visningens navn</translation>
+    </message>
+    <message>
+        <source>S&amp;how the other labels</source>
+        <translation>Vis de a&amp;ndre etikettene</translation>
+    </message>
+    <message>
+        <source>A card asks for one label and shows the others</source>
+        <translation>Et kort spør etter én etikett og viser de andre</translation>
+    </message>
+    <message>
+        <source>Once around</source>
+        <translation>Én gang rundt</translation>
+    </message>
+    <message>
+        <source>From view to view</source>
+        <translation>Fra visning til visning</translation>
+    </message>
+    <message>
+        <source>Γ from 0 to 5</source>
+        <translation>Γ fra 0 til 5</translation>
+    </message>
+    <message>
+        <source>Len&amp;gth</source>
+        <translation>Va&amp;righet</translation>
+    </message>
+    <message>
+        <source>Of the whole film</source>
+        <translation>For hele filmen</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Pictures a secon&amp;d</source>
+        <translation>Bil&amp;der i sekundet</translation>
+    </message>
+    <message>
+        <source>More are smoother, and more to draw</source>
+        <translation>Flere er jevnere, og mer å tegne</translation>
+    </message>
+    <message>
+        <source>Height of the film</source>
+        <translation>Filmens høyde</translation>
+    </message>
+    <message>
+        <source>The page&apos;s shape gives the width</source>
+        <translation>Sidens form gir bredden</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>&amp;Motion</source>
+        <translation>Be&amp;vegelse</translation>
+    </message>
+    <message>
+        <source>What moves in the film</source>
+        <translation>Det som beveger seg i filmen</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Hvit</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papir</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Mørk</translation>
+    </message>
+    <message>
+        <source>Transparent</source>
+        <translation>Gjennomsiktig</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Tekster</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Numre</translation>
+    </message>
+    <message>
+        <source>Blank lines, for a test</source>
+        <translation>Tomme linjer, til en prøve</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ingen</translation>
+    </message>
+    <message>
+        <source>&amp;Labels</source>
+        <translation>&amp;Etiketter</translation>
+    </message>
+    <message>
+        <source>How the scene&apos;s labels stand in the picture</source>
+        <translation>Hvordan scenens etiketter står i bildet</translation>
+    </message>
+    <message>
+        <source>Le&amp;tters</source>
+        <translation>&amp;Bokstaver</translation>
+    </message>
+    <message>
+        <source>How large the letters of labels are on paper</source>
+        <translation>Hvor store bokstavene i etikettene er på papir</translation>
+    </message>
+    <message>
+        <source>pt</source>
+        <translation>pt</translation>
+    </message>
+    <message>
+        <source>&amp;Right and left</source>
+        <translation>&amp;Høyre og venstre</translation>
+    </message>
+    <message>
+        <source>R and L, and the body&apos;s other directions</source>
+        <translation>R og L og kroppens andre retninger</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the view</source>
+        <translation>&amp;Navn på visningen</translation>
+    </message>
+    <message>
+        <source>“Anterior view”, or the saved view&apos;s name</source>
+        <translation>«Sett forfra» eller navnet på den lagrede visningen</translation>
+    </message>
+    <message>
+        <source>S&amp;cale bar</source>
+        <translation>&amp;Målestokk</translation>
+    </message>
+    <message>
+        <source>How long a centimetre is</source>
+        <translation>Hvor lang en centimeter er</translation>
+    </message>
+    <message>
+        <source>S&amp;ections</source>
+        <translation>&amp;Snitt</translation>
+    </message>
+    <message>
+        <source>What sections have taken away</source>
+        <translation>Hva snitt har tatt bort</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Opphav</translation>
+    </message>
+    <message>
+        <source>Written into the file, which says of nobody who made it where this is empty</source>
+        <translation>Skrives inn i filen; er det tomt, sier den ikke hvem som har laget den</translation>
+    </message>
+    <message>
+        <source>Rights</source>
+        <translation>Rettigheter</translation>
+    </message>
+    <message>
+        <source>Whose it is or what others may do with it, as in “CC BY 4.0”</source>
+        <translation>Hvem som eier det, eller hva andre kan gjøre med det, som «CC BY 4.0»</translation>
+    </message>
+    <message>
+        <source>Back&amp;ground</source>
+        <translation>Bak&amp;grunn</translation>
+    </message>
+    <message>
+        <source>What lies behind the drawing</source>
+        <translation>Hva som ligger bak tegningen</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>&amp;Språk</translation>
+    </message>
+    <message>
+        <source>Of texts and numbers; where a label has no text in it, the scene&apos;s own</source>
+        <translation>For tekster og tall; der en etikett ikke har tekst på det, scenens eget</translation>
+    </message>
+    <message>
+        <source>Black in&amp;k alone</source>
+        <translation>Bare s&amp;vart blekk</translation>
+    </message>
+    <message>
+        <source>For print without tones: each pixel is ink or paper; what is shaded is hatched instead</source>
+        <translation>For trykk uten toner: hver piksel er blekk eller papir; det skyggelagte skraveres</translation>
+    </message>
+    <message>
+        <source>The figure alone</source>
+        <translation>Figuren alene</translation>
+    </message>
+    <message>
+        <source>With title and legend</source>
+        <translation>Med tittel og tegnforklaring</translation>
+    </message>
+    <message>
+        <source>For teaching, with self-test</source>
+        <translation>Til undervisning, med egentest</translation>
+    </message>
+    <message>
+        <source>For a patient</source>
+        <translation>For en pasient</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>US Letter</source>
+        <translation>US Letter</translation>
+    </message>
+    <message>
+        <source>Paper of the sheet</source>
+        <translation>Arkets papir</translation>
+    </message>
+    <message>
+        <source>Of sheets alone</source>
+        <translation>Bare for ark</translation>
+    </message>
+    <message>
+        <source>T&amp;itle</source>
+        <translation>T&amp;ittel</translation>
+    </message>
+    <message>
+        <source>At the head of a sheet</source>
+        <translation>Øverst på et ark</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Tekst</translation>
+    </message>
+    <message>
+        <source>Of a sheet for a patient; each line is a paragraph</source>
+        <translation>På et ark for en pasient; hver linje er et avsnitt</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Liggende</translation>
+    </message>
+    <message>
+        <source>Wider than high</source>
+        <translation>Bredere enn høyt</translation>
+    </message>
+    <message>
+        <source>Shee&amp;t</source>
+        <translation>&amp;Ark</translation>
+    </message>
+    <message>
+        <source>The page around the figure, of a paper of its own</source>
+        <translation>Siden rundt figuren, på eget papir</translation>
+    </message>
+    <message>
+        <source>8 bits</source>
+        <translation>8 biter</translation>
+    </message>
+    <message>
+        <source>16 bits</source>
+        <translation>16 biter</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>&amp;Dybde</translation>
+    </message>
+    <message>
+        <source>Of each colour; 16 bits for work that follows</source>
+        <translation>For hver farge; 16 biter til videre arbeid</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>&amp;Grått</translation>
+    </message>
+    <message>
+        <source>Without colours, with a grey profile</source>
+        <translation>Uten farger, med gråprofil</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets</name>
     <message>
         <source>Silhouette</source>
@@ -1682,18 +1965,6 @@
         <translation>De lagrede visningene etter hverandre på hele skjermen</translation>
     </message>
     <message>
-        <source>Transparent</source>
-        <translation>Gjennomsiktig</translation>
-    </message>
-    <message>
-        <source>Back&amp;ground</source>
-        <translation>Bak&amp;grunn</translation>
-    </message>
-    <message>
-        <source>What lies behind the drawing</source>
-        <translation>Hva som ligger bak tegningen</translation>
-    </message>
-    <message>
         <source>The scene&apos;s own</source>
         <translation>Scenens egne</translation>
     </message>
@@ -1706,68 +1977,12 @@
         <translation>Numre</translation>
     </message>
     <message>
-        <source>Blank lines, for a test</source>
-        <translation>Tomme linjer, til en prøve</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Ingen</translation>
-    </message>
-    <message>
-        <source>Lan&amp;guage</source>
-        <translation>&amp;Språk</translation>
-    </message>
-    <message>
-        <source>Of texts and numbers; where a label has no text in it, the scene&apos;s own</source>
-        <translation>For tekster og tall; der en etikett ikke har tekst på det, scenens eget</translation>
-    </message>
-    <message>
         <source>&amp;Labels</source>
         <translation>&amp;Etiketter</translation>
     </message>
     <message>
-        <source>How the scene&apos;s labels stand in the picture</source>
-        <translation>Hvordan scenens etiketter står i bildet</translation>
-    </message>
-    <message>
-        <source>Le&amp;tters</source>
-        <translation>&amp;Bokstaver</translation>
-    </message>
-    <message>
-        <source>How large the letters of labels are on paper</source>
-        <translation>Hvor store bokstavene i etikettene er på papir</translation>
-    </message>
-    <message>
         <source>pt</source>
         <translation>pt</translation>
-    </message>
-    <message>
-        <source>&amp;Right and left</source>
-        <translation>&amp;Høyre og venstre</translation>
-    </message>
-    <message>
-        <source>R and L, and the body&apos;s other directions</source>
-        <translation>R og L og kroppens andre retninger</translation>
-    </message>
-    <message>
-        <source>&amp;Name of the view</source>
-        <translation>&amp;Navn på visningen</translation>
-    </message>
-    <message>
-        <source>“Anterior view”, or the saved view&apos;s name</source>
-        <translation>«Sett forfra» eller navnet på den lagrede visningen</translation>
-    </message>
-    <message>
-        <source>S&amp;cale bar</source>
-        <translation>&amp;Målestokk</translation>
-    </message>
-    <message>
-        <source>S&amp;ections</source>
-        <translation>&amp;Snitt</translation>
-    </message>
-    <message>
-        <source>What sections have taken away</source>
-        <translation>Hva snitt har tatt bort</translation>
     </message>
     <message numerus="yes">
         <source>%n files, one for each saved view.</source>
@@ -2099,172 +2314,8 @@
         <translation>%1 sekunder, %2 piksler høyt, %3 bilder i sekundet.</translation>
     </message>
     <message>
-        <source>8 bits</source>
-        <translation>8 biter</translation>
-    </message>
-    <message>
-        <source>16 bits</source>
-        <translation>16 biter</translation>
-    </message>
-    <message>
-        <source>&amp;Depth</source>
-        <translation>&amp;Dybde</translation>
-    </message>
-    <message>
-        <source>Of each colour; 16 bits for work that follows</source>
-        <translation>For hver farge; 16 biter til videre arbeid</translation>
-    </message>
-    <message>
-        <source>&amp;Grey</source>
-        <translation>&amp;Grått</translation>
-    </message>
-    <message>
-        <source>Without colours, with a grey profile</source>
-        <translation>Uten farger, med gråprofil</translation>
-    </message>
-    <message>
-        <source>Black in&amp;k alone</source>
-        <translation>Bare s&amp;vart blekk</translation>
-    </message>
-    <message>
-        <source>For print without tones: each pixel is ink or paper; what is shaded is hatched instead</source>
-        <translation>For trykk uten toner: hver piksel er blekk eller papir; det skyggelagte skraveres</translation>
-    </message>
-    <message>
-        <source>The figure alone</source>
-        <translation>Figuren alene</translation>
-    </message>
-    <message>
-        <source>With title and legend</source>
-        <translation>Med tittel og tegnforklaring</translation>
-    </message>
-    <message>
-        <source>For teaching, with self-test</source>
-        <translation>Til undervisning, med egentest</translation>
-    </message>
-    <message>
-        <source>For a patient</source>
-        <translation>For en pasient</translation>
-    </message>
-    <message>
-        <source>Shee&amp;t</source>
-        <translation>&amp;Ark</translation>
-    </message>
-    <message>
-        <source>The page around the figure, of a paper of its own</source>
-        <translation>Siden rundt figuren, på eget papir</translation>
-    </message>
-    <message>
-        <source>Paper of the sheet</source>
-        <translation>Arkets papir</translation>
-    </message>
-    <message>
-        <source>Of sheets alone</source>
-        <translation>Bare for ark</translation>
-    </message>
-    <message>
-        <source>T&amp;itle</source>
-        <translation>T&amp;ittel</translation>
-    </message>
-    <message>
-        <source>At the head of a sheet</source>
-        <translation>Øverst på et ark</translation>
-    </message>
-    <message>
-        <source>Text</source>
-        <translation>Tekst</translation>
-    </message>
-    <message>
-        <source>Of a sheet for a patient; each line is a paragraph</source>
-        <translation>På et ark for en pasient; hver linje er et avsnitt</translation>
-    </message>
-    <message>
-        <source>Wider than high</source>
-        <translation>Bredere enn høyt</translation>
-    </message>
-    <message>
-        <source>Once around</source>
-        <translation>Én gang rundt</translation>
-    </message>
-    <message>
-        <source>From view to view</source>
-        <translation>Fra visning til visning</translation>
-    </message>
-    <message>
-        <source>Γ from 0 to 5</source>
-        <translation>Γ fra 0 til 5</translation>
-    </message>
-    <message>
-        <source>&amp;Motion</source>
-        <translation>Be&amp;vegelse</translation>
-    </message>
-    <message>
-        <source>What moves in the film</source>
-        <translation>Det som beveger seg i filmen</translation>
-    </message>
-    <message>
-        <source>Len&amp;gth</source>
-        <translation>Va&amp;righet</translation>
-    </message>
-    <message>
-        <source>Of the whole film</source>
-        <translation>For hele filmen</translation>
-    </message>
-    <message>
-        <source>Pictures a secon&amp;d</source>
-        <translation>Bil&amp;der i sekundet</translation>
-    </message>
-    <message>
-        <source>More are smoother, and more to draw</source>
-        <translation>Flere er jevnere, og mer å tegne</translation>
-    </message>
-    <message>
-        <source>Height of the film</source>
-        <translation>Filmens høyde</translation>
-    </message>
-    <message>
-        <source>The page&apos;s shape gives the width</source>
-        <translation>Sidens form gir bredden</translation>
-    </message>
-    <message>
-        <source>px</source>
-        <translation>px</translation>
-    </message>
-    <message>
-        <source>&amp;Deck</source>
-        <translation>&amp;Kortstokk</translation>
-    </message>
-    <message>
-        <source>Its name in Anki; else the view&apos;s name</source>
-        <translation>Navnet i Anki; ellers visningens navn</translation>
-    </message>
-    <message>
-        <source>S&amp;how the other labels</source>
-        <translation>Vis de a&amp;ndre etikettene</translation>
-    </message>
-    <message>
-        <source>A card asks for one label and shows the others</source>
-        <translation>Et kort spør etter én etikett og viser de andre</translation>
-    </message>
-    <message>
         <source>Author and rights are in the file as you typed them.</source>
         <translation>Opphav og rettigheter står i filen slik du skrev dem.</translation>
-    </message>
-    <message>
-        <source>Author</source>
-        <translation>Opphav</translation>
-    </message>
-    <message>
-        <source>Written into the file, which says of nobody who made it where this is empty</source>
-        <translation>Skrives inn i filen; er det tomt, sier den ikke hvem som har laget den</translation>
-    </message>
-    <message>
-        <source>Rights</source>
-        <translation>Rettigheter</translation>
-    </message>
-    <message>
-        <source>Whose it is or what others may do with it, as in “CC BY 4.0”</source>
-        <translation>Hvem som eier det, eller hva andre kan gjøre med det, som «CC BY 4.0»</translation>
     </message>
     <message>
         <source>the view&apos;s name</source>
@@ -2413,10 +2464,6 @@
     <message>
         <source>Find neighbours that a press without colours or some eyes cannot tell apart, and what would help</source>
         <translation>Finner naboer som et trykk uten farger eller noen øyne ikke kan skille, og hva som ville hjelpe</translation>
-    </message>
-    <message>
-        <source>Landscape</source>
-        <translation>Liggende</translation>
     </message>
     <message>
         <source>Files from outside open in</source>
@@ -3682,10 +3729,6 @@ OpenGL: %3</translation>
         <translation>Som funnet</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>Keep all</source>
         <translation>Behold alle</translation>
     </message>
@@ -3716,6 +3759,10 @@ OpenGL: %3</translation>
     <message>
         <source>Automatic: takes away the steps of label maps, and refines what is too coarse to draw; steps: so much everywhere</source>
         <translation>Automatisk: tar bort trinnene fra etikettkart, og forfiner det som er for grovt til å tegnes; trinn: like mye overalt</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
     </message>
 </context>
 <context>

@@ -136,6 +136,289 @@
     </message>
 </context>
 <context>
+    <name>sline::render::ExportOption</name>
+    <message>
+        <source>&amp;Deck</source>
+        <translation>&amp;Stapel</translation>
+    </message>
+    <message>
+        <source>Its name in Anki; else the view&apos;s name</source>
+        <translation>De naam in Anki; anders de naam van het aanzicht</translation>
+    </message>
+    <message>
+        <source>S&amp;how the other labels</source>
+        <translation>De andere labels &amp;tonen</translation>
+    </message>
+    <message>
+        <source>A card asks for one label and shows the others</source>
+        <translation>Een kaart vraagt naar één label en toont de andere</translation>
+    </message>
+    <message>
+        <source>Once around</source>
+        <translation>Eén keer rond</translation>
+    </message>
+    <message>
+        <source>From view to view</source>
+        <translation>Van aanzicht naar aanzicht</translation>
+    </message>
+    <message>
+        <source>Γ from 0 to 5</source>
+        <translation>Γ van 0 tot 5</translation>
+    </message>
+    <message>
+        <source>Len&amp;gth</source>
+        <translation>&amp;Duur</translation>
+    </message>
+    <message>
+        <source>Of the whole film</source>
+        <translation>Van de hele film</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Pictures a secon&amp;d</source>
+        <translation>Bee&amp;lden per seconde</translation>
+    </message>
+    <message>
+        <source>More are smoother, and more to draw</source>
+        <translation>Meer is vloeiender, en meer te tekenen</translation>
+    </message>
+    <message>
+        <source>Height of the film</source>
+        <translation>Hoogte van de film</translation>
+    </message>
+    <message>
+        <source>The page&apos;s shape gives the width</source>
+        <translation>De vorm van de pagina geeft de breedte</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>&amp;Motion</source>
+        <translation>Be&amp;weging</translation>
+    </message>
+    <message>
+        <source>What moves in the film</source>
+        <translation>Wat in de film beweegt</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Wit</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Donker</translation>
+    </message>
+    <message>
+        <source>Transparent</source>
+        <translation>Doorzichtig</translation>
+    </message>
+    <message>
+        <source>Texts</source>
+        <translation>Teksten</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Nummers</translation>
+    </message>
+    <message>
+        <source>Blank lines, for a test</source>
+        <translation>Lege regels, voor een toets</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Geen</translation>
+    </message>
+    <message>
+        <source>&amp;Labels</source>
+        <translation>&amp;Labels</translation>
+    </message>
+    <message>
+        <source>How the scene&apos;s labels stand in the picture</source>
+        <translation>Hoe de labels van de scène in de afbeelding staan</translation>
+    </message>
+    <message>
+        <source>Le&amp;tters</source>
+        <translation>Le&amp;tters</translation>
+    </message>
+    <message>
+        <source>How large the letters of labels are on paper</source>
+        <translation>Hoe groot de letters van labels op papier zijn</translation>
+    </message>
+    <message>
+        <source>pt</source>
+        <translation>pt</translation>
+    </message>
+    <message>
+        <source>&amp;Right and left</source>
+        <translation>&amp;Rechts en links</translation>
+    </message>
+    <message>
+        <source>R and L, and the body&apos;s other directions</source>
+        <translation>R en L en de andere richtingen van het lichaam</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the view</source>
+        <translation>&amp;Naam van het aanzicht</translation>
+    </message>
+    <message>
+        <source>“Anterior view”, or the saved view&apos;s name</source>
+        <translation>“Vooraanzicht”, of de naam van het bewaarde aanzicht</translation>
+    </message>
+    <message>
+        <source>S&amp;cale bar</source>
+        <translation>S&amp;chaalbalk</translation>
+    </message>
+    <message>
+        <source>How long a centimetre is</source>
+        <translation>Hoe lang een centimeter is</translation>
+    </message>
+    <message>
+        <source>S&amp;ections</source>
+        <translation>Doorsn&amp;eden</translation>
+    </message>
+    <message>
+        <source>What sections have taken away</source>
+        <translation>Wat doorsneden hebben weggenomen</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Maker</translation>
+    </message>
+    <message>
+        <source>Written into the file, which says of nobody who made it where this is empty</source>
+        <translation>Komt in het bestand; blijft het leeg, dan staat er niet in wie het gemaakt heeft</translation>
+    </message>
+    <message>
+        <source>Rights</source>
+        <translation>Rechten</translation>
+    </message>
+    <message>
+        <source>Whose it is or what others may do with it, as in “CC BY 4.0”</source>
+        <translation>Van wie het is of wat anderen ermee mogen doen, zoals “CC BY 4.0”</translation>
+    </message>
+    <message>
+        <source>Back&amp;ground</source>
+        <translation>Achter&amp;grond</translation>
+    </message>
+    <message>
+        <source>What lies behind the drawing</source>
+        <translation>Wat achter de tekening ligt</translation>
+    </message>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>&amp;Taal</translation>
+    </message>
+    <message>
+        <source>Of texts and numbers; where a label has no text in it, the scene&apos;s own</source>
+        <translation>Van teksten en getallen; waar een label er geen tekst in heeft, die van de scène</translation>
+    </message>
+    <message>
+        <source>Black in&amp;k alone</source>
+        <translation>Alleen &amp;zwarte inkt</translation>
+    </message>
+    <message>
+        <source>For print without tones: each pixel is ink or paper; what is shaded is hatched instead</source>
+        <translation>Voor druk zonder tonen: elke pixel is inkt of papier; schaduw wordt arcering</translation>
+    </message>
+    <message>
+        <source>The figure alone</source>
+        <translation>Alleen de figuur</translation>
+    </message>
+    <message>
+        <source>With title and legend</source>
+        <translation>Met titel en legenda</translation>
+    </message>
+    <message>
+        <source>For teaching, with self-test</source>
+        <translation>Voor onderwijs, met zelftoets</translation>
+    </message>
+    <message>
+        <source>For a patient</source>
+        <translation>Voor een patiënt</translation>
+    </message>
+    <message>
+        <source>A4</source>
+        <translation>A4</translation>
+    </message>
+    <message>
+        <source>US Letter</source>
+        <translation>US Letter</translation>
+    </message>
+    <message>
+        <source>Paper of the sheet</source>
+        <translation>Papier van het blad</translation>
+    </message>
+    <message>
+        <source>Of sheets alone</source>
+        <translation>Alleen van bladen</translation>
+    </message>
+    <message>
+        <source>T&amp;itle</source>
+        <translation>T&amp;itel</translation>
+    </message>
+    <message>
+        <source>At the head of a sheet</source>
+        <translation>Boven aan een blad</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Tekst</translation>
+    </message>
+    <message>
+        <source>Of a sheet for a patient; each line is a paragraph</source>
+        <translation>Van een blad voor een patiënt; elke regel is een alinea</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Liggend</translation>
+    </message>
+    <message>
+        <source>Wider than high</source>
+        <translation>Breder dan hoog</translation>
+    </message>
+    <message>
+        <source>Shee&amp;t</source>
+        <translation>B&amp;lad</translation>
+    </message>
+    <message>
+        <source>The page around the figure, of a paper of its own</source>
+        <translation>De pagina om de figuur, op eigen papier</translation>
+    </message>
+    <message>
+        <source>8 bits</source>
+        <translation>8 bits</translation>
+    </message>
+    <message>
+        <source>16 bits</source>
+        <translation>16 bits</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>&amp;Diepte</translation>
+    </message>
+    <message>
+        <source>Of each colour; 16 bits for work that follows</source>
+        <translation>Van elke kleur; 16 bits om verder te bewerken</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>&amp;Grijs</translation>
+    </message>
+    <message>
+        <source>Without colours, with a grey profile</source>
+        <translation>Zonder kleuren, met grijsprofiel</translation>
+    </message>
+</context>
+<context>
     <name>sline::widgets</name>
     <message>
         <source>Silhouette</source>
@@ -1682,18 +1965,6 @@
         <translation>De opgeslagen aanzichten na elkaar op het hele scherm</translation>
     </message>
     <message>
-        <source>Transparent</source>
-        <translation>Doorzichtig</translation>
-    </message>
-    <message>
-        <source>Back&amp;ground</source>
-        <translation>Achter&amp;grond</translation>
-    </message>
-    <message>
-        <source>What lies behind the drawing</source>
-        <translation>Wat achter de tekening ligt</translation>
-    </message>
-    <message>
         <source>The scene&apos;s own</source>
         <translation>Die van de scène</translation>
     </message>
@@ -1706,68 +1977,12 @@
         <translation>Nummers</translation>
     </message>
     <message>
-        <source>Blank lines, for a test</source>
-        <translation>Lege regels, voor een toets</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Geen</translation>
-    </message>
-    <message>
-        <source>Lan&amp;guage</source>
-        <translation>&amp;Taal</translation>
-    </message>
-    <message>
-        <source>Of texts and numbers; where a label has no text in it, the scene&apos;s own</source>
-        <translation>Van teksten en getallen; waar een label er geen tekst in heeft, die van de scène</translation>
-    </message>
-    <message>
         <source>&amp;Labels</source>
         <translation>&amp;Labels</translation>
     </message>
     <message>
-        <source>How the scene&apos;s labels stand in the picture</source>
-        <translation>Hoe de labels van de scène in de afbeelding staan</translation>
-    </message>
-    <message>
-        <source>Le&amp;tters</source>
-        <translation>Le&amp;tters</translation>
-    </message>
-    <message>
-        <source>How large the letters of labels are on paper</source>
-        <translation>Hoe groot de letters van labels op papier zijn</translation>
-    </message>
-    <message>
         <source>pt</source>
         <translation>pt</translation>
-    </message>
-    <message>
-        <source>&amp;Right and left</source>
-        <translation>&amp;Rechts en links</translation>
-    </message>
-    <message>
-        <source>R and L, and the body&apos;s other directions</source>
-        <translation>R en L en de andere richtingen van het lichaam</translation>
-    </message>
-    <message>
-        <source>&amp;Name of the view</source>
-        <translation>&amp;Naam van het aanzicht</translation>
-    </message>
-    <message>
-        <source>“Anterior view”, or the saved view&apos;s name</source>
-        <translation>“Vooraanzicht”, of de naam van het bewaarde aanzicht</translation>
-    </message>
-    <message>
-        <source>S&amp;cale bar</source>
-        <translation>S&amp;chaalbalk</translation>
-    </message>
-    <message>
-        <source>S&amp;ections</source>
-        <translation>Doorsn&amp;eden</translation>
-    </message>
-    <message>
-        <source>What sections have taken away</source>
-        <translation>Wat doorsneden hebben weggenomen</translation>
     </message>
     <message numerus="yes">
         <source>%n files, one for each saved view.</source>
@@ -2099,172 +2314,8 @@
         <translation>%1 seconden, %2 pixels hoog, %3 beelden per seconde.</translation>
     </message>
     <message>
-        <source>8 bits</source>
-        <translation>8 bits</translation>
-    </message>
-    <message>
-        <source>16 bits</source>
-        <translation>16 bits</translation>
-    </message>
-    <message>
-        <source>&amp;Depth</source>
-        <translation>&amp;Diepte</translation>
-    </message>
-    <message>
-        <source>Of each colour; 16 bits for work that follows</source>
-        <translation>Van elke kleur; 16 bits om verder te bewerken</translation>
-    </message>
-    <message>
-        <source>&amp;Grey</source>
-        <translation>&amp;Grijs</translation>
-    </message>
-    <message>
-        <source>Without colours, with a grey profile</source>
-        <translation>Zonder kleuren, met grijsprofiel</translation>
-    </message>
-    <message>
-        <source>Black in&amp;k alone</source>
-        <translation>Alleen &amp;zwarte inkt</translation>
-    </message>
-    <message>
-        <source>For print without tones: each pixel is ink or paper; what is shaded is hatched instead</source>
-        <translation>Voor druk zonder tonen: elke pixel is inkt of papier; schaduw wordt arcering</translation>
-    </message>
-    <message>
-        <source>The figure alone</source>
-        <translation>Alleen de figuur</translation>
-    </message>
-    <message>
-        <source>With title and legend</source>
-        <translation>Met titel en legenda</translation>
-    </message>
-    <message>
-        <source>For teaching, with self-test</source>
-        <translation>Voor onderwijs, met zelftoets</translation>
-    </message>
-    <message>
-        <source>For a patient</source>
-        <translation>Voor een patiënt</translation>
-    </message>
-    <message>
-        <source>Shee&amp;t</source>
-        <translation>B&amp;lad</translation>
-    </message>
-    <message>
-        <source>The page around the figure, of a paper of its own</source>
-        <translation>De pagina om de figuur, op eigen papier</translation>
-    </message>
-    <message>
-        <source>Paper of the sheet</source>
-        <translation>Papier van het blad</translation>
-    </message>
-    <message>
-        <source>Of sheets alone</source>
-        <translation>Alleen van bladen</translation>
-    </message>
-    <message>
-        <source>T&amp;itle</source>
-        <translation>T&amp;itel</translation>
-    </message>
-    <message>
-        <source>At the head of a sheet</source>
-        <translation>Boven aan een blad</translation>
-    </message>
-    <message>
-        <source>Text</source>
-        <translation>Tekst</translation>
-    </message>
-    <message>
-        <source>Of a sheet for a patient; each line is a paragraph</source>
-        <translation>Van een blad voor een patiënt; elke regel is een alinea</translation>
-    </message>
-    <message>
-        <source>Wider than high</source>
-        <translation>Breder dan hoog</translation>
-    </message>
-    <message>
-        <source>Once around</source>
-        <translation>Eén keer rond</translation>
-    </message>
-    <message>
-        <source>From view to view</source>
-        <translation>Van aanzicht naar aanzicht</translation>
-    </message>
-    <message>
-        <source>Γ from 0 to 5</source>
-        <translation>Γ van 0 tot 5</translation>
-    </message>
-    <message>
-        <source>&amp;Motion</source>
-        <translation>Be&amp;weging</translation>
-    </message>
-    <message>
-        <source>What moves in the film</source>
-        <translation>Wat in de film beweegt</translation>
-    </message>
-    <message>
-        <source>Len&amp;gth</source>
-        <translation>&amp;Duur</translation>
-    </message>
-    <message>
-        <source>Of the whole film</source>
-        <translation>Van de hele film</translation>
-    </message>
-    <message>
-        <source>Pictures a secon&amp;d</source>
-        <translation>Bee&amp;lden per seconde</translation>
-    </message>
-    <message>
-        <source>More are smoother, and more to draw</source>
-        <translation>Meer is vloeiender, en meer te tekenen</translation>
-    </message>
-    <message>
-        <source>Height of the film</source>
-        <translation>Hoogte van de film</translation>
-    </message>
-    <message>
-        <source>The page&apos;s shape gives the width</source>
-        <translation>De vorm van de pagina geeft de breedte</translation>
-    </message>
-    <message>
-        <source>px</source>
-        <translation>px</translation>
-    </message>
-    <message>
-        <source>&amp;Deck</source>
-        <translation>&amp;Stapel</translation>
-    </message>
-    <message>
-        <source>Its name in Anki; else the view&apos;s name</source>
-        <translation>De naam in Anki; anders de naam van het aanzicht</translation>
-    </message>
-    <message>
-        <source>S&amp;how the other labels</source>
-        <translation>De andere labels &amp;tonen</translation>
-    </message>
-    <message>
-        <source>A card asks for one label and shows the others</source>
-        <translation>Een kaart vraagt naar één label en toont de andere</translation>
-    </message>
-    <message>
         <source>Author and rights are in the file as you typed them.</source>
         <translation>Maker en rechten staan in het bestand zoals u ze hebt getypt.</translation>
-    </message>
-    <message>
-        <source>Author</source>
-        <translation>Maker</translation>
-    </message>
-    <message>
-        <source>Written into the file, which says of nobody who made it where this is empty</source>
-        <translation>Komt in het bestand; blijft het leeg, dan staat er niet in wie het gemaakt heeft</translation>
-    </message>
-    <message>
-        <source>Rights</source>
-        <translation>Rechten</translation>
-    </message>
-    <message>
-        <source>Whose it is or what others may do with it, as in “CC BY 4.0”</source>
-        <translation>Van wie het is of wat anderen ermee mogen doen, zoals “CC BY 4.0”</translation>
     </message>
     <message>
         <source>the view&apos;s name</source>
@@ -2413,10 +2464,6 @@
     <message>
         <source>Find neighbours that a press without colours or some eyes cannot tell apart, and what would help</source>
         <translation>Vindt buren die een druk zonder kleuren of sommige ogen niet onderscheiden, en wat zou helpen</translation>
-    </message>
-    <message>
-        <source>Landscape</source>
-        <translation>Liggend</translation>
     </message>
     <message>
         <source>Files from outside open in</source>
@@ -3682,10 +3729,6 @@ OpenGL: %3</translation>
         <translation>Zoals gevonden</translation>
     </message>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
         <source>Keep all</source>
         <translation>Alles houden</translation>
     </message>
@@ -3716,6 +3759,10 @@ OpenGL: %3</translation>
     <message>
         <source>Automatic: takes away the steps of label maps, and refines what is too coarse to draw; steps: so much everywhere</source>
         <translation>Automatisch: haalt de treden uit labelmaps en verfijnt wat te grof is om te tekenen; stappen: overal zoveel</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
     </message>
 </context>
 <context>

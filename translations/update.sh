@@ -5,8 +5,8 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 lupdate=/usr/lib/qt6/bin/lupdate  # where Debian keeps it
 for language in de_DE nb_NO nl_NL; do
-  "$lupdate" -I . -silent -locations none -no-obsolete widgets render/export/formats app/main.cpp \
+  "$lupdate" -I . -silent -locations none -no-obsolete widgets render/export app/main.cpp \
     -ts "translations/sline_${language%_*}.ts" -target-language "$language"
 done
-"$lupdate" -I . -silent -locations none -no-obsolete -pluralonly widgets render/export/formats app/main.cpp \
+"$lupdate" -I . -silent -locations none -no-obsolete -pluralonly widgets render/export app/main.cpp \
   -ts translations/sline_en.ts -target-language en_US

@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // `sline export`: files in, what others print and edit out.
-#include <charconv>
+#include <algorithm>
 #include <map>
 
-#include "app/cli/anki_options.h"
 #include "app/cli/command.h"
 #include "app/cli/draw_scene.h"
 #include "app/cli/export_notes.h"
-#include "app/cli/film_options.h"
+#include "app/cli/film_flags.h"
 #include "app/cli/interruption.h"
+#include "app/cli/page_flags.h"
 #include "app/cli/picture_options.h"
-#include "app/cli/pixel_options.h"
-#include "app/cli/sheet_options.h"
 #include "app/cli/targets.h"
+#include "app/cli/typed_options.h"
 #include "render/export/formats/export_formats.h"
+#include "render/export/order/common_options.h"
 #include "render/export/pdf/sheet_layout.h"
+#include "render/export/pdf/sheet_options.h"
 #include "render/export/pdf/sheet_order.h"
+#include "render/export/pixels/pixel_options.h"
 #include "render/export/xml_text.h"
-#include "render/vectors/vector_drawing.h"
 
 namespace sline::cli {
 
@@ -26,48 +27,12 @@ namespace {
 struct ExportFlags {
   InputFlags input;
   PictureFlags picture;
-  PixelFlags pixels;
+  PageFlags page;
   FilmFlags film;
-  render::AnkiOptions anki;
-  std::string sizeMm = "160x90";
-  SheetFlags sheet;
-  render::ExportCredit credit;
+  TypedOptions options;  ///< of single kinds, and the credit
   /// A target for each of the formats that are wanted.
   std::map<std::string, std::string> targets;
 };
-
-/// "160x90", each side within what a page may have.
-Result<glm::vec2> parsePage(std::string_view text) {
-  const auto side = [](std::string_view part) -> std::optional<float> {
-    float value = 0.0f;
-    const auto [end, fault] = std::from_chars(part.data(), part.data() + part.size(), value);
-    if (fault != std::errc() || end != part.data() + part.size() ||
-        !render::pageLimitsMm.contain(value))
-      return std::nullopt;
-    return value;
-  };
-  const std::size_t cross = text.find('x');
-  if (cross != std::string_view::npos) {
-    const std::optional<float> width = side(text.substr(0, cross));
-    const std::optional<float> height = side(text.substr(cross + 1));
-    if (width && height)
-      return glm::vec2(*width, *height);
-  }
-  return Error{.reason = "\"" + std::string(text) + "\" is no size of a page",
-               .remedy = "Write width and height in millimetres, 10 to 5000 each, as in 160x90"};
-}
-
-Result<render::ExportPage> understoodPage(const ExportFlags& flags) {
-  const Result<std::optional<render::ExportPage>> pixels = pageOf(flags.pixels);
-  if (!pixels.ok())
-    return pixels.error();
-  if (*pixels)
-    return **pixels;
-  const Result<glm::vec2> size = parsePage(flags.sizeMm);
-  if (!size.ok())
-    return size.error();
-  return render::ExportPage{.sizeMm = *size, .dpi = float(flags.pixels.dpi)};
-}
 
 Result<PictureOrder> understoodExport(const ExportFlags& flags, const render::ExportPage& page) {
   if (flags.targets.empty()) {
@@ -88,19 +53,6 @@ Result<PictureOrder> understoodExport(const ExportFlags& flags, const render::Ex
   return order;
 }
 
-render::ExportOrder exportOrder(const ArrangedScene& arranged, const PictureOrder& order,
-                                const render::ExportPage& page) {
-  render::ExportOrder job;
-  job.scene = arranged.scene;
-  job.camera = arranged.camera;
-  job.viewName = order.labels.viewName;
-  job.page = page;
-  job.look = {order.background, order.light, order.keyLight};
-  job.labels = order.labels.style;
-  job.marks = order.labels.marks;
-  return job;
-}
-
 /// The order with the figure as large as its sheet lets it, and the camera fitted to that.
 Result<render::ExportOrder> onSheet(render::ExportOrder job, PictureOrder& order,
                                     const render::Typesetting& typesetting) {
@@ -116,76 +68,78 @@ Result<render::ExportOrder> onSheet(render::ExportOrder job, PictureOrder& order
   return job;
 }
 
-/// As files can hold it.
-Result<render::ExportCredit> understoodCredit(const render::ExportCredit& typed) {
-  constexpr std::size_t longest = 500;
-  for (const auto& [name, text] :
-       {std::pair("--author", typed.author), std::pair("--copyright", typed.copyright)})
-    if (text.size() > longest)
-      return Error{.reason = std::string(name) + " is too long",
-                   .remedy = "Write at most " + std::to_string(longest) + " bytes"};
-  return render::ExportCredit{render::plainLine(typed.author), render::plainLine(typed.copyright)};
-}
-
 /// What the flags say before a scene is read.
 struct Wanted {
   model::ImportOptions import;
-  render::ExportPage page;
-  render::ExportPixels pixels;
-  render::ExportSheet sheet;
-  render::ExportCredit credit;
+  render::ExportOrder job;  ///< its page, the options of kinds and the credit
   PictureOrder order;
 };
 
+/// What options say of each other.
+Status checkOptions(const ExportFlags& flags, const render::ExportOrder& job) {
+  const auto& sheet = job.of<render::SheetOptions>();
+  if (job.of<render::PixelOptions>().bits == 1 && !flags.picture.blackAndWhite)
+    return Error{.reason = "--bits 1 leaves black and white alone",
+                 .remedy = "Give --bw, too, which draws the scene for that"};
+  if (!sheet.text.empty() && sheet.kind != render::SheetKind::patient)
+    return Error{.reason = "--text stands on sheets for patients alone",
+                 .remedy = "Add --sheet patient"};
+  return Unit{};
+}
+
 Result<Wanted> wanted(const ExportFlags& flags) {
+  Wanted wish;
   const Result<model::ImportOptions> import = importOptions(flags.input);
   if (!import.ok())
     return import.error();
-  const Result<render::ExportPage> page = understoodPage(flags);
+  wish.import = *import;
+  const Result<render::ExportPage> page = understood(flags.page);
   if (!page.ok())
     return page.error();
-  const Result<render::ExportPixels> pixels = understood(flags.pixels, flags.picture.blackAndWhite);
-  if (!pixels.ok())
-    return pixels.error();
-  const Result<render::ExportSheet> sheet = understood(flags.sheet);
-  if (!sheet.ok())
-    return sheet.error();
-  const Result<render::ExportCredit> credit = understoodCredit(flags.credit);
-  if (!credit.ok())
-    return credit.error();
+  wish.job.page = *page;
+  if (const Status fine = flags.options.applyTo(wish.job); !fine.ok())
+    return fine.error();
+  if (const Status fine = checkOptions(flags, wish.job); !fine.ok())
+    return fine.error();
+  // As files can hold it.
+  wish.job.credit = {render::plainLine(wish.job.credit.author),
+                     render::plainLine(wish.job.credit.copyright)};
   const Result<PictureOrder> order = understoodExport(flags, *page);
   if (!order.ok())
     return order.error();
-  return Wanted{*import, *page, *pixels, *sheet, *credit, *order};
+  wish.order = *order;
+  wish.job.look = {order->background, order->light, order->keyLight, order->blackAndWhite};
+  wish.job.labels = order->labels.style;
+  wish.job.marks = order->labels.marks;
+  return wish;
 }
 
 /// All that the files are made of.
 Result<render::ExportOrder> understoodJob(const ExportFlags& flags, Wanted& wish,
                                           const ArrangedScene& arranged,
                                           const render::Typesetting& typesetting) {
-  const Result<render::FilmOptions> film = understood(flags.film, arranged.scene);
-  if (!film.ok())
-    return film.error();
-  render::ExportOrder job = exportOrder(arranged, wish.order, wish.page);
-  job.pixels = wish.pixels;
-  job.film = *film;
-  job.anki = flags.anki;
-  job.sheet = wish.sheet;
-  job.credit = wish.credit;
-  if (wish.sheet.kind == render::SheetKind::none)
-    return job;
-  return onSheet(job, wish.order, typesetting);
+  render::ExportOrder job = wish.job;
+  job.scene = arranged.scene;
+  job.camera = arranged.camera;
+  job.viewName = wish.order.labels.viewName;
+  if (const Status fine =
+          understoodSweep(flags.film, arranged.scene, job.of<render::FilmOptions>());
+      !fine.ok())
+    return fine.error();
+  return job.of<render::SheetOptions>().kind == render::SheetKind::none
+             ? Result<render::ExportOrder>(job)
+             : onSheet(job, wish.order, typesetting);
 }
 
 /// What is written beside a sheet shows the sheet's figure, and is as large.
 void tellOfSheet(const render::ExportOrder& job,
                  const std::map<std::string, std::string>& targets) {
-  if (job.sheet.kind == render::SheetKind::none)
+  if (job.of<render::SheetOptions>().kind == render::SheetKind::none)
     return;
   const auto rounded = [](float mm) { return std::to_string(std::lround(mm)); };
   for (const auto& [kind, target] : targets)
     if (const render::ExportFormat* format = render::exportFormat(kind);
-        !format->choices.sheet && format->page != render::PageUse::none)
+        !format->has(render::sheetOption) && format->page != render::PageUse::none)
       tell(target + " is of the sheet's figure: " + rounded(job.page.sizeMm.x) + " by " +
            rounded(job.page.sizeMm.y) + " mm");
 }
@@ -216,7 +170,9 @@ Exit writeAll(const render::ExportOrder& job, const std::map<std::string, std::s
 Status checkExportTargets(const ExportFlags& flags) {
   std::vector<std::string> read = flags.input.inputs;
   read.push_back(flags.picture.cameraFile);
-  read.push_back(flags.sheet.text);
+  for (const render::ExportOption* option : render::exportOptions())
+    if (const auto* text = std::get_if<render::TextOption>(&option->kind); text && text->fromFile)
+      read.push_back(flags.options.typed(*option));
   return checkTargets(exportTargets(flags.targets), read);
 }
 
@@ -229,7 +185,8 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
     return complain(wish.error(), Exit::wrongUse);
   if (const Status fine = checkExportTargets(flags); !fine.ok())
     return complain(fine.error(), Exit::wrongUse);
-  if (flags.film.motion == "tour" && !flags.picture.only.empty())
+  if (wish->job.of<render::FilmOptions>().motion == render::Motion::tour &&
+      !flags.picture.only.empty())
     tellWarning("a tour shows what its views show: --only changes nothing in it");
   // One for all that set text, the writers too.
   const auto typesetting = render::Typesetting::create();
@@ -240,7 +197,7 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   if (!imported.ok())
     return complain(imported.error(), Exit::failed);
   const Result<ArrangedScene> arranged =
-      arrangedOn(wish->page.sizeMm, imported->scene, wish->order);
+      arrangedOn(wish->job.page.sizeMm, imported->scene, wish->order);
   if (!arranged.ok())
     return complain(arranged.error(), Exit::wrongUse);
   if (arranged->scene.visibleBounds().empty())
@@ -255,6 +212,30 @@ Exit runExport(const ExportFlags& typed, const Warn& tellWarning) {
   return written;
 }
 
+/// "png, tiff": the kinds of files that have the option.
+std::string kindsWith(const render::ExportOption& option) {
+  std::string kinds;
+  for (const render::ExportFormat& format : render::exportFormats())
+    if (format.has(option))
+      kinds += (kinds.empty() ? "" : ", ") + std::string(format.id);
+  return kinds;
+}
+
+/// Declares the flags that single kinds have, and what sheets need and exclude.
+void declareOptions(CLI::App& command, TypedOptions& options) {
+  CLI::Option* sheet = nullptr;
+  for (const render::ExportOption* option : render::exportOptions()) {
+    if (option->part != render::OptionPart::kind || !*option->flag)
+      continue;
+    CLI::Option* declared = options.declare(command, *option, kindsWith(*option));
+    const render::OptionList own = render::sheetOptions();
+    if (option == &render::sheetOption)
+      sheet = declared->excludes("--size-mm")->excludes("--size-px");
+    else if (sheet && std::find(own.begin(), own.end(), option) != own.end())
+      declared->needs(sheet);
+  }
+}
+
 void declareExport(CLI::App& command, ExportFlags& flags) {
   command.add_option("INPUT", flags.input.inputs, inputHelp)->required();
   command.add_flag("--verbose", flags.input.verbose, verboseHelp);
@@ -267,11 +248,8 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
             },
             format.help)
         ->type_name(*format.extension ? "FILE" : "FOLDER");
-  command.add_option("--size-mm", flags.sizeMm, "Width and height of the page in millimetres")
-      ->type_name("WxH")
-      ->capture_default_str();
-  addPixelOptions(command, flags.pixels);
-  addSheetOptions(command, flags.sheet);
+  declarePage(command, flags.page);
+  declareOptions(command, flags.options);
   CLI::Option* view = command
                           .add_option("--view,--from", flags.picture.view,
                                       "A saved view of the scene, shown as it was saved; else "
@@ -283,19 +261,11 @@ void declareExport(CLI::App& command, ExportFlags& flags) {
   addDetailOptions(command, flags.picture);
   addLookOptions(command, flags.picture);
   flags.picture.labels.marks = "on";
-  addLabelOptions(command, flags.picture.labels, "the page");
+  declareLabels(command, flags.picture.labels);
   addSectionOptions(command, flags.picture.sections);
-  addFilmOptions(command, flags.film);
-  addAnkiOptions(command, flags.anki);
-  command
-      .add_option("--author", flags.credit.author,
-                  "Who made it, written into the file where its kind has a place for that; nothing "
-                  "is unless you say it here")
-      ->type_name("NAME");
-  command
-      .add_option("--copyright", flags.credit.copyright,
-                  "Whose it is or what others may do with it, as in \"CC BY 4.0\"; likewise")
-      ->type_name("TEXT");
+  declareFilm(command, flags.film);
+  for (const render::ExportOption* option : render::creditOptions())
+    flags.options.declare(command, *option);
   command.add_option("--smooth", flags.input.smooth, smoothHelp)
       ->type_name("auto|off|N")
       ->default_str("auto");

@@ -1,71 +1,80 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/label_flags.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <iostream>
 
 #include "app/cli/names.h"
 #include "app/cli/progress.h"
+#include "render/export/order/common_options.h"
 
 namespace sline::cli {
 
-using render::LabelMode;
-
 namespace {
+
+/// The options of what stands at the picture's edges.
+std::vector<const render::ExportOption*> markOptions() {
+  std::vector<const render::ExportOption*> marks;
+  for (const render::ExportOption* option : render::pictureOptions())
+    if (option->part == render::OptionPart::marks)
+      marks.push_back(option);
+  return marks;
+}
 
 /// "on", "off" or those that are wanted, as in "sides,scale".
 Result<render::ExportMarks> parseMarks(const std::string& text) {
   if (text == "on")
     return render::ExportMarks();
-  render::ExportMarks marks = render::ExportMarks::none();
+  render::ExportOrder order;
+  order.marks = render::ExportMarks::none();
   if (text == "off")
-    return marks;
-  static constexpr std::array<std::pair<std::string_view, bool render::ExportMarks::*>, 4> kinds{
-      {{"sides", &render::ExportMarks::sides},
-       {"view", &render::ExportMarks::viewName},
-       {"scale", &render::ExportMarks::scaleBar},
-       {"sections", &render::ExportMarks::sectionState}}};
+    return order.marks;
+  const std::vector<const render::ExportOption*> marks = markOptions();
   std::string_view rest = text;
   while (true) {
     const std::size_t comma = rest.find(',');
     const std::string_view name = rest.substr(0, comma);
-    const auto kind = std::find_if(kinds.begin(), kinds.end(),
-                                   [&](const auto& known) { return known.first == name; });
-    if (kind == kinds.end())
+    const auto mark = std::find_if(marks.begin(), marks.end(),
+                                   [&](const auto* known) { return known->flag == name; });
+    if (mark == marks.end())
       return Error{.reason = "--marks " + text + " is unknown",
                    .remedy =
                        "Give on, off or some of sides, view, scale and sections, as in "
                        "sides,scale"};
-    marks.*(kind->second) = true;
+    (*mark)->field.write(order, true);
     if (comma == std::string_view::npos)
-      return marks;
+      return order.marks;
     rest.remove_prefix(comma + 1);
   }
 }
 
 }  // namespace
 
+void declareLabels(CLI::App& command, LabelFlags& flags) {
+  for (const render::ExportOption* option : render::pictureOptions())
+    if (option->part == render::OptionPart::labels)
+      flags.options.declare(command, *option);
+  command
+      .add_option("--marks", flags.marks,
+                  "What stands at the picture's edges: on, off, or some of sides (R and L, and the "
+                  "other sides of the body), view (its name), scale (a bar) and sections (what "
+                  "they have taken away), as in sides,scale")
+      ->type_name("on|off|LIST")
+      ->capture_default_str();
+}
+
 Result<LabelOrder> understood(const LabelFlags& flags) {
-  static constexpr std::array<std::pair<std::string_view, LabelMode>, 4> modes{
-      {{"off", LabelMode::off},
-       {"on", LabelMode::on},
-       {"numbers", LabelMode::numbers},
-       {"blank", LabelMode::blank}}};
   const Result<render::ExportMarks> marks = parseMarks(flags.marks);
   if (!marks.ok())
     return marks.error();
-  LabelOrder order;
-  order.marks = *marks;
-  order.style.language = flags.language;
-  order.style.points = float(flags.points);
-  for (const auto& [name, mode] : modes)
-    if (name == flags.mode) {
-      order.style.mode = mode;
-      return order;
-    }
-  return Error{.reason = "--labels " + flags.mode + " is unknown",
-               .remedy = "Give on, off, numbers or blank"};
+  render::ExportOrder order;
+  if (const Status fine = flags.options.applyTo(order); !fine.ok())
+    return fine.error();
+  LabelOrder labels;
+  labels.marks = *marks;
+  labels.style = order.labels;
+  return labels;
 }
 
 Status prepareLabels(LabelOrder& order, const model::Scene& scene, const glm::vec2& pageMm) {
@@ -101,7 +110,7 @@ void drawLabels(render::Image& image, const model::Scene& scene, const model::Ca
   const render::LabelReport report = render::drawPlate(image, job, *order.typesetting);
   for (const std::string& text : report.leftOut)
     warn("there is no room for the label \"" + onOneLine(text) + "\"");
-  if (order.style.mode == LabelMode::numbers)
+  if (order.style.mode == render::LabelMode::numbers)
     printKey(report);
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "app/cli/typed_options.h"
 #include "model/base/result.h"
 #include "model/scene/scene.h"
 #include "render/export/marks/plate_image.h"
@@ -13,9 +14,7 @@ namespace sline::cli {
 
 /// As typed.
 struct LabelFlags {
-  std::string mode = "off";
-  std::string language;
-  double points = 10.0;
+  TypedOptions options;  ///< --labels, --language, --label-size
   std::string marks = "off";
 };
 
@@ -32,6 +31,8 @@ struct LabelOrder {
   }
 };
 
+/// Declares the flags on a sub-command.
+void declareLabels(CLI::App& command, LabelFlags& flags);
 /// An error is a wrong use.
 Result<LabelOrder> understood(const LabelFlags& flags);
 /// Makes the order ready for the scene, shown as it is drawn, on a page of that size.

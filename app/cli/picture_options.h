@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/focus_options.h"
-#include "app/cli/label_options.h"
+#include "app/cli/label_flags.h"
 #include "app/cli/option_kinds.h"
 #include "app/cli/picture_flags.h"
 #include "app/cli/section_options.h"
@@ -124,9 +124,7 @@ inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
       ->required()
       ->type_name("FILE");
   addDrawingOptions(command, flags);
-  addLabelOptions(command, flags.labels,
-                  "a picture 190.5 mm (720 pixels at 96 per inch) high, whatever its size in "
-                  "pixels");
+  declareLabels(command, flags.labels);
 }
 
 }  // namespace sline::cli

@@ -6,9 +6,12 @@
 #include <charconv>
 #include <cmath>
 
+#include "app/cli/typed_options.h"
 #include "model/base/colour_text.h"
 #include "model/import/volumes/threshold_presets.h"
 #include "model/scene/style_fields.h"
+#include "render/export/order/common_options.h"
+#include "render/export/pixels/pixel_options.h"
 
 namespace sline::cli {
 
@@ -24,11 +27,6 @@ constexpr std::array<Choice<model::Frame>, 3> frames{
     {{"LPS", model::Frame::lps}, {"RAS", model::Frame::ras}, {"file", model::Frame::file}}};
 constexpr std::array<Choice<float>, 4> units{
     {{"mm", 1.0f}, {"cm", 10.0f}, {"m", 1000.0f}, {"inch", 25.4f}}};
-constexpr std::array<Choice<render::Background>, 4> backgrounds{
-    {{"white", render::Background::white},
-     {"paper", render::Background::paper},
-     {"dark", render::Background::dark},
-     {"transparent", render::Background::transparent}}};
 constexpr std::array<Choice<render::HatchingMethod>, 2> hatchingMethods{
     {{"strokes", render::HatchingMethod::strokes},
      {"as-printed", render::HatchingMethod::asPrinted}}};
@@ -94,14 +92,12 @@ Result<Size> parseSize(std::string_view text) {
   return Size{*width, *height};
 }
 
-Result<std::optional<int>> parseSamples(std::string_view text) {
-  if (sameIgnoringCase(text, "auto"))
-    return std::optional<int>();
-  const auto samples = number<int>(text);
-  if (!samples || *samples < 1 || *samples > mostSamples)
-    return wrong("number of samples", text,
-                 "auto or a number from 1 to " + std::to_string(mostSamples));
-  return samples;
+Result<std::optional<int>> parseSamples(const std::string& text) {
+  const Result<render::OptionValue> samples = understoodOption(render::samplesOption, text);
+  if (!samples.ok())
+    return samples.error();
+  const int number = std::get<int>(*samples);
+  return number > 0 ? std::optional(number) : std::nullopt;
 }
 
 Result<Gamma> parseGamma(std::string_view text) {
@@ -225,8 +221,11 @@ Result<model::Fill> parseFill(std::string_view text) {
   return parseChoice(fills, "fill", text);
 }
 
-Result<render::Background> parseBackground(std::string_view text) {
-  return parseChoice(backgrounds, "background", text);
+Result<render::Background> parseBackground(const std::string& text) {
+  const Result<render::OptionValue> background = understoodOption(render::backgroundOption, text);
+  if (!background.ok())
+    return background.error();
+  return render::fromOptionValue<render::Background>(*background);
 }
 
 Result<render::HatchingMethod> parseHatching(std::string_view text) {

@@ -22,12 +22,11 @@ struct Size {
   int height = 720;
   float aspect() const { return float(width) / float(height); }
 };
-inline constexpr int mostSamples = 4;
 
 /// "1920x1080"; both sides within `render::pixelSideLimits`.
 Result<Size> parseSize(std::string_view text);
-/// "auto" (nothing) or a number from 1 to 4.
-Result<std::optional<int>> parseSamples(std::string_view text);
+/// "auto" (nothing) or a number from 1 to `render::mostSamples`.
+Result<std::optional<int>> parseSamples(const std::string& text);
 /// "2.5", within [0, 5].
 Result<Gamma> parseGamma(std::string_view text);
 /// Styles that say this one thing: a number within its range.
@@ -45,7 +44,7 @@ Result<model::Smoothing> parseSmoothing(std::string_view text);
 /// "NAME=VALUE", "NAME=LO..HI" (either may be left out) or the name of a preset.
 Result<model::Threshold> parseThreshold(std::string_view text);
 Result<model::Fill> parseFill(std::string_view text);
-Result<render::Background> parseBackground(std::string_view text);
+Result<render::Background> parseBackground(const std::string& text);
 /// "strokes" or "as-printed".
 Result<render::HatchingMethod> parseHatching(std::string_view text);
 /// A direction as `PictureSettings::light`.

@@ -141,13 +141,14 @@ void ExportPicturesTest::blackAndWhiteIsPure() {
 void ExportPicturesTest::wrongUse_data() {
   QTest::addColumn<QStringList>("flags");
   QTest::addColumn<QByteArray>("says");
-  QTest::newRow("odd depth") << QStringList{"--bits", "12"} << QByteArray("8 or 16");
+  QTest::newRow("odd depth") << QStringList{"--bits", "12"} << QByteArray("8, 16 or 1");
   QTest::newRow("grey bits") << QStringList{"--bits", "1"} << QByteArray("--bw");
   QTest::newRow("two sizes") << QStringList{"--size-px", "20x20", "--size-mm", "20x20"}
                              << QByteArray("--size-mm");
   QTest::newRow("too many pixels") << QStringList{"--size-px", "20001x20"} << QByteArray("20000");
   QTest::newRow("no dots") << QStringList{"--dpi", "0"} << QByteArray("--dpi");
-  QTest::newRow("many samples") << QStringList{"--samples", "9"} << QByteArray("1 to 4");
+  QTest::newRow("many samples") << QStringList{"--samples", "9"}
+                                << QByteArray("auto, 1, 2, 3 or 4");
 }
 
 void ExportPicturesTest::wrongUse() {

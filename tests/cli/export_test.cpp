@@ -298,7 +298,7 @@ void ExportTest::films() {
         {{"--video", webp, "--motion", "dance"}, "gamma-sweep"},
         {{"--video", webp, "--motion", "gamma-sweep", "--sweep", "heart"}, "heart"},
         {{"--video", webp, "--sweep", "kidney"}, "gamma-sweep"},
-        {{"--video", webp, "--hold", "long"}, "seconds"}}) {
+        {{"--video", webp, "--hold", "long"}, "0 to 600"}}) {
     const Finished finished = runSline(flags + wrong);
     QCOMPARE(finished.code, 2);
     QVERIFY2(finished.err.contains(says), finished.err.constData());

@@ -5,8 +5,8 @@
 #include <QColorDialog>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QMenu>
-#include <QSpinBox>
 #include <QStatusBar>
 #include <QToolButton>
 #include <QTreeView>
@@ -388,7 +388,7 @@ class LabelsPanelTest : public QObject {
     f.pick("annotationMode", 0);
     f.pick("annotationLanguage", 4);
     QCOMPARE(f.shownLines(), QStringList{"hepar"});
-    f.control<QSpinBox>("annotationPoints").setValue(16);
+    f.control<QDoubleSpinBox>("annotationPoints").setValue(16);
     QCOMPARE(f.window.preferences().number("labels/points"), 16);
     QCOMPARE(f.sheet().wish.style.points, 16.0f);
   }

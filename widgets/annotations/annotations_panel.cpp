@@ -13,7 +13,6 @@
 #include <QMenu>
 #include <QPainter>
 #include <QScopedValueRollback>
-#include <QSpinBox>
 #include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
@@ -26,6 +25,7 @@
 #include "widgets/annotations/label_field.h"
 #include "widgets/annotations/label_look.h"
 #include "widgets/annotations/label_views.h"
+#include "widgets/preferences/preference_control.h"
 
 namespace sline::widgets {
 
@@ -33,17 +33,16 @@ namespace {
 
 using model::AnnotationKind;
 
-const PreferenceRow& rowOf(const std::vector<PreferenceRow>& rows, const char* id) {
-  return *std::find_if(rows.begin(), rows.end(),
-                       [id](const PreferenceRow& row) { return row.id == QLatin1String(id); });
+void makeNarrow(QComboBox& box) {
+  box.setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box.setMinimumContentsLength(5);
 }
 
 QComboBox* narrowBox(const char* name, const QString& says) {
   auto* box = new QComboBox;
   box->setObjectName(QLatin1String(name));
   box->setAccessibleName(says);
-  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  box->setMinimumContentsLength(5);
+  makeNarrow(*box);
   return box;
 }
 
@@ -114,35 +113,19 @@ void AnnotationsPanel::addButtons(const std::vector<QAction*>& actions) {
 }
 
 QWidget* AnnotationsPanel::makeLook() {
-  const std::vector<PreferenceRow> rows = preferenceRows();
-  const auto choice = [this, &rows](const char* name, const char* id) {
-    const PreferenceRow& row = rowOf(rows, id);
-    QComboBox* box = narrowBox(name, row.text);
-    box->setToolTip(row.tip);
-    for (const ChoiceOf::Row& each : std::get<ChoiceOf>(row.kind).rows)
-      box->addItem(each.text, each.id);
-    connect(box, &QComboBox::activated, this,
-            [this, box, id = row.id](int at) { m_preferences.set(id, box->itemData(at)); });
-    return box;
+  const auto control = [this](const char* name, const char* id) {
+    QWidget* made = makePreferenceControl(m_preferences, QLatin1String(id));
+    made->setObjectName(QLatin1String(name));
+    if (auto* box = qobject_cast<QComboBox*>(made))
+      makeNarrow(*box);
+    return made;
   };
-  m_mode = choice("annotationMode", labelModeKey);
-  m_language = choice("annotationLanguage", labelLanguageKey);
-  const PreferenceRow& points = rowOf(rows, labelPointsKey);
-  const auto& kind = std::get<WholeNumber>(points.kind);
-  m_points = new QSpinBox;
-  m_points->setObjectName(QStringLiteral("annotationPoints"));
-  m_points->setAccessibleName(points.text);
-  m_points->setToolTip(points.tip);
-  m_points->setRange(kind.low, kind.high);
-  m_points->setSuffix(QLatin1Char(' ') + kind.unit);
-  connect(m_points, &QSpinBox::valueChanged, this,
-          [this, id = points.id](int value) { m_preferences.set(id, value); });
   auto* look = new QWidget;
   auto* layout = new QHBoxLayout(look);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(m_mode, 3);
-  layout->addWidget(m_language, 4);
-  layout->addWidget(m_points, 2);
+  layout->addWidget(control("annotationMode", labelModeKey), 3);
+  layout->addWidget(control("annotationLanguage", labelLanguageKey), 4);
+  layout->addWidget(control("annotationPoints", labelPointsKey), 2);
   return look;
 }
 
@@ -364,12 +347,6 @@ void AnnotationsPanel::chooseColour() {
 
 void AnnotationsPanel::followPreferences() {
   m_annotations->setLanguage(labelStyle(m_preferences, m_session.names()).language);
-  const auto choose = [this](QComboBox& box, const char* id) {
-    box.setCurrentIndex(box.findData(m_preferences.choice(QLatin1String(id))));
-  };
-  choose(*m_mode, labelModeKey);
-  choose(*m_language, labelLanguageKey);
-  m_points->setValue(m_preferences.number(QLatin1String(labelPointsKey)));
   showActive();
 }
 

@@ -10,7 +10,6 @@ class QAction;
 class QCheckBox;
 class QComboBox;
 class QHBoxLayout;
-class QSpinBox;
 class QToolButton;
 class QTreeView;
 
@@ -58,9 +57,6 @@ class AnnotationsPanel : public QWidget {
   AnnotationList* m_annotations;
   QHBoxLayout* m_buttons = nullptr;
   QToolButton* m_remove = nullptr;
-  QComboBox* m_mode = nullptr;
-  QComboBox* m_language = nullptr;
-  QSpinBox* m_points = nullptr;
   QTreeView* m_list = nullptr;
   QWidget* m_details = nullptr;
   LabelField* m_text = nullptr;

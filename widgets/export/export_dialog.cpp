@@ -22,8 +22,8 @@
 #include "widgets/export/export_preview.h"
 #include "widgets/export/export_texts.h"
 #include "widgets/export/file_pager.h"
+#include "widgets/export/option_form.h"
 #include "widgets/export/page_panel.h"
-#include "widgets/export/row_form.h"
 #include "widgets/export/target_problems.h"
 
 namespace sline::widgets {
@@ -146,24 +146,29 @@ void ExportDialog::addSubject(QVBoxLayout& layout) {
 }
 
 void ExportDialog::addForms(QVBoxLayout& layout) {
-  const std::pair<ExportPart, QString> parts[] = {
-      {ExportPart::kind, tr("For this kind")},
-      {ExportPart::picture, tr("Picture")},
-      {ExportPart::labels, tr("Labels")},
-      {ExportPart::marks, tr("At the picture's edge")},
-      {ExportPart::credit, tr("In the file's details")}};
-  const std::vector<ExportRow> rows = exportRows(labelLanguages(m_source.scene));
+  using render::OptionPart;
+  const std::pair<OptionPart, QString> parts[] = {
+      {OptionPart::kind, tr("For this kind")},
+      {OptionPart::picture, tr("Picture")},
+      {OptionPart::labels, tr("Labels")},
+      {OptionPart::marks, tr("At the picture's edge")},
+      {OptionPart::credit, tr("In the file's details")}};
+  const std::vector<const render::ExportOption*> options = render::exportOptions();
+  const QStringList languages = labelLanguages(m_source.scene);
   for (const auto& [part, title] : parts) {
-    std::vector<ExportRow> own;
-    std::copy_if(rows.begin(), rows.end(), std::back_inserter(own),
-                 [wanted = part](const ExportRow& row) { return row.part == wanted; });
+    std::vector<const render::ExportOption*> own;
+    std::copy_if(options.begin(), options.end(), std::back_inserter(own),
+                 [wanted = part](const render::ExportOption* option) {
+                   return option->part == wanted && option->title;
+                 });
     if (own.empty())
       continue;
-    Part made{.heading = heading(title), .form = new RowForm(m_draft.order, std::move(own))};
+    Part made{.heading = heading(title),
+              .form = new OptionForm(m_draft.order, std::move(own), languages)};
     layout.addSpacing(8);
     layout.addWidget(made.heading);
     layout.addWidget(made.form);
-    connect(made.form, &RowForm::changed, this, &ExportDialog::refresh);
+    connect(made.form, &OptionForm::changed, this, &ExportDialog::refresh);
     m_parts.push_back(made);
   }
 }
@@ -273,7 +278,7 @@ void ExportDialog::chooseKind() {
   for (QWidget* widget : m_subjectWidgets)
     widget->setVisible(showsOneView(m_draft.kind));
   for (const Part& part : m_parts)
-    part.heading->setVisible(part.form->showFor(m_draft.kind));
+    part.heading->setVisible(part.form->showFor(*formatOf(m_draft.kind)));
   m_target->setText(QDir::toNativeSeparators(withEndingOf(m_draft.target, m_draft.kind)));
   refresh();
 }

@@ -4,7 +4,6 @@
 #include <QDialog>
 
 #include "widgets/export/export_files.h"
-#include "widgets/export/export_rows.h"
 
 class QCheckBox;
 class QLabel;
@@ -19,7 +18,7 @@ namespace sline::widgets {
 class ExportPreview;
 class FilePager;
 class PagePanel;
-class RowForm;
+class OptionForm;
 class Viewport;
 
 /// What is exported, as what and where to, with a picture of the page and a summary of what the
@@ -72,7 +71,7 @@ class ExportDialog : public QDialog {
   PagePanel* m_page;
   struct Part {
     QLabel* heading = nullptr;
-    RowForm* form = nullptr;
+    OptionForm* form = nullptr;
   };
   std::vector<Part> m_parts;
   std::vector<QWidget*> m_subjectWidgets;

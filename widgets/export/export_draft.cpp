@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "render/vectors/vector_drawing.h"
-#include "widgets/export/export_rows.h"
+#include "widgets/export/option_fields.h"
 
 namespace sline::widgets {
 
@@ -43,15 +43,12 @@ bool showsOneView(const QString& kind) {
 }
 
 bool pageIsAsPreviewed(const QString& kind) {
-  return showsOneView(kind) || traitsOf(kind).choices.anki;
+  return traitsOf(kind).page == render::PageUse::pixels ||
+         traitsOf(kind).page == render::PageUse::drawing;
 }
 
 render::PageUse pageUseOf(const QString& kind) {
   return traitsOf(kind).page;
-}
-
-const render::KindChoices& choicesOf(const QString& kind) {
-  return traitsOf(kind).choices;
 }
 
 bool holdsNames(const QString& kind) {
@@ -75,8 +72,9 @@ ExportDraft rememberedDraft(const QSettings& settings) {
   page.sizeMm.y = numberIn(settings, "height", page.sizeMm.y, render::pageLimitsMm);
   page.dpi = numberIn(settings, "dpi", page.dpi, render::dpiLimits);
   draft.order.labels.mode = render::LabelMode::on;
-  for (const ExportRow& row : exportRows({}))
-    row.fromSettings(draft.order, settings.value(keyOf("options/") + row.id));
+  for (const render::ExportOption* option : render::exportOptions())
+    if (option->kept)
+      setValue(draft.order, *option, settings.value(keyOf("options/") + QLatin1String(option->id)));
   return draft;
 }
 
@@ -93,11 +91,13 @@ void remember(const ExportDraft& draft, QSettings& settings) {
   settings.setValue(keyOf("height"), double(page.sizeMm.y));
   settings.setValue(keyOf("dpi"), double(page.dpi));
   // Names and a patient's text lie in no settings, nor what an older program left of them.
-  for (const ExportRow& row : exportRows({}))
-    if (row.kept)
-      settings.setValue(keyOf("options/") + row.id, row.toSettings(draft.order));
+  for (const render::ExportOption* option : render::exportOptions()) {
+    const QString key = keyOf("options/") + QLatin1String(option->id);
+    if (option->kept && option->title)
+      settings.setValue(key, valueIn(draft.order, *option));
     else
-      settings.remove(keyOf("options/") + row.id);
+      settings.remove(key);
+  }
   if (!draft.target.isEmpty())
     settings.setValue(keyOf("folder"), QFileInfo(draft.target).path());
 }

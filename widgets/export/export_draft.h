@@ -32,8 +32,6 @@ bool showsOneView(const QString& kind);
 /// A kind whose pages have their labels where the preview has them.
 bool pageIsAsPreviewed(const QString& kind);
 render::PageUse pageUseOf(const QString& kind);
-/// Which choices of its own a kind has.
-const render::KindChoices& choicesOf(const QString& kind);
 /// A kind that holds names of structures besides what is seen.
 bool holdsNames(const QString& kind);
 

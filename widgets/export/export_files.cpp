@@ -10,6 +10,7 @@
 #include "model/edit/views.h"
 #include "model/geometry/plane_section.h"
 #include "render/export/pdf/sheet_layout.h"
+#include "render/export/pdf/sheet_options.h"
 
 namespace sline::widgets {
 
@@ -30,11 +31,9 @@ ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const mo
   order.viewName = view ? view->name : viewNameOf(source.camera);
   order.look.keyLight = source.keyLight;
   // What was chosen for other kinds is not asked of this one.
-  const render::KindChoices& choices = choicesOf(draft.kind);
-  if (!choices.depth)
-    order.pixels.bits = render::ExportPixels().bits;
-  order.pixels.pureInk = order.pixels.pureInk && choices.pureInk;
-  if (order.pixels.pureInk) {
+  if (const render::ExportFormat* kind = formatOf(draft.kind))
+    render::dropForeignOptions(order, *kind);
+  if (order.look.pureInk) {
     order.scene = model::withInkAlone(order.scene).scene;
     order.look.background = render::Background::white;
   }
@@ -92,7 +91,9 @@ model::Camera reframed(model::Camera camera, float before, float aspect) {
 }
 
 bool isSheet(const ExportDraft& draft) {
-  return choicesOf(draft.kind).sheet && draft.order.sheet.kind != render::SheetKind::none;
+  const render::ExportFormat* kind = formatOf(draft.kind);
+  return kind && kind->has(render::sheetOption) &&
+         draft.order.of<render::SheetOptions>().kind != render::SheetKind::none;
 }
 
 std::vector<ExportFile> exportFiles(const ExportDraft& draft, const ExportSource& source) {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/export/export_texts.h"
+#include "render/export/motion/film_options.h"
+#include "render/export/pdf/sheet_options.h"
 
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
 
-#include "widgets/export/export_rows.h"
 #include "widgets/export/note_texts.h"
+#include "widgets/export/option_fields.h"
 #include "widgets/text/tr.h"
 
 namespace sline::widgets {
@@ -45,18 +47,6 @@ QString subjectText(const ExportDraft& draft, const std::vector<ExportFile>& fil
              : tr("%n structures as surfaces.", nullptr, structures);
 }
 
-QString languageText(const render::LabelStyle& style) {
-  if (style.language.empty())
-    return {};
-  const QString tag = QString::fromStdString(style.language);
-  for (const ExportRow& row : exportRows({tag}))
-    if (row.id == QLatin1String("language"))
-      for (const RowChoice::Entry& entry : std::get<RowChoice>(row.control).entries)
-        if (entry.id == tag)
-          return entry.text;
-  return tag;
-}
-
 QString labelText(const std::vector<ExportFile>& files) {
   int labels = 0;
   for (const ExportFile& file : files)
@@ -68,14 +58,14 @@ QString labelText(const std::vector<ExportFile>& files) {
     return tr("%n labels as numbers.", nullptr, labels);
   if (style.mode == render::LabelMode::blank)
     return tr("%n labels as blank lines.", nullptr, labels);
-  const QString language = languageText(style);
-  return language.isEmpty() ? tr("%n labels in the scene's own language.", nullptr, labels)
-                            : tr("%n labels, language: %1.", nullptr, labels).arg(language);
+  const QString tag = QString::fromStdString(style.language);
+  return tag.isEmpty() ? tr("%n labels in the scene's own language.", nullptr, labels)
+                       : tr("%n labels, language: %1.", nullptr, labels).arg(languageName(tag));
 }
 
 QString sizeText(const ExportDraft& draft) {
   const render::ExportPage& page = draft.order.page;
-  const render::FilmOptions& film = draft.order.film;
+  const render::FilmOptions& film = draft.order.of<render::FilmOptions>();
   if (pageUseOf(draft.kind) == render::PageUse::shape)
     return tr("%1 seconds, %2 pixels high, %3 pictures a second.")
         .arg(QLocale().toString(film.seconds, 'g', 4), numberText(film.height),
@@ -165,8 +155,9 @@ QString exportRemarks(const ExportDraft& draft, const render::ExportOrder& order
   for (const render::ExportNote& note : formatOf(draft.kind)->foreseen(order))
     render::addNote(notes, note);
   QStringList remarks = noteTexts(notes);
-  const bool sheet = isSheet(draft) && draft.order.sheet.kind != render::SheetKind::patient;
-  if (sheet && !draft.order.sheet.text.empty())
+  const bool sheet =
+      isSheet(draft) && draft.order.of<render::SheetOptions>().kind != render::SheetKind::patient;
+  if (sheet && !draft.order.of<render::SheetOptions>().text.empty())
     remarks.prepend(tr("The text is for a patient's sheet: this one does not have it."));
   return remarks.mid(0, most).join(QLatin1Char('\n'));
 }

@@ -11,8 +11,8 @@
 
 #include "render/vectors/vector_drawing.h"
 #include "widgets/export/export_texts.h"
+#include "widgets/export/option_form.h"
 #include "widgets/export/page_presets.h"
-#include "widgets/export/row_form.h"
 
 namespace sline::widgets {
 

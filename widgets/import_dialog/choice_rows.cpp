@@ -7,43 +7,48 @@
 
 namespace sline::widgets {
 
-std::vector<ChoiceRow<model::Frame>> frameRows() {
-  return {{"lps", ImportDraft::tr("LPS – left, posterior, superior"), model::Frame::lps},
-          {"ras", ImportDraft::tr("RAS – right, anterior, superior"), model::Frame::ras},
-          {"file", ImportDraft::tr("As in the file, unturned"), model::Frame::file}};
+std::vector<ChoiceOf<model::Frame>> frameRows() {
+  return {
+      {{QStringLiteral("lps"), ImportDraft::tr("LPS – left, posterior, superior")},
+       model::Frame::lps},
+      {{QStringLiteral("ras"), ImportDraft::tr("RAS – right, anterior, superior")},
+       model::Frame::ras},
+      {{QStringLiteral("file"), ImportDraft::tr("As in the file, unturned")}, model::Frame::file}};
 }
 
-std::vector<ChoiceRow<float>> unitRows() {
-  return {{"mm", ImportDraft::tr("mm – millimetres"), 1.0f},
-          {"cm", ImportDraft::tr("cm – centimetres"), 10.0f},
-          {"m", ImportDraft::tr("m – metres"), 1000.0f},
-          {"inch", ImportDraft::tr("in – inches"), 25.4f},
-          {"um", ImportDraft::tr("µm – micrometres"), 1e-3f},
-          {"angstrom", ImportDraft::tr("Å – ångström"), 1e-7f}};
+std::vector<ChoiceOf<float>> unitRows() {
+  return {{{QStringLiteral("mm"), ImportDraft::tr("mm – millimetres")}, 1.0f},
+          {{QStringLiteral("cm"), ImportDraft::tr("cm – centimetres")}, 10.0f},
+          {{QStringLiteral("m"), ImportDraft::tr("m – metres")}, 1000.0f},
+          {{QStringLiteral("inch"), ImportDraft::tr("in – inches")}, 25.4f},
+          {{QStringLiteral("um"), ImportDraft::tr("µm – micrometres")}, 1e-3f},
+          {{QStringLiteral("angstrom"), ImportDraft::tr("Å – ångström")}, 1e-7f}};
 }
 
-std::vector<ChoiceRow<model::Smoothing>> smoothingRows() {
+std::vector<ChoiceOf<model::Smoothing>> smoothingRows() {
   using Mode = model::Smoothing::Mode;
-  std::vector<ChoiceRow<model::Smoothing>> rows{{"auto", ImportDraft::tr("Automatic"), {}},
-                                                {"off", ImportDraft::tr("Off"), {Mode::off, 0}}};
+  std::vector<ChoiceOf<model::Smoothing>> rows{
+      {{QStringLiteral("auto"), ImportDraft::tr("Automatic")}, {}},
+      {{QStringLiteral("off"), ImportDraft::tr("Off")}, {Mode::off, 0}}};
   constexpr std::pair<const char*, int> strengths[] = {
       {"5", 5}, {"10", 10}, {"20", 20}, {"50", 50}, {"100", 100}};
   for (const auto& [id, steps] : strengths)
-    rows.push_back({id, ImportDraft::tr("%n steps", nullptr, steps), {Mode::steps, steps}});
+    rows.push_back(
+        {{QLatin1String(id), ImportDraft::tr("%n steps", nullptr, steps)}, {Mode::steps, steps}});
   return rows;
 }
 
-std::vector<ChoiceRow<float>> decimationRows() {
-  std::vector<ChoiceRow<float>> rows{{"0", ImportDraft::tr("Keep all"), 0.0f}};
+std::vector<ChoiceOf<float>> decimationRows() {
+  std::vector<ChoiceOf<float>> rows{{{QStringLiteral("0"), ImportDraft::tr("Keep all")}, 0.0f}};
   constexpr std::pair<const char*, float> bounds[] = {
       {"0.02", 0.02f}, {"0.05", 0.05f}, {"0.1", 0.1f}, {"0.3", 0.3f}, {"1", 1.0f}};
   for (const auto& [id, bound] : bounds)
-    rows.push_back({id, decimationText(bound), bound});
+    rows.push_back({{QLatin1String(id), decimationText(bound)}, bound});
   return rows;
 }
 
 QString unitText(float millimetres) {
-  for (const ChoiceRow<float>& row : unitRows())
+  for (const ChoiceOf<float>& row : unitRows())
     if (row.value == millimetres)
       return row.text.section(QLatin1Char(' '), 0, 0);
   return ImportDraft::tr("%1 mm").arg(QLocale().toString(double(millimetres), 'g', 4));

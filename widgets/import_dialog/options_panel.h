@@ -2,12 +2,12 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
+#include <vector>
 
+#include "widgets/form/field.h"
 #include "widgets/import_dialog/import_draft.h"
 
-class QCheckBox;
-class QComboBox;
-class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
 
@@ -21,22 +21,23 @@ class OptionsPanel : public QWidget {
   explicit OptionsPanel(ImportDraft& draft, QWidget* parent = nullptr);
 
  private:
-  QComboBox* combo(const char* name);
+  /// A field of the options and its control.
+  struct Row {
+    Field field;
+    std::function<QVariant(const model::ImportOptions&)> read;
+    std::function<void(model::ImportOptions&, const QVariant&)> write;
+    QWidget* control = nullptr;
+  };
+  static std::vector<Row> rows();
+  QWidget* controlOf(const char* id) const;
   QLabel* reason(const char* name);
   void place(QGridLayout& grid);
-  void connectControls();
   void refresh();
-  void change(const std::function<void(model::ImportOptions&)>& how);
 
   ImportDraft& m_draft;
-  QComboBox* m_frame;
+  std::vector<Row> m_rows;
   QLabel* m_frameReason;
-  QComboBox* m_unit;
   QLabel* m_unitReason;
-  QComboBox* m_smoothing;
-  QDoubleSpinBox* m_decimation;
-  QCheckBox* m_repair;
-  QCheckBox* m_overlay;
 };
 
 }  // namespace sline::widgets

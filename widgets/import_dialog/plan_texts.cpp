@@ -119,7 +119,7 @@ QString sizeDoubt(const model::ImportPlan& plan, const PlanFigures& figures) {
   const float now = plan.scene.find(plan.parts.begin()->first)->provenance.mmPerUnit;
   const QString whole =
       ImportDraft::tr("Everything together is %1 mm large").arg(millimetresText(size));
-  for (const ChoiceRow<float>& row : unitRows()) {
+  for (const ChoiceOf<float>& row : unitRows()) {
     const float then = size / now * row.value;
     if (row.value != now && then >= likelyLow && then <= likelyHigh)
       return ImportDraft::tr("%1. If the files are in %2, it is %3 mm.")

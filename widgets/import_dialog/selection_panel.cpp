@@ -33,13 +33,17 @@ Common<T> common(const model::ImportPlan& plan, const NodeIds& ids,
 }
 
 template <class T>
-void showCommon(QComboBox& box, const Common<T>& all, const std::vector<ChoiceRow<T>>& rows) {
-  if (all.one) {
-    showValue(box, all.value, rows);
-    return;
-  }
+void addChoices(QComboBox& box, const QString& none, const std::vector<ChoiceOf<T>>& choices) {
+  for (const Choice& choice : choiceField(none, choices).choices)
+    box.addItem(choice.text, choice.id);
+}
+
+/// Shows what all have; no entry where they differ.
+template <class T>
+void showCommon(QComboBox& box, const Common<T>& all, const std::vector<ChoiceOf<T>>& choices) {
+  const QVariant id = all.one ? idOf(all.value, choices) : QVariant();
   const QSignalBlocker quiet(box);
-  box.setCurrentIndex(-1);
+  box.setCurrentIndex(id.isValid() ? box.findData(id) : -1);
 }
 
 }  // namespace
@@ -109,17 +113,19 @@ void SelectionPanel::connectControls() {
     choose([on](model::StructureChoice& choice) { choice.include = on; });
   });
   connect(m_frame, &QComboBox::activated, this, [this](int index) {
-    choose([value = valueAt(*m_frame, index, frameRows())](auto& c) { c.frame = value; });
+    choose(
+        [value = meaningOf(m_frame->itemData(index), frameRows())](auto& c) { c.frame = value; });
   });
   connect(m_unit, &QComboBox::activated, this, [this](int index) {
-    choose([value = valueAt(*m_unit, index, unitRows())](auto& c) { c.unit = value; });
+    choose([value = meaningOf(m_unit->itemData(index), unitRows())](auto& c) { c.unit = value; });
   });
   connect(m_smoothing, &QComboBox::activated, this, [this](int index) {
-    choose(
-        [value = valueAt(*m_smoothing, index, smoothingRows())](auto& c) { c.smoothing = value; });
+    choose([value = meaningOf(m_smoothing->itemData(index), smoothingRows())](auto& c) {
+      c.smoothing = value;
+    });
   });
   connect(m_decimation, &QComboBox::activated, this, [this](int index) {
-    choose([value = valueAt(*m_decimation, index, decimationRows())](auto& c) {
+    choose([value = meaningOf(m_decimation->itemData(index), decimationRows())](auto& c) {
       c.decimateMm = value;
     });
   });

@@ -6,45 +6,25 @@
 #include <QObject>
 #include <QString>
 #include <QVariant>
-#include <variant>
 #include <vector>
+
+#include "widgets/form/field.h"
 
 class QSettings;
 
 namespace sline::widgets {
 
-/// One of several words.
-struct ChoiceOf {
-  struct Row {
-    QString id;  ///< in the settings file
-    QString text;
-  };
-  std::vector<Row> rows;
-  QString standard;
-};
-
-struct Switch {
-  bool standard = false;
-};
-
-struct WholeNumber {
-  int low = 0;
-  int high = 100;
-  int standard = 0;
-  QString unit;        ///< behind the number, "s"
-  QString lowestText;  ///< instead of the lowest number, "never"; may be empty
-};
-
+/// The field's id is its key in the settings file: "picture/background".
 struct PreferenceRow {
-  QString id;  ///< its key in the settings file: "picture/background"
+  Field field;
   QString page;
-  QString text;
-  QString tip;
-  std::variant<Switch, ChoiceOf, WholeNumber> kind;
+  QVariant standard;
 };
 
 /// In the order in which the dialog shows them; rows of one page follow each other.
 std::vector<PreferenceRow> preferenceRows();
+/// Returns the row's field. Asserts that the table has the row.
+Field preferenceField(const QString& id);
 
 class Preferences : public QObject {
   Q_OBJECT
@@ -57,6 +37,7 @@ class Preferences : public QObject {
   bool isOn(const QString& id) const;
   QString choice(const QString& id) const;
   int number(const QString& id) const;
+  QVariant value(const QString& id) const;
 
   /// False where it is so already, or is not allowed.
   bool set(const QString& id, const QVariant& value);
@@ -67,8 +48,6 @@ class Preferences : public QObject {
   void changed(const QString& id);
 
  private:
-  QVariant value(const QString& id) const;
-
   QSettings& m_settings;
 };
 

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/preferences/preferences_dialog.h"
 
-#include <QCheckBox>
-#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
-#include <QLabel>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QTabWidget>
 #include <QVBoxLayout>
+
+#include "widgets/preferences/preference_control.h"
 
 namespace sline::widgets {
 
@@ -33,7 +31,7 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, QWidget* parent)
       form->setVerticalSpacing(10);
       pages->addTab(page, row.page);
     }
-    add(row, *form);
+    add(row.field, *form);
   }
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close | QDialogButtonBox::RestoreDefaults);
   QPushButton* restore = buttons->button(QDialogButtonBox::RestoreDefaults);
@@ -47,54 +45,12 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, QWidget* parent)
   setMinimumWidth(440);
 }
 
-void PreferencesDialog::add(const PreferenceRow& row, QFormLayout& form) {
-  QWidget* made = std::visit([&](const auto& kind) { return control(row, kind); }, row.kind);
-  made->setObjectName(row.id);
-  made->setToolTip(row.tip);
-  made->setAccessibleName(row.text);
-  made->setAccessibleDescription(row.tip);
-  if (std::holds_alternative<Switch>(row.kind))
-    form.addRow(QString(), made);
+void PreferencesDialog::add(const Field& field, QFormLayout& form) {
+  QWidget* control = makePreferenceControl(m_preferences, field.id);
+  if (std::holds_alternative<SwitchField>(field.kind))
+    form.addRow(QString(), control);
   else
-    form.addRow(tr("%1:").arg(row.text), made);
-}
-
-QWidget* PreferencesDialog::control(const PreferenceRow& row, const Switch&) {
-  auto* box = new QCheckBox(row.text);
-  const auto read = [this, box, id = row.id] { box->setChecked(m_preferences.isOn(id)); };
-  read();
-  connect(box, &QCheckBox::toggled, this,
-          [this, id = row.id](bool on) { m_preferences.set(id, on); });
-  connect(&m_preferences, &Preferences::changed, box, read);
-  return box;
-}
-
-QWidget* PreferencesDialog::control(const PreferenceRow& row, const ChoiceOf& kind) {
-  auto* box = new QComboBox;
-  for (const ChoiceOf::Row& choice : kind.rows)
-    box->addItem(choice.text, choice.id);
-  const auto read = [this, box, id = row.id] {
-    box->setCurrentIndex(box->findData(m_preferences.choice(id)));
-  };
-  read();
-  connect(box, &QComboBox::currentIndexChanged, this,
-          [this, box, id = row.id](int at) { m_preferences.set(id, box->itemData(at)); });
-  connect(&m_preferences, &Preferences::changed, box, read);
-  return box;
-}
-
-QWidget* PreferencesDialog::control(const PreferenceRow& row, const WholeNumber& kind) {
-  auto* box = new QSpinBox;
-  box->setRange(kind.low, kind.high);
-  if (!kind.unit.isEmpty())
-    box->setSuffix(QLatin1Char(' ') + kind.unit);
-  box->setSpecialValueText(kind.lowestText);
-  const auto read = [this, box, id = row.id] { box->setValue(m_preferences.number(id)); };
-  read();
-  connect(box, &QSpinBox::valueChanged, this,
-          [this, id = row.id](int number) { m_preferences.set(id, number); });
-  connect(&m_preferences, &Preferences::changed, box, read);
-  return box;
+    form.addRow(tr("%1:").arg(field.text), control);
 }
 
 }  // namespace sline::widgets

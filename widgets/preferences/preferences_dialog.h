@@ -17,10 +17,7 @@ class PreferencesDialog : public QDialog {
   explicit PreferencesDialog(Preferences& preferences, QWidget* parent = nullptr);
 
  private:
-  void add(const PreferenceRow& row, QFormLayout& form);
-  QWidget* control(const PreferenceRow& row, const Switch& kind);
-  QWidget* control(const PreferenceRow& row, const ChoiceOf& kind);
-  QWidget* control(const PreferenceRow& row, const WholeNumber& kind);
+  void add(const Field& field, QFormLayout& form);
 
   Preferences& m_preferences;
 };

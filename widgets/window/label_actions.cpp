@@ -2,7 +2,6 @@
 #include "widgets/window/label_actions.h"
 
 #include <QAction>
-#include <QActionGroup>
 #include <QDockWidget>
 #include <QLocale>
 #include <QMainWindow>
@@ -17,6 +16,7 @@
 #include "widgets/annotations/annotation_texts.h"
 #include "widgets/annotations/annotations_panel.h"
 #include "widgets/annotations/label_look.h"
+#include "widgets/preferences/choice_actions.h"
 #include "widgets/viewport/viewport.h"
 
 namespace sline::widgets {
@@ -102,7 +102,8 @@ LabelActions::LabelActions(const Parts& parts, QObject* parent)
       m_preferences(parts.preferences),
       m_actions(parts.actions) {
   makeTools();
-  makeModes(parts.shown);
+  addChoiceActions(parts.shown, m_preferences, QLatin1String(labelModeKey),
+                   QStringLiteral("labels"));
   connect(&m_preferences, &Preferences::changed, this, &LabelActions::follow);
   connect(&m_session.names(), &ShownNames::changed, this, &LabelActions::follow);
   connect(&m_session, &Session::documentChanged, this, &LabelActions::showState);
@@ -156,29 +157,6 @@ bool LabelActions::eventFilter(QObject* watched, QEvent* event) {
     return QObject::eventFilter(watched, event);
   m_viewport.setFocus(Qt::OtherFocusReason);
   return true;
-}
-
-void LabelActions::makeModes(QMenu& menu) {
-  const std::vector<PreferenceRow> rows = preferenceRows();
-  const auto row = std::find_if(rows.begin(), rows.end(), [](const PreferenceRow& each) {
-    return each.id == QLatin1String(labelModeKey);
-  });
-  auto* group = new QActionGroup(&menu);
-  for (const ChoiceOf::Row& choice : std::get<ChoiceOf>(row->kind).rows) {
-    QAction* action = menu.addAction(choice.text);
-    action->setObjectName(QStringLiteral("labels-") + choice.id);
-    action->setCheckable(true);
-    group->addAction(action);
-    connect(action, &QAction::triggered, this,
-            [this, chosen = choice.id] { m_preferences.set(QLatin1String(labelModeKey), chosen); });
-  }
-  const auto show = [this, group] {
-    const QString chosen = m_preferences.choice(QLatin1String(labelModeKey));
-    for (QAction* action : group->actions())
-      action->setChecked(action->objectName() == QStringLiteral("labels-") + chosen);
-  };
-  connect(&m_preferences, &Preferences::changed, group, show);
-  show();
 }
 
 void LabelActions::follow() {

@@ -39,7 +39,6 @@ class LabelActions : public QObject {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void makeModes(QMenu& menu);
   void makeTools();
   void follow();
   void showMaking();

@@ -2,11 +2,9 @@
 #include "widgets/window/picture_habits.h"
 
 #include <QAction>
-#include <QActionGroup>
-#include <QMenu>
-#include <algorithm>
 #include <array>
 
+#include "widgets/preferences/choice_actions.h"
 #include "widgets/viewport/viewport.h"
 
 namespace sline::widgets {
@@ -42,32 +40,9 @@ PictureHabits::PictureHabits(Viewport& viewport, Preferences& preferences,
       m_preferences.set(QLatin1String(preference), on);
     });
   }
-  fill(backgrounds);
+  addChoiceActions(backgrounds, preferences, QLatin1String(backgroundKey),
+                   QStringLiteral("background"));
   connect(&preferences, &Preferences::changed, this, &PictureHabits::follow);
-  follow();
-}
-
-void PictureHabits::fill(QMenu& backgrounds) {
-  const QString id = QLatin1String(backgroundKey);
-  const std::vector<PreferenceRow> rows = preferenceRows();
-  const auto row = std::find_if(rows.begin(), rows.end(),
-                                [&id](const PreferenceRow& each) { return each.id == id; });
-  auto* group = new QActionGroup(this);
-  for (const ChoiceOf::Row& choice : std::get<ChoiceOf>(row->kind).rows) {
-    QAction* action = backgrounds.addAction(choice.text);
-    action->setObjectName(QStringLiteral("background-") + choice.id);
-    action->setCheckable(true);
-    group->addAction(action);
-    connect(action, &QAction::triggered, this,
-            [this, id, chosen = choice.id] { m_preferences.set(id, chosen); });
-  }
-  const auto follow = [this, id, group] {
-    const QString chosen = m_preferences.choice(id);
-    for (QAction* action : group->actions())
-      action->setChecked(action->objectName() == QStringLiteral("background-") + chosen);
-    m_viewport.setBackground(backgroundOf(chosen));
-  };
-  connect(&m_preferences, &Preferences::changed, group, follow);
   follow();
 }
 
@@ -75,6 +50,7 @@ void PictureHabits::follow() {
   for (const SwitchAction& row : switches)
     m_actions[QLatin1String(row.action)].setChecked(
         m_preferences.isOn(QLatin1String(row.preference)));
+  m_viewport.setBackground(backgroundOf(m_preferences.choice(QLatin1String(backgroundKey))));
   const auto on = [this](const char* id) { return m_preferences.isOn(QLatin1String(id)); };
   m_viewport.chooseMarks({.cube = on("picture/cube"),
                           .scaleBar = on("picture/scaleBar"),

@@ -22,7 +22,6 @@ class PictureHabits : public QObject {
                 QMenu& backgrounds, QObject* parent);
 
  private:
-  void fill(QMenu& backgrounds);
   void follow();
 
   Viewport& m_viewport;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/anki/anki_cards.h"
+#include "render/export/anki/anki_options.h"
 
 #include <QImage>
 #include <QPainterPath>
@@ -64,7 +65,7 @@ class Cards {
         m_marks(plate.marks) {}
 
   Result<std::string> answer(std::size_t i) const {
-    return painted(onlyThose(m_plate, i, m_order.anki.othersShown), nullptr);
+    return painted(onlyThose(m_plate, i, m_order.of<AnkiOptions>().othersShown), nullptr);
   }
 
   /// The text's place is told by the leader alone: a box as long as the text would tell much.
@@ -76,7 +77,7 @@ class Cards {
                                     : plate.labels[i].item.kind;
     const PlacedLabel* placed = plate.layout.find(plate.labels[i].item.id);
     const LabelBox box = boxFor(*placed, plate.labels[i].item.places.front());
-    return painted(onlyThose(plate, i, m_order.anki.othersShown), &box);
+    return painted(onlyThose(plate, i, m_order.of<AnkiOptions>().othersShown), &box);
   }
 
  private:
@@ -151,9 +152,8 @@ std::string addPicture(AnkiDeck& deck, std::string png) {
 
 AnkiDeck emptyDeck(const ExportOrder& order) {
   AnkiDeck deck;
-  deck.name = !order.anki.deck.empty()  ? order.anki.deck
-              : !order.viewName.empty() ? order.viewName
-                                        : "Anatomy";
+  const std::string& name = order.of<AnkiOptions>().deck;
+  deck.name = !name.empty() ? name : !order.viewName.empty() ? order.viewName : "Anatomy";
   deck.description = order.credit.line();
   deck.tags = {"Sline"};
   if (!order.viewName.empty())

@@ -6,10 +6,15 @@
 #include <array>
 
 #include "render/export/anki/anki_file.h"
+#include "render/export/anki/anki_options.h"
 #include "render/export/gltf/gltf_file.h"
 #include "render/export/motion/film_file.h"
+#include "render/export/motion/film_options.h"
+#include "render/export/order/common_options.h"
 #include "render/export/pdf/pdf_file.h"
+#include "render/export/pdf/sheet_options.h"
 #include "render/export/pixels/pixel_files.h"
+#include "render/export/pixels/pixel_options.h"
 #include "render/export/svg/svg_file.h"
 
 namespace sline::render {
@@ -30,6 +35,35 @@ ExportNotes filmNotesOf(const ExportOrder& order) {
   return filmNotes(order, transparency);
 }
 
+OptionList noOptions() {
+  return {};
+}
+
+OptionList printOptions() {
+  static constexpr std::array all{&depthOption, &greyOption, &pureInkOption, &samplesOption};
+  return all;
+}
+
+OptionList jpegOptions() {
+  static constexpr std::array all{&greyOption, &samplesOption};
+  return all;
+}
+
+OptionList jp2Options() {
+  static constexpr std::array all{&depthOption, &greyOption, &samplesOption};
+  return all;
+}
+
+OptionList screenOptions() {
+  static constexpr std::array all{&samplesOption};
+  return all;
+}
+
+OptionList drawingOptions() {
+  static constexpr std::array all{&pureInkOption};
+  return all;
+}
+
 constexpr std::array formats{
     ExportFormat{
         .id = "png",
@@ -39,7 +73,7 @@ constexpr std::array formats{
             "A picture made of pixels for screens, documents and print: sRGB, grey or pure "
             "ink, 8 or 16 bits, transparent where asked for"),
         .extension = "png",
-        .choices = {.depth = true, .grey = true, .pureInk = true},
+        .options = printOptions,
         .bytesPerPixel = 0.4,
         .write = writePng,
         .foreseen = pixelNotesOf<PixelKind::png>},
@@ -50,7 +84,7 @@ constexpr std::array formats{
                                   "The same for printers and journals, with its colour profile"),
         .extension = "tiff",
         .otherExtension = "tif",
-        .choices = {.depth = true, .grey = true, .pureInk = true},
+        .options = printOptions,
         .bytesPerPixel = 1.0,
         .write = writeTiff,
         .foreseen = pixelNotesOf<PixelKind::tiff>},
@@ -61,7 +95,7 @@ constexpr std::array formats{
                                   "A picture made of pixels where files must be small; on white"),
         .extension = "jpg",
         .otherExtension = "jpeg",
-        .choices = {.grey = true},
+        .options = jpegOptions,
         .bytesPerPixel = 0.25,
         .write = writeJpeg,
         .foreseen = pixelNotesOf<PixelKind::jpeg>},
@@ -72,6 +106,7 @@ constexpr std::array formats{
             "sline::render::ExportFormat",
             "A picture in linear light, as halves with alpha multiplied in, for compositing"),
         .extension = "exr",
+        .options = screenOptions,
         .bytesPerPixel = 2.0,
         .write = writeExr,
         .foreseen = pixelNotesOf<PixelKind::exr>},
@@ -81,6 +116,7 @@ constexpr std::array formats{
                      "sline::render::ExportFormat",
                      "A picture for web pages, smaller than PNG and as exact: 8 bits in colour"),
                  .extension = "webp",
+                 .options = screenOptions,
                  .bytesPerPixel = 0.25,
                  .write = writeWebpPicture,
                  .foreseen = pixelNotesOf<PixelKind::webp>},
@@ -90,7 +126,7 @@ constexpr std::array formats{
         .help = QT_TRANSLATE_NOOP("sline::render::ExportFormat",
                                   "A picture for archives that ask for it, exact: 8 or 16 bits"),
         .extension = "jp2",
-        .choices = {.depth = true, .grey = true},
+        .options = jp2Options,
         .bytesPerPixel = 1.0,
         .write = writeJp2,
         .foreseen = pixelNotesOf<PixelKind::jp2>},
@@ -103,7 +139,7 @@ constexpr std::array formats{
                  .extension = "svg",
                  .page = PageUse::drawing,
                  .names = true,
-                 .choices = {.pureInk = true},
+                 .options = drawingOptions,
                  .bytesPerTriangle = 2.0,
                  .write = writeSvg,
                  .foreseen = noNotes},
@@ -116,7 +152,7 @@ constexpr std::array formats{
                  .extension = "pdf",
                  .page = PageUse::drawing,
                  .names = true,
-                 .choices = {.pureInk = true, .sheet = true},
+                 .options = sheetOptions,
                  .bytesPerTriangle = 1.0,
                  .write = writePdf,
                  .foreseen = noNotes},
@@ -130,6 +166,7 @@ constexpr std::array formats{
                  .page = PageUse::none,
                  .oneView = false,
                  .names = true,
+                 .options = noOptions,
                  .bytesPerTriangle = 30.0,
                  .write = writeGltf,
                  .foreseen = gltfNotes},
@@ -141,7 +178,7 @@ constexpr std::array formats{
                  .extension = "mp4",
                  .page = PageUse::shape,
                  .oneView = false,
-                 .choices = {.film = true},
+                 .options = filmOptions,
                  .write = writeMp4,
                  .foreseen = filmNotesOf<false>},
     ExportFormat{.id = "webp",
@@ -151,7 +188,7 @@ constexpr std::array formats{
                  .extension = "webp",
                  .page = PageUse::shape,
                  .oneView = false,
-                 .choices = {.film = true},
+                 .options = filmOptions,
                  .write = writeWebp,
                  .foreseen = filmNotesOf<true>},
     ExportFormat{.id = "gif",
@@ -162,7 +199,7 @@ constexpr std::array formats{
                  .extension = "gif",
                  .page = PageUse::shape,
                  .oneView = false,
-                 .choices = {.film = true},
+                 .options = filmOptions,
                  .write = writeGif,
                  .foreseen = filmNotesOf<true>},
     ExportFormat{.id = "frames",
@@ -172,7 +209,7 @@ constexpr std::array formats{
                      "A new folder of numbered PNG pictures, for programs that cut films"),
                  .page = PageUse::shape,
                  .oneView = false,
-                 .choices = {.film = true},
+                 .options = filmOptions,
                  .write = writeFrames,
                  .foreseen = filmNotesOf<true>},
     ExportFormat{.id = "anki",
@@ -185,7 +222,7 @@ constexpr std::array formats{
                  .otherExtension = "zip",
                  .oneView = false,
                  .names = true,
-                 .choices = {.anki = true},
+                 .options = ankiOptions,
                  .write = writeAnki,
                  .foreseen = noNotes},
 };
@@ -194,6 +231,33 @@ constexpr std::array formats{
 
 std::span<const ExportFormat> exportFormats() {
   return formats;
+}
+
+bool ExportFormat::has(const ExportOption& option) const {
+  if (option.part == OptionPart::credit)
+    return true;
+  if (option.part != OptionPart::kind)
+    return page != PageUse::none;
+  const OptionList own = options();
+  return std::find(own.begin(), own.end(), &option) != own.end();
+}
+
+std::vector<const ExportOption*> exportOptions() {
+  const OptionList first = pictureOptions();
+  const OptionList last = creditOptions();
+  std::vector<const ExportOption*> all(first.begin(), first.end());
+  for (const ExportFormat& format : formats)
+    for (const ExportOption* option : format.options())
+      if (std::find(all.begin(), all.end(), option) == all.end())
+        all.push_back(option);
+  all.insert(all.end(), last.begin(), last.end());
+  return all;
+}
+
+void dropForeignOptions(ExportOrder& order, const ExportFormat& format) {
+  for (const ExportOption* option : exportOptions())
+    if (option->part == OptionPart::kind && !format.has(*option))
+      option->field.write(order, option->field.read(ExportOrder()));
 }
 
 const ExportFormat* exportFormat(std::string_view id) {

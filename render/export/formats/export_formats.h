@@ -5,24 +5,15 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
-#include "render/export/order/export_order.h"
+#include "render/export/order/export_option.h"
 
 namespace sline::render {
 
 /// What the page is to files of a kind: nothing; the shape of its pictures; a sheet of lines and
 /// shapes; so many pixels.
 enum class PageUse { none, shape, drawing, pixels };
-
-/// Which of the order's choices mean something to a kind, besides those that all kinds have.
-struct KindChoices {
-  bool depth = false;    ///< pixels.bits
-  bool grey = false;     ///< pixels.grey
-  bool pureInk = false;  ///< pixels.pureInk
-  bool sheet = false;
-  bool film = false;
-  bool anki = false;
-};
 
 /// All that distinguishes a kind. Its texts are English; the window translates them in the context
 /// "sline::render::ExportFormat".
@@ -35,7 +26,7 @@ struct ExportFormat {
   PageUse page = PageUse::pixels;
   bool oneView = true;  ///< shows the scene from one place; others hold it whole, or all its views
   bool names = false;   ///< holds names of structures besides what is seen
-  KindChoices choices = {};
+  OptionList (*options)() = nullptr;  ///< of its own, besides those that all pictures have
   // How large files are, about: drawings are mostly empty, which packs well. Zeros: nobody knows.
   double bytesPerPixel = 0.0;
   double bytesPerTriangle = 0.0;
@@ -46,11 +37,19 @@ struct ExportFormat {
   /// Returns those of the notes that `write` will make which the order alone tells: quick, draws
   /// nothing.
   ExportNotes (*foreseen)(const ExportOrder& order) = nullptr;
+
+  /// Returns whether the option means something to files of this kind.
+  bool has(const ExportOption& option) const;
 };
 
 /// In the order in which a person should meet them.
 std::span<const ExportFormat> exportFormats();
 /// Returns null where there is no such kind.
 const ExportFormat* exportFormat(std::string_view id);
+
+/// Returns the options of all kinds, each once, in the order in which a person should meet them.
+std::vector<const ExportOption*> exportOptions();
+/// Sets the options of other kinds as they are in an order where nothing was chosen.
+void dropForeignOptions(ExportOrder& order, const ExportFormat& format);
 
 }  // namespace sline::render

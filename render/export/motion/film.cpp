@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/motion/film.h"
+#include "render/export/motion/film_options.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ Status checked(const FilmOptions& options, const glm::ivec2& size) {
 
 glm::ivec2 filmSize(const ExportOrder& order) {
   const double aspect = double(order.page.sizeMm.x) / double(order.page.sizeMm.y);
-  const double height = order.film.height;
+  const double height = order.of<FilmOptions>().height;
   return {even(height * aspect), even(height)};
 }
 
@@ -50,7 +51,7 @@ int filmFrames(const FilmOptions& options) {
 }
 
 Result<Film> Film::create(const ExportOrder& order, const glm::vec2& share) {
-  const FilmOptions& options = order.film;
+  const FilmOptions& options = order.of<FilmOptions>();
   Film film;
   film.m_size = filmSize(order);
   if (const Status fine = checked(options, film.m_size); !fine.ok())
@@ -88,7 +89,7 @@ Result<Film::Tour> Film::tourOf(const ExportOrder& order) {
                                ? "the scene has no saved views to tour"
                                : "the scene has one saved view alone: there is no way to go",
                  .remedy = "Save views, or make a turntable"};
-  const FilmOptions& options = order.film;
+  const FilmOptions& options = order.of<FilmOptions>();
   const auto count = double(views.size());
   Tour tour;
   tour.hold = options.hold.value_or(0.4 * options.seconds / count);
@@ -108,7 +109,7 @@ Result<Film::Tour> Film::tourOf(const ExportOrder& order) {
 }
 
 Result<Film::Sweep> Film::sweepOf(const ExportOrder& order) {
-  const FilmOptions& options = order.film;
+  const FilmOptions& options = order.of<FilmOptions>();
   Sweep sweep{order.scene, order.camera, order.viewName, {}, 1.0 / 12.0};
   if (options.hold)
     sweep.hold = *options.hold / options.seconds;

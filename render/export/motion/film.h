@@ -7,6 +7,7 @@
 
 #include "model/edit/blend.h"
 #include "model/scene/camera_flight.h"
+#include "render/export/motion/film_options.h"
 #include "render/export/motion/turntable.h"
 #include "render/export/order/export_order.h"
 

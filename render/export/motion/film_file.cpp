@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/motion/film_file.h"
+#include "render/export/motion/film_options.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -127,18 +128,18 @@ Status writeFilm(Filming& filming, const fs::path& target, const Begin& newSink)
 }  // namespace
 
 ExportNotes filmNotes(const ExportOrder& order, bool transparency) {
+  const auto& film = order.of<FilmOptions>();
   ExportNotes notes;
   if (order.look.background == Background::transparent && !transparency)
     addNote(notes, {.kind = ExportNote::Kind::standsOnWhite, .names = {}, .detail = {}});
   const glm::ivec2 size = filmSize(order);
-  if (size.y != order.film.height)
+  if (size.y != film.height)
     addNote(notes, {.kind = ExportNote::Kind::filmRounded,
                     .names = {},
                     .detail = std::to_string(size.x) + " × " + std::to_string(size.y)});
-  const double seconds =
-      double(filmFrames(order.film)) / double(std::max(order.film.framesPerSecond, 1));
+  const double seconds = double(filmFrames(film)) / double(std::max(film.framesPerSecond, 1));
   constexpr double told = 0.005;  // its half hundredth
-  if (std::abs(seconds - order.film.seconds) > told) {
+  if (std::abs(seconds - film.seconds) > told) {
     const auto hundredths = std::to_string(100 + std::lround(100.0 * seconds) % 100);
     addNote(notes, {.kind = ExportNote::Kind::filmStretched,
                     .names = {},

@@ -16,6 +16,7 @@
 #include "model/scene/scene.h"
 #include "render/export/order/export_notes.h"
 #include "render/export/order/label_style.h"
+#include "render/export/order/writer_options.h"
 #include "render/picture/picture.h"
 
 namespace sline::render {
@@ -32,18 +33,11 @@ struct ExportLook {
   Background background = Background::white;
   std::optional<glm::vec3> light;  ///< as in PictureSettings
   std::optional<bool> keyLight;    ///< likewise
+  /// For print without tones: each pixel of PNG and TIFF is ink or paper, no grey at all. The scene
+  /// should be of ink alone (`model::withInkAlone`).
+  bool pureInk = false;
 };
 
-/// Pictures made of pixels.
-struct ExportPixels {
-  /// Of a channel in PNG and TIFF: 8 or 16; 1 means black and white alone.
-  int bits = 8;
-  bool grey = false;
-  /// For print: each pixel of PNG and TIFF is ink or paper, no grey at all. The scene should be of
-  /// ink alone (`model::withInkAlone`).
-  bool pureInk = false;
-  int samples = 0;  ///< across a pixel; 0: as many as its size allows
-};
 /// Of either side of a picture.
 inline constexpr Limits<int> pixelSideLimits{16, 20'000};
 
@@ -56,47 +50,6 @@ struct ExportMarks {
 
   static constexpr ExportMarks none() { return {false, false, false, false}; }
   bool operator==(const ExportMarks&) const = default;
-};
-
-/// What a PDF is: the figure alone, on a page of its size, or a sheet of paper around it. `figure`:
-/// with title and legend; `teaching`: besides, numbered labels, a page to test oneself and its key;
-/// `patient`: large labels and a text of one's own.
-enum class SheetKind { none, figure, teaching, patient };
-enum class Paper { a4, letter };
-
-/// Of the kind `pdf` alone.
-struct ExportSheet {
-  SheetKind kind = SheetKind::none;
-  Paper paper = Paper::a4;
-  bool landscape = false;
-  std::string title;  ///< plain text, as is the next
-  std::string text;   ///< of `patient`; lines are paragraphs
-  bool operator==(const ExportSheet&) const = default;
-};
-
-/// What moves in a film: the camera once around the scene; from saved view to saved view; Γ from 0
-/// to 5.
-enum class Motion { turntable, tour, gammaSweep };
-
-/// For kinds of files whose pictures move.
-struct FilmOptions {
-  Motion motion = Motion::turntable;
-  double seconds = 8.0;  ///< of the whole film
-  int framesPerSecond = 25;
-  int height = 720;  ///< pixels; the page's shape gives the width
-  /// Seconds of rest at each view, or at either end of Γ; absent: 2/5 or 1/6 of the film together.
-  std::optional<double> hold;
-  std::vector<model::NodeId> swept;  ///< whose Γ changes; none: everything's
-};
-inline constexpr Limits<double> filmSecondsLimits{0.1, 600.0};
-inline constexpr Limits<int> framesPerSecondLimits{1, 60};
-/// Of its height, and of its width.
-inline constexpr Limits<int> filmHeightLimits{16, 4320};
-
-/// For decks of cards that ask for labels.
-struct AnkiOptions {
-  std::string deck;          ///< its name; empty: the view's, or "Anatomy"
-  bool othersShown = false;  ///< a card shows the other labels, too
 };
 
 /// Who made the picture, and what others may do with it: in the place that the kind of file has for
@@ -124,11 +77,18 @@ struct ExportOrder {
   ExportLook look;
   LabelStyle labels{.mode = LabelMode::off, .language = {}};
   ExportMarks marks;
-  ExportSheet sheet;
-  ExportPixels pixels;
-  FilmOptions film;
-  AnkiOptions anki;
   ExportCredit credit;
+  WriterOptions own;  ///< what single kinds of files have besides
+
+  /// Returns the options of a writer, as in `order.of<FilmOptions>()`.
+  template <class T>
+  const T& of() const {
+    return own.of<T>();
+  }
+  template <class T>
+  T& of() {
+    return own.of<T>();
+  }
 };
 
 /// Who waits for a file, and is told of it while it is made.

@@ -3,12 +3,13 @@
 
 #include "model/files/whole_file.h"
 #include "render/export/pdf/sheet.h"
+#include "render/export/pdf/sheet_options.h"
 
 namespace sline::render {
 
 Status writePdf(const ExportOrder& order, const std::filesystem::path& target,
                 const ExportProgress& progress) {
-  const Result<QByteArray> document = order.sheet.kind == SheetKind::none
+  const Result<QByteArray> document = order.of<SheetOptions>().kind == SheetKind::none
                                           ? figureDocument(order, target, progress)
                                           : sheetDocument(order, target, progress);
   if (!document.ok())

@@ -8,6 +8,7 @@
 #include "render/export/marks/figure_plate.h"
 #include "render/export/pdf/patient_text.h"
 #include "render/export/pdf/sheet_lists.h"
+#include "render/export/pdf/sheet_options.h"
 #include "render/export/pdf/sheet_order.h"
 #include "render/export/pdf/sheet_words.h"
 #include "render/export/pdf/style_samples.h"
@@ -61,7 +62,7 @@ class Sheet {
     m_plate = figurePlate(m_order, m_trees);
     noteOf(m_plate, progress);
     prepareNumbers(progress);
-    if (m_order.sheet.kind != SheetKind::patient)
+    if (m_order.of<SheetOptions>().kind != SheetKind::patient)
       if (const Status legend = prepareLegend(); !legend.ok())
         return legend.error();
     if (progress && !progress(0.9, "setting the pages"))
@@ -78,12 +79,12 @@ class Sheet {
       }
     }
     progress.note(m_notes);
-    return m_pages->finish(m_given.credit, m_given.sheet.title);
+    return m_pages->finish(m_given.credit, m_given.of<SheetOptions>().title);
   }
 
  private:
   void setPages() {
-    if (m_order.sheet.kind == SheetKind::patient) {
+    if (m_order.of<SheetOptions>().kind == SheetKind::patient) {
       beginPage({});
       setFigure(m_plate);
       setPatientText();
@@ -116,7 +117,7 @@ class Sheet {
   /// Labels that have a place; on the test's page they are numbered, so they must have one there.
   void prepareNumbers(const ExportProgress& progress) {
     const FigurePlate numbered = plateIn(LabelMode::numbers);
-    if (m_order.sheet.kind == SheetKind::teaching)
+    if (m_order.of<SheetOptions>().kind == SheetKind::teaching)
       noteOf(numbered, progress);
     for (const ShownLabel& label : numbered.labels->labels)
       if (numbered.labels->layout.find(label.item.id))
@@ -154,7 +155,7 @@ class Sheet {
     const float width = content.size().x;
     const float baseline = content.low.y - 7.0f;
     constexpr float kindPoints = 11.0f;
-    const QString title = QString::fromStdString(m_order.sheet.title).simplified();
+    const QString title = QString::fromStdString(m_order.of<SheetOptions>().title).simplified();
     const bool test = kind == QString::fromUtf8(m_words.selfTest);
     const float besideTitle = kind.isEmpty() ? 0.0f : textWidthMm(kind, kindPoints) + 8.0f;
     if (!title.isEmpty()) {
@@ -300,7 +301,7 @@ void Sheet::setPatientText() {
     frame = m_layout.content;
     y = frame.low.y;
   };
-  for (const auto& paragraph : patientParagraphs(m_order.sheet.text, frame.size().x)) {
+  for (const auto& paragraph : patientParagraphs(m_order.of<SheetOptions>().text, frame.size().x)) {
     for (int i = 0; paragraph && i < paragraph->lineCount(); ++i) {
       needLine();
       const QTextLine one = paragraph->lineAt(i);

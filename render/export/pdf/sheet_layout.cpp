@@ -5,6 +5,7 @@
 
 #include "render/export/marks/marks.h"
 #include "render/export/pdf/patient_text.h"
+#include "render/export/pdf/sheet_options.h"
 #include "render/export/pdf/sheet_order.h"
 
 namespace sline::render {
@@ -21,7 +22,7 @@ constexpr float mostOfHeight = 0.44f;
 constexpr float sideWidth = 62.0f;        ///< of lists beside a figure on landscape paper
 constexpr float mostPatientText = 0.42f;  ///< of the first page's height
 
-glm::vec2 paperSize(const ExportSheet& sheet) {
+glm::vec2 paperSize(const SheetOptions& sheet) {
   const glm::vec2 upright =
       sheet.paper == Paper::a4 ? glm::vec2(210.0f, 297.0f) : glm::vec2(215.9f, 279.4f);
   return sheet.landscape ? glm::vec2(upright.y, upright.x) : upright;
@@ -149,10 +150,11 @@ std::vector<LegendRow> legendRows(const model::Scene& scene) {
 }
 
 SheetRows sheetRows(const ExportOrder& order, std::size_t labels) {
+  const SheetKind kind = order.of<SheetOptions>().kind;
   SheetRows rows;
-  if (order.sheet.kind != SheetKind::figure && order.sheet.kind != SheetKind::teaching)
+  if (kind != SheetKind::figure && kind != SheetKind::teaching)
     return rows;
-  const bool teaching = order.sheet.kind == SheetKind::teaching;
+  const bool teaching = kind == SheetKind::teaching;
   const LabelMode mode = order.labels.mode;
   const bool numbered = mode == LabelMode::numbers || (teaching && mode == LabelMode::off);
   if (labels > 0 && numbered && hasLabels(order.scene)) {
@@ -173,9 +175,10 @@ SheetRows sheetRows(const ExportOrder& order, std::size_t labels) {
 }
 
 SheetLayout sheetLayout(const ExportOrder& order) {
+  const auto& sheet = order.of<SheetOptions>();
   SheetLayout layout;
-  layout.paper = paperSize(order.sheet);
-  const bool header = !order.sheet.title.empty() || order.sheet.kind == SheetKind::teaching;
+  layout.paper = paperSize(sheet);
+  const bool header = !sheet.title.empty() || sheet.kind == SheetKind::teaching;
   layout.content = {{sideMargin, topMargin + (header ? headerHeight : 0.0f)},
                     layout.paper - glm::vec2(sideMargin, bottomMargin)};
   layout.figure = layout.content;
@@ -186,16 +189,16 @@ SheetLayout sheetLayout(const ExportOrder& order) {
   layout.lists.nextColumns = columnsOf(layout.content.size().x);
   layout.text = layout.content;
   const float height = layout.content.size().y;
-  if (order.sheet.kind == SheetKind::patient) {
-    if (!order.sheet.text.empty()) {
-      const float text = patientTextHeight(order.sheet.text, layout.content.size().x);
+  if (sheet.kind == SheetKind::patient) {
+    if (!sheet.text.empty()) {
+      const float text = patientTextHeight(sheet.text, layout.content.size().x);
       layout.figure.high.y -= std::min(mostPatientText * height, text + belowFigure + tolerance);
       layout.text.low.y = layout.figure.high.y + belowFigure;
     }
     return layout;
   }
   layout.lists.first = layout.content;
-  if (order.sheet.landscape) {
+  if (sheet.landscape) {
     layout.figure.high.x -= sideWidth + columnSpace;
     layout.lists.first.low.x = layout.content.high.x - sideWidth;
     return layout;
@@ -211,7 +214,8 @@ SheetLayout sheetLayout(const ExportOrder& order) {
 }
 
 glm::vec2 sheetFigureMm(const ExportOrder& order) {
-  return order.sheet.kind == SheetKind::none ? order.page.sizeMm : sheetLayout(order).figure.size();
+  return order.of<SheetOptions>().kind == SheetKind::none ? order.page.sizeMm
+                                                          : sheetLayout(order).figure.size();
 }
 
 }  // namespace sline::render

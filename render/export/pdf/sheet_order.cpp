@@ -9,6 +9,7 @@
 #include "model/anatomy/laterality_words.h"
 #include "render/export/marks/figure_plate.h"
 #include "render/export/pdf/sheet_layout.h"
+#include "render/export/pdf/sheet_options.h"
 #include "render/labels/best_place.h"
 
 namespace sline::render {
@@ -99,14 +100,15 @@ std::vector<Candidate> oneOfEachPair(const std::vector<Candidate>& all) {
 
 /// With labels for structures that are seen and for which there is room, the large ones first.
 model::Scene labelled(const ExportOrder& order) {
+  const bool patient = order.of<SheetOptions>().kind == SheetKind::patient;
   ExportOrder figure = order;
-  if (order.sheet.kind != SheetKind::patient)
+  if (!patient)
     figure.labels.mode = LabelMode::numbers;
   std::vector<model::Annotation> labels;
   std::vector<Candidate> chosen = oneOfEachPair(candidates(order));
   std::stable_sort(chosen.begin(), chosen.end(),
                    [](const Candidate& a, const Candidate& b) { return a.size > b.size; });
-  const std::size_t most = order.sheet.kind == SheetKind::patient ? mostPatientLabels : mostLabels;
+  const std::size_t most = patient ? mostPatientLabels : mostLabels;
   for (std::size_t i = 0; i < std::min(most, chosen.size()); ++i)
     labels.push_back(chosen[i].label);
   SightTrees trees;
@@ -148,7 +150,7 @@ bool hasLabels(const model::Scene& scene) {
 
 ExportOrder sheetFigure(const ExportOrder& order) {
   ExportOrder figure = order;
-  const SheetKind kind = order.sheet.kind;
+  const SheetKind kind = order.of<SheetOptions>().kind;
   if (kind == SheetKind::none)
     return figure;
   // The figure keeps its shape; labels are as large on paper as the order says.

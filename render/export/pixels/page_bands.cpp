@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "render/export/pixels/page_overlay.h"
+#include "render/export/pixels/pixel_options.h"
 #include "render/gpu/headless/context.h"
 
 namespace sline::render {
@@ -121,13 +122,14 @@ Status drawBands(const ExportOrder& order, const PageBands& bands, const BandTak
   return wanted ? Status(Unit{}) : Status(givenUp({}));
 }
 
-int usualSamples(glm::ivec2 size, const ExportPixels& pixels) {
+int usualSamples(glm::ivec2 size, const ExportOrder& order) {
+  const auto& pixels = order.of<PixelOptions>();
   constexpr int mostPixels = 65535;  // of a picture's side, samples counted
   const int most = std::max(mostPixels / std::max(size.x, size.y), 1);
   if (pixels.samples > 0)
     return std::min(pixels.samples, most);
   const double count = double(size.x) * double(size.y);
-  const bool fine = pixels.pureInk || pixels.bits != 8;
+  const bool fine = order.look.pureInk || pixels.bits != 8;
   const int wanted = count <= 12.0e6 ? (fine ? 4 : 2) : (fine || count <= 40.0e6 ? 2 : 1);
   return std::min(wanted, most);
 }

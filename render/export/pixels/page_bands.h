@@ -28,6 +28,6 @@ Status drawBands(const ExportOrder& order, const PageBands& bands, const BandTak
 
 /// How many samples across a pixel are worth their time: at least two where more than 8 bits or ink
 /// alone are asked for.
-int usualSamples(glm::ivec2 size, const ExportPixels& pixels);
+int usualSamples(glm::ivec2 size, const ExportOrder& order);
 
 }  // namespace sline::render

@@ -7,17 +7,18 @@
 #include "model/files/whole_file.h"
 #include "render/export/pixels/image_file.h"
 #include "render/export/pixels/page_bands.h"
+#include "render/export/pixels/pixel_options.h"
 
 namespace sline::render {
 
 namespace {
 
 PixelLayout layoutOf(const ExportOrder& order, PixelKind kind, glm::ivec2 size) {
-  const ExportPixels& pixels = order.pixels;
+  const PixelOptions& pixels = order.of<PixelOptions>();
   PixelLayout layout{
       .width = size.x, .height = size.y, .dpi = order.page.dpi, .credit = order.credit};
   const PixelTraits traits = traitsOf(kind);
-  const bool ink = traits.ink && (pixels.pureInk || pixels.bits == 1);
+  const bool ink = traits.ink && (order.look.pureInk || pixels.bits == 1);
   const bool alpha = traits.alpha && !(ink && pixels.bits == 1) &&
                      order.look.background == Background::transparent;
   layout.channels = ((pixels.grey && traits.grey) || ink ? 1 : 3) + (alpha ? 1 : 0);
@@ -32,7 +33,7 @@ PixelLayout layoutOf(const ExportOrder& order, PixelKind kind, glm::ivec2 size) 
 
 Status checkOrder(PixelKind kind, const ExportOrder& order, glm::ivec2 size,
                   const std::filesystem::path& target) {
-  const int bits = order.pixels.bits;
+  const int bits = order.of<PixelOptions>().bits;
   const int largest = std::min(traitsOf(kind).largestSide, pixelSideLimits.high);
   if (std::max(size.x, size.y) > largest)
     return Error{.file = target.string(),
@@ -62,10 +63,10 @@ Status writePixels(PixelKind kind, const ExportOrder& order, const std::filesyst
   if (Status sound = checkOrder(kind, order, size, target); !sound.ok())
     return sound;
   const PixelLayout layout = layoutOf(order, kind, size);
-  const bool ink = traitsOf(kind).ink && (order.pixels.pureInk || order.pixels.bits == 1);
+  const bool ink = traitsOf(kind).ink && (order.look.pureInk || order.of<PixelOptions>().bits == 1);
   progress.note(pixelNotes(order, kind));
   const PageBands bands{
-      .size = size, .samples = usualSamples(size, order.pixels), .deep = layout.bits > 8};
+      .size = size, .samples = usualSamples(size, order), .deep = layout.bits > 8};
   return model::writeBeside(target, [&](const std::filesystem::path& beside) -> Status {
     const Result<std::unique_ptr<RowFile>> file = rowFile(kind, layout, beside);
     if (!file.ok())
@@ -88,10 +89,10 @@ ExportNotes pixelNotes(const ExportOrder& order, PixelKind kind) {
   ExportNotes notes;
   if (order.look.background == Background::transparent && !layout.hasAlpha())
     addNote(notes, {.kind = ExportNote::Kind::standsOnWhite, .names = {}, .detail = {}});
-  if (layout.bits < order.pixels.bits)
+  if (layout.bits < order.of<PixelOptions>().bits)
     addNote(notes, {.kind = ExportNote::Kind::depthNotKept,
                     .names = {},
-                    .detail = std::to_string(order.pixels.bits)});
+                    .detail = std::to_string(order.of<PixelOptions>().bits)});
   return notes;
 }
 

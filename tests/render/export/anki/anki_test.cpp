@@ -13,6 +13,7 @@
 
 #include "render/export/anki/anki_cards.h"
 #include "render/export/anki/anki_file.h"
+#include "render/export/anki/anki_options.h"
 #include "render/export/anki/anki_package.h"
 #include "render/export/anki/anki_text.h"
 #include "tests/support/shapes.h"
@@ -153,7 +154,7 @@ class AnkiTest : public QObject {
   void questionsAskForOneLabel() {
     QFETCH(bool, others);
     render::ExportOrder asked = order();
-    asked.anki.othersShown = others;
+    asked.of<render::AnkiOptions>().othersShown = others;
     asked.page.dpi = 150.0f;
     const auto deck = render::ankiCards(asked, {});
     QVERIFY(deck.ok());
@@ -217,7 +218,7 @@ class AnkiTest : public QObject {
     const QTemporaryDir folder;
     const QString file = folder.filePath("deck.apkg");
     render::ExportOrder asked = order();
-    asked.anki.deck = "Anatomie::Bauch \"1\"";
+    asked.of<render::AnkiOptions>().deck = "Anatomie::Bauch \"1\"";
     QVERIFY(render::writeAnki(asked, file.toStdString(), {}).ok());
     const std::string bytes = readAll(file).toStdString();
     const auto zip = model::ZipReader::open(bytes);

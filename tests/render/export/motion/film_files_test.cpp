@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "render/export/motion/film_file.h"
+#include "render/export/motion/film_options.h"
 #include "render/gpu/headless/context.h"
 #include "tests/render/export/motion/decoded_film.h"
 #include "tests/support/shapes.h"
@@ -39,13 +40,14 @@ render::ExportOrder smallOrder() {
   order.camera = model::anatomicalCamera(model::AnatomicalView::anterior,
                                          order.scene.visibleBounds(), 16.0f / 9.0f);
   order.marks = render::ExportMarks::none();
-  order.film = {.seconds = 0.6, .framesPerSecond = 10, .height = 54, .hold = {}, .swept = {}};
+  order.of<render::FilmOptions>() = {
+      .seconds = 0.6, .framesPerSecond = 10, .height = 54, .hold = {}, .swept = {}};
   return order;
 }
 
 render::ExportOrder labelledOrder() {
   render::ExportOrder order = smallOrder();
-  order.film.height = 108;
+  order.of<render::FilmOptions>().height = 108;
   order.camera.eye = order.camera.target + 2.0f * (order.camera.eye - order.camera.target);
   order.labels.mode = render::LabelMode::on;
   order.labels.points = 24.0f;
@@ -234,10 +236,10 @@ class FilmFilesTest : public QObject {
   void marksAreThere() {
     const QTemporaryDir folder;
     render::ExportOrder order = smallOrder();
-    order.film.height = 108;
+    order.of<render::FilmOptions>().height = 108;
     order.page.sizeMm = {80.0f, 45.0f};
     order.marks.sides = true;
-    order.film.framesPerSecond = 20;
+    order.of<render::FilmOptions>().framesPerSecond = 20;
     QVERIFY(render::writeFrames(order, folder.filePath("with").toStdString(), {}).ok());
     const test::DecodedFilm film = decodedFrames(folder.filePath("with"));
     QCOMPARE(int(film.frames.size()), 12);
@@ -333,13 +335,13 @@ class FilmFilesTest : public QObject {
 
   void gifHasItsLimit() {
     render::ExportOrder order = smallOrder();
-    order.film.framesPerSecond = 60;
+    order.of<render::FilmOptions>().framesPerSecond = 60;
     const QTemporaryDir folder;
     const Status written = render::writeGif(order, folder.filePath("film.gif").toStdString(), {});
     QVERIFY(!written.ok());
     QVERIFY(written.error().reason.find("50 frames") != std::string::npos);
-    order.film.framesPerSecond = 30;
-    order.film.seconds = 0.2;
+    order.of<render::FilmOptions>().framesPerSecond = 30;
+    order.of<render::FilmOptions>().seconds = 0.2;
     QVERIFY(render::writeGif(order, folder.filePath("film.gif").toStdString(), {}).ok());
     // Thirtieths of a second in hundredths: 3, 4, 3 and so on.
     QCOMPARE(test::decodedGif(folder.filePath("film.gif")).milliseconds, 200);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/motion/film.h"
+#include "render/export/motion/film_options.h"
 
 #include <QtTest>
 #include <glm/geometric.hpp>
@@ -30,8 +31,8 @@ render::ExportOrder longOrder(model::AnatomicalView view = model::AnatomicalView
     add(order.scene, "ball", test::moved(*test::sphere(15.0f, 2), 1.0f, {x, 0.0f, 0.0f}));
   order.camera = model::anatomicalCamera(view, order.scene.visibleBounds(), 16.0f / 9.0f);
   order.viewName = "left";
-  order.film.seconds = 2.0;
-  order.film.framesPerSecond = 18;
+  order.of<render::FilmOptions>().seconds = 2.0;
+  order.of<render::FilmOptions>().framesPerSecond = 18;
   return order;
 }
 
@@ -43,7 +44,8 @@ render::ExportOrder tourOrder() {
   side.looks = {{order.scene.nodes()[0].id, {.gamma = Gamma::clamped(4.0f)}, {}}};
   model::View back{.name = "Back", .camera = {.eye = {0.0f, 900.0f, 0.0f}}};
   order.scene.setViews({front, side, back});
-  order.film = {.motion = Motion::tour, .seconds = 10.0, .framesPerSecond = 10, .hold = 2.0};
+  order.of<render::FilmOptions>() = {
+      .motion = Motion::tour, .seconds = 10.0, .framesPerSecond = 10, .hold = 2.0};
   return order;
 }
 
@@ -172,7 +174,8 @@ class FilmTest : public QObject {
 
   void sweepGoesFrom0To5() {
     render::ExportOrder order = longOrder();
-    order.film = {.motion = Motion::gammaSweep, .seconds = 1.2, .framesPerSecond = 10, .swept = {}};
+    order.of<render::FilmOptions>() = {
+        .motion = Motion::gammaSweep, .seconds = 1.2, .framesPerSecond = 10, .swept = {}};
     const Film all = std::move(Film::create(order)).value();
     QCOMPARE(all.frames(), 12);
     QCOMPARE(gammaIn(all.at(0)), 0.0f);
@@ -184,7 +187,7 @@ class FilmTest : public QObject {
       QCOMPARE(gammaIn(all.at(i), 2), before);
       QVERIFY(all.at(i).camera == order.camera);
     }
-    order.film.swept = {order.scene.nodes()[1].id};
+    order.of<render::FilmOptions>().swept = {order.scene.nodes()[1].id};
     const Film one = std::move(Film::create(order)).value();
     QCOMPARE(gammaIn(one.at(11), 1), 5.0f);
     QCOMPARE(gammaIn(one.at(11), 0), 2.0f);
@@ -211,7 +214,7 @@ class FilmTest : public QObject {
     QFETCH(render::FilmOptions, film);
     QFETCH(QString, reason);
     render::ExportOrder order = longOrder();
-    order.film = film;
+    order.of<render::FilmOptions>() = film;
     const auto refused = Film::create(order);
     QVERIFY(!refused.ok());
     QVERIFY2(refused.error().reason.find(reason.toStdString()) != std::string::npos,
@@ -221,9 +224,9 @@ class FilmTest : public QObject {
 
   void tourNeedsTwoViewsAndTime() {
     render::ExportOrder order = tourOrder();
-    order.film.hold = 4.0;
+    order.of<render::FilmOptions>().hold = 4.0;
     QVERIFY(!Film::create(order).ok());
-    order.film.hold.reset();
+    order.of<render::FilmOptions>().hold.reset();
     QVERIFY(Film::create(order).ok());
     order.scene.setViews({order.scene.views().front()});
     QVERIFY(!Film::create(order).ok());

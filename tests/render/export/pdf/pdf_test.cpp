@@ -14,6 +14,7 @@
 #include "render/export/pdf/pdf_pages.h"
 #include "render/export/pdf/sheet.h"
 #include "render/export/pdf/sheet_layout.h"
+#include "render/export/pdf/sheet_options.h"
 #include "render/export/typesetting.h"
 #include "tests/support/marker_scan.h"
 #include "tests/support/mutator.h"
@@ -280,7 +281,7 @@ void PdfTest::stopsWhenToldTo() {
   order.camera = model::anatomicalCamera(model::AnatomicalView::anterior,
                                          order.scene.visibleBounds(), 16.0f / 9.0f);
   for (const SheetKind kind : {SheetKind::figure, SheetKind::teaching, SheetKind::patient}) {
-    order.sheet.kind = kind;
+    order.of<render::SheetOptions>().kind = kind;
     const auto stop = [](double, std::string_view) { return false; };
     const Result<QByteArray> stopped = sheetDocument(order, "never.pdf", stop);
     QVERIFY(!stopped.ok());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/pixels/page_bands.h"
+#include "render/export/pixels/pixel_options.h"
 
 #include <QFile>
 #include <QTest>
@@ -208,14 +209,21 @@ void PageBandsTest::averagesHoldMore() {
 }
 
 void PageBandsTest::samplesStayDrawable() {
-  QCOMPARE(render::usualSamples({1000, 1000}, {}), 2);
-  QCOMPARE(render::usualSamples({1000, 1000}, {.bits = 16}), 4);
-  QCOMPARE(render::usualSamples({7016, 9933}, {}), 1);
-  QCOMPARE(render::usualSamples({7016, 9933}, {.pureInk = true}), 2);
-  QCOMPARE(render::usualSamples({7016, 9933}, {.samples = 3}), 3);
+  const auto samples = [](glm::ivec2 size, const render::PixelOptions& pixels,
+                          bool pureInk = false) {
+    render::ExportOrder order;
+    order.of<render::PixelOptions>() = pixels;
+    order.look.pureInk = pureInk;
+    return render::usualSamples(size, order);
+  };
+  QCOMPARE(samples({1000, 1000}, {}), 2);
+  QCOMPARE(samples({1000, 1000}, {.bits = 16}), 4);
+  QCOMPARE(samples({7016, 9933}, {}), 1);
+  QCOMPARE(samples({7016, 9933}, {}, true), 2);
+  QCOMPARE(samples({7016, 9933}, {.samples = 3}), 3);
   // No more than a picture can have.
   for (const int asked : {0, 4})
-    QVERIFY(20000 * render::usualSamples({20000, 100}, {.bits = 16, .samples = asked}) <= 65535);
+    QVERIFY(20000 * samples({20000, 100}, {.bits = 16, .samples = asked}) <= 65535);
 }
 
 void PageBandsTest::failedBandStops() {

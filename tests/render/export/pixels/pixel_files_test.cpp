@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/pixels/pixel_files.h"
+#include "render/export/pixels/pixel_options.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -90,7 +91,7 @@ render::ExportOrder inkOrder() {
   render::ExportOrder order = orderedPicture();
   order.scene = model::withInkAlone(order.scene).scene;
   order.page.dpi = 300.0f;
-  order.pixels.pureInk = true;
+  order.look.pureInk = true;
   return order;
 }
 
@@ -165,7 +166,7 @@ void PixelFilesTest::readBackByOthers() {
   QFETCH(int, channels);
   QFETCH(QString, type);
   render::ExportOrder order = orderedPicture();
-  order.pixels = {.bits = bits, .grey = grey, .samples = 1};
+  order.of<render::PixelOptions>() = {.bits = bits, .grey = grey, .samples = 1};
   order.look.background = clear ? render::Background::transparent : render::Background::paper;
   const QString file = written("picture." + extension, order);
   const Read read = readBack(file);
@@ -201,12 +202,12 @@ void PixelFilesTest::readBackByOthers() {
 
 void PixelFilesTest::kindsAgree() {
   render::ExportOrder order = orderedPicture();
-  order.pixels.samples = 2;
+  order.of<render::PixelOptions>().samples = 2;
   const Read png = readBack(written("a.png", order));
   const Read tiff = readBack(written("a.tiff", order));
   const Read jpeg = readBack(written("a.jpg", order));
   const Read exr = readBack(written("a.exr", order));
-  order.pixels.bits = 16;
+  order.of<render::PixelOptions>().bits = 16;
   const Read deep = readBack(written("b.png", order));
   const Read deepTiff = readBack(written("b.tiff", order));
   QCOMPARE(png.values, tiff.values);
@@ -231,7 +232,7 @@ void PixelFilesTest::pngSaysWhatItIs() {
   render::ExportOrder order = orderedPicture();
   QCOMPARE(chunks(contents(written("a.png", order))),
            QStringList({"IHDR", "sRGB", "gAMA", "cHRM", "pHYs", "tEXt", "IDAT", "IEND"}));
-  order.pixels.grey = true;
+  order.of<render::PixelOptions>().grey = true;
   QCOMPARE(chunks(contents(written("a.png", order))),
            QStringList({"IHDR", "iCCP", "pHYs", "tEXt", "IDAT", "IEND"}));
 }
@@ -239,11 +240,11 @@ void PixelFilesTest::pngSaysWhatItIs() {
 void PixelFilesTest::sixteenBitsAreReal() {
   render::ExportOrder order = orderedPicture();
   order.labels.mode = render::LabelMode::off;
-  order.pixels.bits = 16;
+  order.of<render::PixelOptions>().bits = 16;
   std::set<int> reds;
   for (const float value : readBack(written("a.png", order)).values)
     reds.insert(int(std::lround(value * 65535.0f)));
-  order.pixels.bits = 8;
+  order.of<render::PixelOptions>().bits = 8;
   std::set<int> coarse;
   for (const float value : readBack(written("b.png", order)).values)
     coarse.insert(int(std::lround(value * 255.0f)));
@@ -264,7 +265,7 @@ void PixelFilesTest::inkAlone() {
   QFETCH(QString, extension);
   QFETCH(int, bits);
   render::ExportOrder order = inkOrder();
-  order.pixels.bits = bits;
+  order.of<render::PixelOptions>().bits = bits;
   const QString file = written("ink." + extension, order);
   const Read read = readBack(file);
   QCOMPARE(read.spec.nchannels, 1);
@@ -278,7 +279,7 @@ void PixelFilesTest::inkAlone() {
   QCOMPARE(greys, std::size_t(0));
   QVERIFY(read.mean() < 0.99);
   // As much ink as in the picture with soft edges.
-  order.pixels = {.bits = 8, .grey = true};
+  order.of<render::PixelOptions>() = {.bits = 8, .grey = true};
   const Read soft = readBack(written("soft." + extension, order));
   QCOMPARE(soft.values.size(), read.values.size());
   const double share = (1.0 - read.mean()) / (1.0 - soft.mean());
@@ -340,7 +341,7 @@ void PixelFilesTest::badTargets() {
   const QStringList before = everything(folder.path());
   const std::string path = QDir(folder.path()).filePath(target).toStdString();
   render::ExportOrder order = orderedPicture();
-  order.pixels.samples = 1;
+  order.of<render::PixelOptions>().samples = 1;
   const Status done = writerOf(extension)(order, path, {});
   QVERIFY(!done.ok());
   QCOMPARE(done.error().file, path);
@@ -351,7 +352,7 @@ void PixelFilesTest::badTargets() {
 void PixelFilesTest::tellsNothingElse() {
   const QTemporaryDir folder(QDir::tempPath() + "/planted-marker-XXXXXX");
   render::ExportOrder order = orderedPicture();
-  order.pixels.samples = 1;
+  order.of<render::PixelOptions>().samples = 1;
   for (const Kind& kind : kinds) {
     QByteArray first;
     for (const char* name : {"one.", "two ß 日本."}) {

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// The options of exports as flags of the command line, made from the renderer's table.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "model/base/result.h"
+#include "render/export/order/export_option.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace sline::cli {
+
+/// What was typed behind the flags of options, not yet understood.
+class TypedOptions {
+ public:
+  /// Declares the option's flag on the sub-command, with the help and the default that the table
+  /// has; the help ends with the kinds of files that have it. This must outlive the command.
+  CLI::Option* declare(CLI::App& command, const render::ExportOption& option,
+                       const std::string& kinds = {});
+  /// Takes the text as if it had been typed.
+  void set(const render::ExportOption& option, const std::string& text) { m_texts[&option] = text; }
+  /// Returns what was typed; an empty text where nothing was.
+  std::string typed(const render::ExportOption& option) const;
+  /// Writes what was typed into the order. An error is a wrong use, or a file that cannot be read.
+  Status applyTo(render::ExportOrder& order) const;
+
+ private:
+  std::map<const render::ExportOption*, std::string> m_texts;
+};
+
+/// Reads one option's text; the error names its flag.
+Result<render::OptionValue> understoodOption(const render::ExportOption& option,
+                                             const std::string& text);
+
+}  // namespace sline::cli

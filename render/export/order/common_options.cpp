@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/order/common_options.h"
+
+#include <QtGlobal>
+#include <array>
+
+namespace sline::render {
+
+namespace {
+
+constexpr std::array backgrounds{
+    OptionChoice{.id = "white",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "White"),
+                 .value = int(Background::white)},
+    OptionChoice{.id = "paper",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Paper"),
+                 .value = int(Background::paper)},
+    OptionChoice{.id = "dark",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Dark"),
+                 .value = int(Background::dark)},
+    OptionChoice{.id = "transparent",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Transparent"),
+                 .value = int(Background::transparent)}};
+
+constexpr std::array labelModes{
+    OptionChoice{.id = "on",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Texts"),
+                 .value = int(LabelMode::on)},
+    OptionChoice{.id = "numbers",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Numbers"),
+                 .value = int(LabelMode::numbers)},
+    OptionChoice{
+        .id = "blank",
+        .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Blank lines, for a test"),
+        .value = int(LabelMode::blank)},
+    OptionChoice{.id = "off",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "None"),
+                 .value = int(LabelMode::off)}};
+
+constexpr ExportOption labels{
+    .id = "labels",
+    .part = OptionPart::labels,
+    .flag = "--labels",
+    .help =
+        "The scene's annotations in the picture: on with their texts, numbers with numbered badges "
+        "(their key goes to standard output), blank with empty lines for a test, or off. "
+        "Anatomical views leave room for them at both sides",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "&Labels"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
+                             "How the scene's labels stand in the picture"),
+    .kind = ChoiceOption{labelModes},
+    .field = boundTo([](auto& o) -> auto& { return o.labels.mode; })};
+
+constexpr ExportOption labelSize{
+    .id = "labelSize",
+    .part = OptionPart::labels,
+    .flag = "--label-size",
+    .value = "PT",
+    .help = "Of labels' letters, in points of the page, or of a picture that is 190.5 mm high",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Le&tters"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
+                             "How large the letters of labels are on paper"),
+    .kind = numberWithin(letterLimitsPt, 1, 1.0,
+                         QT_TRANSLATE_NOOP("sline::render::ExportOption", "pt")),
+    .field = boundTo([](auto& o) -> auto& { return o.labels.points; })};
+
+constexpr ExportOption sides{
+    .id = "sides",
+    .part = OptionPart::marks,
+    .flag = "sides",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "&Right and left"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
+                             "R and L, and the body's other directions"),
+    .field = boundTo([](auto& o) -> auto& { return o.marks.sides; })};
+
+constexpr ExportOption viewName{
+    .id = "viewName",
+    .part = OptionPart::marks,
+    .flag = "view",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "&Name of the view"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
+                             "“Anterior view”, or the saved view's name"),
+    .field = boundTo([](auto& o) -> auto& { return o.marks.viewName; })};
+
+constexpr ExportOption scaleBar{
+    .id = "scaleBar",
+    .part = OptionPart::marks,
+    .flag = "scale",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "S&cale bar"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption", "How long a centimetre is"),
+    .field = boundTo([](auto& o) -> auto& { return o.marks.scaleBar; })};
+
+constexpr ExportOption sectionState{
+    .id = "sectionState",
+    .part = OptionPart::marks,
+    .flag = "sections",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "S&ections"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption", "What sections have taken away"),
+    .field = boundTo([](auto& o) -> auto& { return o.marks.sectionState; })};
+
+constexpr ExportOption author{
+    .id = "author",
+    .part = OptionPart::credit,
+    .flag = "--author",
+    .value = "NAME",
+    .help =
+        "Who made it, written into the file where its kind has a place for that; nothing is unless "
+        "you say it here",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Author"),
+    .tip = QT_TRANSLATE_NOOP(
+        "sline::render::ExportOption",
+        "Written into the file, which says of nobody who made it where this is empty"),
+    .kind = TextOption{.longest = 500},
+    .field = boundTo([](auto& o) -> auto& { return o.credit.author; }),
+    .kept = false};
+
+constexpr ExportOption copyright{
+    .id = "copyright",
+    .part = OptionPart::credit,
+    .flag = "--copyright",
+    .value = "TEXT",
+    .help = "Whose it is or what others may do with it, as in \"CC BY 4.0\"; likewise",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Rights"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
+                             "Whose it is or what others may do with it, as in “CC BY 4.0”"),
+    .kind = TextOption{.longest = 500},
+    .field = boundTo([](auto& o) -> auto& { return o.credit.copyright; }),
+    .kept = false};
+
+}  // namespace
+
+constinit const ExportOption backgroundOption{
+    .id = "background",
+    .part = OptionPart::picture,
+    .flag = "--background",
+    .help = "What lies behind the drawing",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Back&ground"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption", "What lies behind the drawing"),
+    .kind = ChoiceOption{backgrounds},
+    .field = boundTo([](auto& o) -> auto& { return o.look.background; })};
+
+// Which languages there are is a matter of the scene: a window offers those, and keeps none.
+constinit const ExportOption languageOption{
+    .id = "language",
+    .part = OptionPart::labels,
+    .flag = "--language",
+    .value = "TAG",
+    .help = "The language of labels, as in de or la; where one has no text in it, the scene's own",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Lan&guage"),
+    .tip =
+        QT_TRANSLATE_NOOP("sline::render::ExportOption",
+                          "Of texts and numbers; where a label has no text in it, the scene's own"),
+    .kind = TextOption{.longest = 100},
+    .field = boundTo([](auto& o) -> auto& { return o.labels.language; }),
+    .kept = false};
+
+constinit const ExportOption pureInkOption{
+    .id = "pureInk",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Black in&k alone"),
+    .tip = QT_TRANSLATE_NOOP(
+        "sline::render::ExportOption",
+        "For print without tones: each pixel is ink or paper; what is shaded is hatched instead"),
+    .field = boundTo([](auto& o) -> auto& { return o.look.pureInk; })};
+
+OptionList pictureOptions() {
+  static constexpr std::array all{&backgroundOption, &labels,   &languageOption, &labelSize, &sides,
+                                  &viewName,         &scaleBar, &sectionState};
+  return all;
+}
+
+OptionList creditOptions() {
+  static constexpr std::array all{&author, &copyright};
+  return all;
+}
+
+}  // namespace sline::render

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The options of a picture whatever its kind of file, and that of ink alone, which some kinds
+// share.
+#pragma once
+
+#include "render/export/order/export_option.h"
+
+namespace sline::render {
+
+/// Returns background, labels and marks, in the order in which a person should meet them.
+OptionList pictureOptions();
+/// Returns who made it and who may use it: all kinds have these.
+OptionList creditOptions();
+
+extern const ExportOption backgroundOption;
+extern const ExportOption languageOption;
+extern const ExportOption pureInkOption;
+
+}  // namespace sline::render

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// A choice that a person has about an export, described once. The command line's flags with their
+// help, the dialog's rows, the settings and the checks of both are made from it.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+
+#include "model/base/result.h"
+#include "model/base/units.h"
+#include "render/export/order/export_order.h"
+
+namespace sline::render {
+
+/// A choice's value is an `int`, of the enumeration that its field has.
+using OptionValue = std::variant<bool, int, double, std::string>;
+
+/// One of several values. Without a text it is for the command line alone.
+struct OptionChoice {
+  const char* id = "";  ///< as typed behind the flag, and in settings
+  const char* text = nullptr;
+  int value = 0;
+};
+struct SwitchOption {};
+struct ChoiceOption {
+  std::span<const OptionChoice> choices;
+};
+/// Both limits are allowed.
+struct NumberOption {
+  double low = 0.0;
+  double high = 100.0;
+  int decimals = 0;  ///< 0: a whole number
+  double step = 1.0;
+  const char* unit = "";  ///< "px", behind the number
+};
+struct TextOption {
+  int longest = 200;      ///< characters
+  int lines = 1;          ///< that are shown at once; more than 1: it has paragraphs
+  bool fromFile = false;  ///< the command line takes the name of a file with the text as well
+};
+using OptionKind = std::variant<SwitchOption, ChoiceOption, NumberOption, TextOption>;
+
+/// Where an option stands: with all pictures, or with the kinds that name it.
+enum class OptionPart { picture, labels, marks, kind, credit };
+
+/// A field of the order. `write` expects the alternative that `read` gives.
+struct OptionField {
+  OptionValue (*read)(const ExportOrder& order) = nullptr;
+  void (*write)(ExportOrder& order, const OptionValue& value) = nullptr;
+};
+
+/// All that there is to say of an option. Texts are English; `title`, `tip` and those of choices
+/// are translated in the context "sline::render::ExportOption".
+struct ExportOption {
+  const char* id = "";  ///< in settings; the dialog's control is named "export-" and this
+  OptionPart part = OptionPart::kind;
+  const char* flag =
+      "";  ///< of `sline export`, as "--grey,--gray"; of marks: their name in --marks
+  const char* value = "";  ///< what is typed behind the flag, as "PIXELS"; of choices their ids
+  const char* help = "";   ///< of the flag
+  const char* title = nullptr;  ///< in the dialog; null: the option is for the command line alone
+  const char* tip = "";         ///< there
+  OptionKind kind = SwitchOption{};
+  OptionField field = {};
+  bool kept = true;  ///< from one session to the next
+};
+
+/// Options in the order in which a person should meet them.
+using OptionList = std::span<const ExportOption* const>;
+
+/// Describes a number within limits that the writer has.
+template <class Number>
+constexpr NumberOption numberWithin(const Limits<Number>& limits, int decimals, double step,
+                                    const char* unit) {
+  return {double(limits.low), double(limits.high), decimals, step, unit};
+}
+
+template <class T>
+OptionValue optionValue(const T& value) {
+  if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, std::string>)
+    return value;
+  else if constexpr (std::is_enum_v<T> || std::is_integral_v<T>)
+    return int(value);
+  else
+    return double(value);
+}
+
+template <class T>
+T fromOptionValue(const OptionValue& value) {
+  if constexpr (std::is_same_v<T, std::string>)
+    return std::get<std::string>(value);
+  else
+    return std::visit(
+        [](const auto& held) -> T {
+          if constexpr (std::is_same_v<std::decay_t<decltype(held)>, std::string>)
+            return T{};
+          else
+            return T(held);
+        },
+        value);
+}
+
+/// Binds an option to the field that `Access` names: `boundTo([](auto& o) -> auto& { … })`.
+template <class Access>
+constexpr OptionField boundTo(Access) {
+  return {[](const ExportOrder& order) { return optionValue(Access{}(order)); },
+          [](ExportOrder& order, const OptionValue& value) {
+            auto& field = Access{}(order);
+            field = fromOptionValue<std::decay_t<decltype(field)>>(value);
+          }};
+}
+
+/// Reads the value that was typed or kept as text: a choice's id, "true" or "false", a number with
+/// a point, or the text itself. The error's reason is the end of a sentence that begins with the
+/// option's name and the text: "is unknown".
+Result<OptionValue> parseOption(const ExportOption& option, std::string_view text);
+/// Returns the text that `parseOption` reads as that value.
+std::string optionText(const ExportOption& option, const OptionValue& value);
+
+/// Returns the ids of choices as a sentence has them: "a, b or c".
+std::string choiceList(std::span<const OptionChoice> choices);
+
+}  // namespace sline::render

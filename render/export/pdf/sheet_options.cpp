@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/pdf/sheet_options.h"
+
+#include <QtGlobal>
+#include <array>
+
+#include "render/export/order/common_options.h"
+
+namespace sline::render {
+
+namespace {
+
+constexpr std::array sheetKinds{
+    OptionChoice{.id = "none",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "The figure alone"),
+                 .value = int(SheetKind::none)},
+    OptionChoice{.id = "figure",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "With title and legend"),
+                 .value = int(SheetKind::figure)},
+    OptionChoice{
+        .id = "teaching",
+        .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "For teaching, with self-test"),
+        .value = int(SheetKind::teaching)},
+    OptionChoice{.id = "patient",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "For a patient"),
+                 .value = int(SheetKind::patient)}};
+
+constexpr std::array papers{
+    OptionChoice{.id = "a4",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "A4"),
+                 .value = int(Paper::a4)},
+    OptionChoice{.id = "letter",
+                 .text = QT_TRANSLATE_NOOP("sline::render::ExportOption", "US Letter"),
+                 .value = int(Paper::letter)}};
+
+constexpr ExportOption paper{
+    .id = "sheetPaper",
+    .flag = "--paper",
+    .help = "The sheet's paper",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Paper of the sheet"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Of sheets alone"),
+    .kind = ChoiceOption{papers},
+    .field = boundTo([](auto& o) -> auto& { return o.template of<SheetOptions>().paper; })};
+
+constexpr ExportOption title{
+    .id = "sheetTitle",
+    .flag = "--title",
+    .value = "TEXT",
+    .help = "Above the sheet's figure",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "T&itle"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption", "At the head of a sheet"),
+    .kind = TextOption{.longest = 10'000},
+    .field = boundTo([](auto& o) -> auto& { return o.template of<SheetOptions>().title; }),
+    .kept = false};
+
+constexpr ExportOption text{
+    .id = "sheetText",
+    .flag = "--text",
+    .value = "FILE_OR_TEXT",
+    .help =
+        "What the sheet for a patient says, or the name of a text file; each line is a paragraph",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Text"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
+                             "Of a sheet for a patient; each line is a paragraph"),
+    .kind = TextOption{.longest = 1'000'000, .lines = 3, .fromFile = true},
+    .field = boundTo([](auto& o) -> auto& { return o.template of<SheetOptions>().text; }),
+    .kept = false};
+
+constexpr ExportOption landscape{
+    .id = "sheetLandscape",
+    .flag = "--landscape",
+    .help = "The sheet's paper lies on its side",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Landscape"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Wider than high"),
+    .field = boundTo([](auto& o) -> auto& { return o.template of<SheetOptions>().landscape; })};
+
+}  // namespace
+
+constinit const ExportOption sheetOption{
+    .id = "sheet",
+    .flag = "--sheet",
+    .help =
+        "Makes the PDF a sheet of paper. figure: with title and legend; teaching: besides, "
+        "numbered labels, a page without them to test oneself and the key (a scene without labels "
+        "gets its structures labelled); patient: large labels and a text of one's own. The figure "
+        "is as large as the paper lets it, and so are pictures of it that are written besides",
+    .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Shee&t"),
+    .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption",
+                             "The page around the figure, of a paper of its own"),
+    .kind = ChoiceOption{sheetKinds},
+    .field = boundTo([](auto& o) -> auto& { return o.template of<SheetOptions>().kind; })};
+
+OptionList sheetOptions() {
+  static constexpr std::array all{&pureInkOption, &sheetOption, &paper, &title, &text, &landscape};
+  return all;
+}
+
+}  // namespace sline::render
