@@ -12,13 +12,13 @@
 #include "app/cli/picture_options.h"
 #include "app/cli/targets.h"
 #include "app/cli/typed_options.h"
+#include "render/export/encoding/xml_text.h"
 #include "render/export/formats/export_formats.h"
 #include "render/export/order/common_options.h"
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/pdf/sheet_order.h"
 #include "render/export/pixels/pixel_options.h"
-#include "render/export/xml_text.h"
 
 namespace sline::cli {
 

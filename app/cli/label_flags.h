@@ -8,7 +8,7 @@
 #include "app/cli/typed_options.h"
 #include "model/base/result.h"
 #include "model/scene/scene.h"
-#include "render/export/marks/plate_image.h"
+#include "render/export/plate/plate_image.h"
 
 namespace sline::cli {
 

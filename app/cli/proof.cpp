@@ -16,8 +16,8 @@
 #include "model/edit/views.h"
 #include "model/files/scene_file.h"
 #include "render/export/pixels/image_file.h"
-#include "render/export/proof/print_proof.h"
 #include "render/gpu/headless/context.h"
+#include "render/measures/proof/print_proof.h"
 
 namespace sline::cli {
 

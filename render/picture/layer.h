@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/scene/scene.h"
-#include "render/passes/surface/pass.h"
+#include "render/passes/surface_draw.h"
 #include "render/picture/layer_lines.h"
 #include "render/picture/layer_sections.h"
 #include "render/picture/picture.h"

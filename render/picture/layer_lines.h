@@ -9,7 +9,7 @@
 #include "model/scene/style.h"
 #include "render/lines/hatching.h"
 #include "render/lines/lines.h"
-#include "render/passes/ink/pass.h"
+#include "render/passes/ink/ink_pass.h"
 #include "render/picture/picture_view.h"
 
 namespace sline::render {

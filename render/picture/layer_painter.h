@@ -6,10 +6,10 @@
 #include <functional>
 #include <map>
 
-#include "render/passes/cap/pass.h"
-#include "render/passes/ink/pass.h"
-#include "render/passes/resolve/pass.h"
-#include "render/passes/surface/pass.h"
+#include "render/passes/cap/cap_pass.h"
+#include "render/passes/ink/ink_pass.h"
+#include "render/passes/resolve/resolve_pass.h"
+#include "render/passes/surface/surface_pass.h"
 #include "render/picture/atlas.h"
 #include "render/picture/draw_queue.h"
 #include "render/picture/layer.h"

@@ -9,7 +9,7 @@
 
 #include "model/scene/scene.h"
 #include "render/lines/cut_faces.h"
-#include "render/passes/cap/pass.h"
+#include "render/passes/cap/cap_pass.h"
 #include "render/picture/picture_view.h"
 #include "render/picture/tile_lists.h"
 

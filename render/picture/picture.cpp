@@ -5,7 +5,7 @@
 #include <cassert>
 #include <optional>
 
-#include "render/passes/plain_phong/pass.h"
+#include "render/passes/plain_phong/plain_phong_pass.h"
 #include "render/picture/layer_painter.h"
 
 namespace sline::render {

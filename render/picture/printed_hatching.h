@@ -3,7 +3,7 @@
 // picture first asks for it.
 #pragma once
 
-#include "render/passes/hatching/pass.h"
+#include "render/passes/hatching/hatching_pass.h"
 #include "render/picture/atlas.h"
 #include "render/picture/layer.h"
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "render/passes/resolve/pass.h"
+#include "render/passes/resolve/resolve_pass.h"
 
 namespace sline::render {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "render/passes/ink/pass.h"
+#include "render/passes/ink/ink_pass.h"
 
 namespace sline::render {
 

@@ -36,6 +36,11 @@ void report(const Complaints& complaints) {
   QVERIFY2(complaints.empty(), "see the complaints above");
 }
 
+const House& house() {
+  static const House read = houseOf(contents(QStringLiteral(SLINE_SOURCE_DIR "/ARCHITECTURE.md")));
+  return read;
+}
+
 void append(Complaints& to, const Complaints& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
@@ -66,6 +71,13 @@ class ArchTest : public QObject {
                                             << "#include \"render/picture/picture.h\"" << false;
     QTest::newRow("command line skips widgets") << "app/cli/a.cpp"
                                                 << "#include \"widgets/window/window.h\"" << false;
+    QTest::newRow("a pass knows no other")
+        << "render/passes/hatching/a.cpp"
+        << "#include \"render/passes/surface/surface_pass.h\"" << false;
+    QTest::newRow("no room") << "render/somewhere/a.cpp"
+                             << "#include \"model/scene/scene.h\"" << false;
+    QTest::newRow("a writer knows no other") << "render/export/svg/a.cpp"
+                                             << "#include \"render/export/pdf/sheet.h\"" << false;
     QTest::newRow("the session draws") << "widgets/session/a.cpp"
                                        << "#include \"render/picture/picture.h\"" << false;
     QTest::newRow("one control uses another")
@@ -102,7 +114,7 @@ class ArchTest : public QObject {
     QFETCH(QString, path);
     QFETCH(QString, text);
     QFETCH(bool, allowed);
-    QCOMPARE(checkIncludes({path.toStdString(), text.toStdString()}).empty(), allowed);
+    QCOMPARE(checkIncludes({path.toStdString(), text.toStdString()}, house()).empty(), allowed);
   }
 
   void sizeRuleFails_data() {
@@ -134,14 +146,44 @@ class ArchTest : public QObject {
     QFETCH(QString, path);
     QFETCH(QString, text);
     QFETCH(bool, allowed);
-    QCOMPARE(checkSizes({path.toStdString(), text.toStdString()}, "see known.cpp").empty(),
-             allowed);
+    House small;
+    small.largeFiles = {"known.cpp"};
+    QCOMPARE(checkSizes({path.toStdString(), text.toStdString()}, small).empty(), allowed);
+  }
+
+  void permissionRuleFails() {
+    const House two = houseOf(
+        "| room | may include |\n|---|---|\n| model/base, anatomy | nothing of ours |\n"
+        "| model/scene | model/base, anatomy |\n");
+    const std::vector<File> files{{"model/base/a.h", ""},
+                                  {"model/anatomy/a.h", ""},
+                                  {"model/scene/a.cpp", "#include \"model/base/a.h\"\n"}};
+    QCOMPARE(checkPermissions(files, two),
+             Complaints{"the table lets model/scene into model/anatomy, where it never goes"});
+    QVERIFY(!checkPermissions({files.begin() + 1, files.end()}, two).empty());
+  }
+  void publicHeaderRuleFails() {
+    const std::vector<File> lists{
+        {"model/a/CMakeLists.txt", "sline_room(sline_a\n  HEADERS\n    a.h\n)"},
+        {"model/b/CMakeLists.txt", "sline_room(sline_b)"}};
+    const File fine{"model/b/b.cpp", "#include \"model/a/a.h\"\n"};
+    QVERIFY(checkPublicHeaders({fine}, lists).empty());
+    QVERIFY(
+        !checkPublicHeaders({{"model/b/b.cpp", "#include \"model/a/own.h\"\n"}}, lists).empty());
+    QCOMPARE(checkPublicHeaders({}, lists),
+             Complaints{"model/a/a.h is listed for others, and none includes it"});
   }
 
   void otherRulesFail() {
-    QVERIFY(!checkLinks({"model/scene/CMakeLists.txt", "DEPENDS sline_gpu)"}).empty());
-    QVERIFY(!checkLinks({"render/lines/CMakeLists.txt", "PRIVATE TBB::tbb)"}).empty());
-    QVERIFY(checkLinks({"render/picture/CMakeLists.txt", "DEPENDS sline_gpu)"}).empty());
+    const std::map<std::string, std::string> targets{{"sline_scene", "model/scene"},
+                                                     {"sline_gpu", "render/gpu"},
+                                                     {"sline_passes", "render/passes"}};
+    const auto links = [&](const char* path, const char* text) {
+      return !checkLinks({path, text}, targets, house()).empty();
+    };
+    QVERIFY(links("model/scene/CMakeLists.txt", "DEPENDS sline_gpu)"));
+    QVERIFY(links("model/scene/CMakeLists.txt", "DEPENDS Qt6::Widgets)"));
+    QVERIFY(!links("render/passes/CMakeLists.txt", "DEPENDS sline_gpu)"));
     const std::set<std::string> paths{"app/a.h", "app/a.cpp"};
     const std::string own = "// A room.\n#include \"app/a.h\"\n";
     QVERIFY(checkOwnHeaderFirst({"app/a.cpp", own}, paths).empty());
@@ -160,21 +202,31 @@ class ArchTest : public QObject {
   void includes() {
     Complaints all;
     for (const File& file : tree({"*.h", "*.cpp"}))
-      append(all, checkIncludes(file));
+      append(all, checkIncludes(file, house()));
     report(all);
+  }
+  void permissions() {
+    QVERIFY(house().rooms.size() > 40 && house().libraries.size() > 10);
+    report(checkPermissions(tree({"*.h", "*.cpp"}), house()));
+  }
+  void publicHeaders() {
+    report(checkPublicHeaders(tree({"*.h", "*.cpp"}), tree({"CMakeLists.txt"})));
   }
   void links() {
     Complaints all;
-    for (const File& file : tree({"CMakeLists.txt"}))
-      append(all, checkLinks(file));
+    const std::vector<File> lists = tree({"CMakeLists.txt"});
+    const std::map<std::string, std::string> targets = targetsIn(lists);
+    QVERIFY(targets.size() > 40);
+    for (const File& list : lists)
+      if (!list.path.starts_with("tests/"))
+        append(all, checkLinks(list, targets, house()));
     report(all);
   }
   void sizes() {
-    const std::string exceptions = contents(QStringLiteral(SLINE_SOURCE_DIR "/ARCHITECTURE.md"));
     Complaints all;
     for (const File& file : tree({"*.h", "*.cpp", "*.glsl"}))
       if (!file.path.starts_with("tests/arch/"))
-        append(all, checkSizes(file, exceptions));
+        append(all, checkSizes(file, house()));
     report(all);
   }
   void ownHeaderFirst() {

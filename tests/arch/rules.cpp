@@ -2,194 +2,90 @@
 #include "tests/arch/rules.h"
 
 #include <algorithm>
+#include <map>
 #include <regex>
-#include <sstream>
 
 namespace sline::arch {
 
 namespace {
-bool under(const std::string& path, const std::string& folder) {
-  return path == folder || path.starts_with(folder + "/");
-}
-
-bool underAny(const std::string& path, const std::vector<std::string>& folders) {
-  return std::any_of(folders.begin(), folders.end(),
-                     [&](const std::string& folder) { return under(path, folder); });
-}
-
 bool isHeader(const std::string& path) {
   return path.ends_with(".h");
 }
 
-std::vector<std::string> linesOf(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);)
-    lines.push_back(line);
-  return lines;
+const std::regex includeLine(R"re(\s*#\s*include\s*(<([^>]+)>|"([^"]+)").*)re");
+
+bool isTest(const std::string& path) {
+  return isUnder(path, "tests");
 }
 
-/// A room and the rooms it may include besides itself. The longest matching name counts.
-struct Room {
-  std::string name;
-  std::vector<std::string> mayUse;
-};
-
-const std::vector<Room>& rooms() {
-  static const std::vector<Room> table{
-      {"model/base", {}},
-      {"model/anatomy", {"model/base"}},
-      {"model/geometry", {"model/base"}},
-      {"model/scene", {"model/base", "model/geometry"}},
-      {"model/edit", {"model/base", "model/geometry", "model/scene"}},
-      {"model/focus", {"model/base", "model/geometry", "model/scene", "model/edit"}},
-      {"model/isosurface", {"model/base", "model/geometry"}},
-      {"model/demo",
-       {"model/base", "model/files", "model/geometry", "model/isosurface", "model/scene"}},
-      {"model/import",
-       {"model/anatomy", "model/base", "model/edit", "model/files", "model/geometry",
-        "model/isosurface", "model/meshing", "model/scene"}},
-      {"model/meshing", {"model/base", "model/geometry"}},
-      {"model/files", {"model/base", "model/geometry", "model/scene"}},
-      {"render/lines", {"model/base", "model/geometry", "model/scene"}},
-      {"render/gpu", {"model/base"}},
-      {"render/passes", {"model/base", "model/geometry", "render/gpu", "resources/shaders"}},
-      {"render/picture",
-       {"model/base", "model/geometry", "model/scene", "render/lines", "render/gpu",
-        "render/passes"}},
-      {"render/measures",
-       {"model/base", "model/geometry", "model/scene", "model/edit", "render/lines", "render/gpu",
-        "render/picture"}},
-      {"render/vectors",
-       {"model/base", "model/geometry", "model/scene", "render/lines", "render/gpu",
-        "render/passes", "render/picture"}},
-      {"render/export/order", {"model/base", "model/scene", "render/labels", "render/picture"}},
-      {"render/export/marks",
-       {"model/base", "model/scene", "render/export", "render/labels", "render/picture"}},
-      {"render/export/anki", {"model/base", "model/files", "model/scene", "render"}},
-      {"render/export/gltf",
-       {"model/base", "model/files", "model/geometry", "model/scene", "render/export/order"}},
-      {"render/export/motion", {"model", "render"}},
-      {"render/export/svg",
-       {"model/base", "model/files", "model/scene", "render/export", "render/vectors"}},
-      {"render/export/pdf",
-       {"model/anatomy", "model/base", "model/files", "model/scene", "render/export",
-        "render/labels", "render/vectors"}},
-      {"render/export/pixels",
-       {"model/base", "model/files", "model/scene", "render/export", "render/gpu", "render/labels",
-        "render/picture"}},
-      {"render/export/pixels/module", {"model/base", "render/export/pixels"}},
-      {"render/export/proof",
-       {"model/base", "model/edit", "model/geometry", "model/scene", "render/export", "render/gpu",
-        "render/labels", "render/picture"}},
-      {"render/export/formats", {"model/base", "render/export"}},
-      {"render/labels", {"model/base", "model/geometry", "model/scene"}},
-      {"render/export", {"model", "render"}},
-      {"render", {"model", "render"}},
-      {"widgets/text", {}},
-      {"widgets/form", {}},
-      {"widgets/preferences", {"widgets/form", "widgets/text"}},
-      {"widgets/theme", {"widgets/preferences"}},
-      {"widgets/help", {}},
-      {"widgets/instance", {}},
-      {"widgets/language", {"model/anatomy", "widgets/preferences"}},
-      {"widgets/session", {"model", "widgets/text"}},
-      {"widgets/start", {"model", "render", "widgets/session", "widgets/theme"}},
-      {"widgets/focus", {"model", "widgets/session", "widgets/text"}},
-      {"widgets/gamma", {"model", "widgets/session", "widgets/text"}},
-      {"widgets/structure_tree", {"model", "widgets/session", "widgets/gamma", "widgets/text"}},
-      {"widgets/sections", {"model", "widgets/session", "widgets/text"}},
-      {"widgets/annotations",
-       {"model", "render", "widgets/preferences", "widgets/session", "widgets/theme",
-        "widgets/text"}},
-      {"widgets/viewport",
-       {"model", "render", "widgets/session", "widgets/sections", "widgets/annotations",
-        "widgets/text"}},
-      {"widgets/views",
-       {"model", "render", "widgets/session", "widgets/theme", "widgets/viewport"}},
-      {"widgets/export",
-       {"model", "render", "widgets/session", "widgets/viewport", "widgets/form", "widgets/text"}},
-      {"widgets/import_dialog", {"model", "widgets/form", "widgets/session"}},
-      {"widgets/window", {"model", "render", "widgets"}},
-      {"widgets", {"model", "render", "widgets"}},
-      {"app/cli", {"model", "render"}},
-      {"app/reader", {"model/import"}},
-      {"app", {"model", "render", "widgets", "app"}},
-      {"tests", {"model", "render", "widgets", "app", "tests"}},
-  };
-  return table;
-}
-
-const Room* roomOf(const std::string& path) {
-  const Room* best = nullptr;
-  for (const Room& room : rooms())
-    if (under(path, room.name) && (!best || room.name.size() > best->name.size()))
-      best = &room;
-  return best;
-}
-
-/// Headers of a library and the only folders that may include them.
-struct Library {
-  std::string name;
-  std::regex header;
-  std::vector<std::string> allowed;
-};
-
-const std::vector<Library>& libraries() {
-  static const std::vector<Library> table{
-      {"Qt", std::regex("Q[A-Z].*|Qt.*"), {"widgets", "app/main.cpp", "render/export", "tests"}},
-      {"VTK", std::regex("vtk.*"), {"model/import", "model/isosurface", "tests/bench"}},
-      {"OpenMesh", std::regex("OpenMesh/.*"), {"model/meshing", "tests/bench"}},
-      {"OpenGL", std::regex("(epoxy|GL|GLES[23]?|EGL|KHR)/.*"), {"render/gpu", "tests/bench"}},
-      {"assimp, Draco, meshoptimizer",
-       std::regex("assimp/.*|draco/.*|meshoptimizer\\.h"),
-       {"model/import/foreign", "tests"}},
-      {"oneTBB", std::regex("(oneapi/)?tbb/.*|tbb\\.h"), {"model/base"}},
-      {"OpenImageIO", std::regex("OpenImageIO/.*"), {"render/export/pixels/module", "tests"}},
-      {"DCMTK", std::regex("dcmtk/.*"), {"model/import/dicom", "tests"}},
-      {"OpenJPEG", std::regex("openjpeg\\.h"), {"model/import/dicom", "tests"}},
-      {"libhyphen", std::regex("hyphen\\.h"), {"render/export"}},
-      {"gemmi, PEGTL", std::regex("(gemmi|tao)/.*"), {"model/import/molecules"}},
-      {"qpdf", std::regex("qpdf/.*"), {"render/export/pdf", "tests"}},
-      {"lcms2", std::regex("lcms2\\.h"), {"render/export/pixels", "render/export/proof"}},
-      {"CLI11", std::regex("CLI/.*"), {"app", "tests"}},
-      {"libzip", std::regex("zip(conf)?\\.h"), {"model/files"}},
-      {"zlib, bzip2",
-       std::regex("(zlib|bzlib)\\.h"),
-       {"model/import", "render/export/pixels", "tests"}},
-      {"sqlite3", std::regex("sqlite3\\.h"), {"render/export/anki", "tests"}},
-      {"libwebp, giflib",
-       std::regex("webp/.*|gif_lib\\.h"),
-       {"render/export/motion", "render/export/pixels", "tests"}},
-      {"nlohmann-json",
-       std::regex("nlohmann/.*"),
-       {"app", "model/files", "model/import", "render/export/anki", "render/export/gltf", "tests"}},
-  };
-  return table;
-}
-
-void checkLibrary(const File& file, const std::string& header, Complaints& out) {
-  for (const Library& library : libraries()) {
-    if (!std::regex_match(header, library.header))
+void checkLibrary(const File& file, const std::string& header, const House& house,
+                  Complaints& out) {
+  for (const Library& library : house.libraries) {
+    if (!std::regex_match(header, library.headers))
       continue;
-    if (!underAny(file.path, library.allowed))
+    const bool allowed =
+        std::any_of(library.folders.begin(), library.folders.end(),
+                    [&](const std::string& folder) { return isUnder(file.path, folder); });
+    if (!allowed)
       out.push_back(file.path + " includes <" + header + ">: " + library.name +
                     " stays out of here");
-    const bool kept = library.name == "VTK" || library.name == "OpenMesh" ||
-                      library.name == "DCMTK" || library.name == "OpenJPEG";
-    if (kept && isHeader(file.path) && under(file.path, "model"))
+    if (library.sourcesAlone && isHeader(file.path) && !isTest(file.path))
       out.push_back(file.path + ": " + library.name + " stays out of headers");
   }
 }
 
-void checkRoom(const File& file, const std::string& included, Complaints& out) {
-  const Room* from = roomOf(file.path);
-  const Room* to = roomOf(included);
-  if (!from || !to || from == to)
+/// The rooms that a file enters, its own left out.
+std::vector<std::string> roomsEntered(const File& file, const House& house) {
+  std::vector<std::string> rooms;
+  for (const std::string& line : linesOf(file.text)) {
+    std::smatch match;
+    if (!std::regex_match(line, match, includeLine) || !match[3].matched)
+      continue;
+    const std::string room = roomOf(house, match[3]);
+    if (!room.empty() && room != roomOf(house, file.path))
+      rooms.push_back(room);
+  }
+  return rooms;
+}
+
+void checkRoom(const File& file, const std::string& included, const House& house, Complaints& out) {
+  const std::string from = roomOf(house, file.path);
+  const std::string to = roomOf(house, included);
+  if (isTest(file.path) || from == to)
     return;
-  if (!underAny(to->name, from->mayUse) && !underAny(included, from->mayUse))
-    out.push_back(file.path + " includes \"" + included + "\": " + from->name + " may not enter " +
-                  to->name);
+  if (from.empty()) {
+    out.push_back(file.path + " lies in no room of the table");
+    return;
+  }
+  // Made files have no folder, shaders' snippets no room.
+  if (to.empty() && (included.find('/') == std::string::npos || isUnder(included, "resources")))
+    return;
+  const Room& room = house.rooms.at(from);
+  if (!room.mayUse.contains(to) && !room.wholeLayers.contains(to.substr(0, to.find('/'))))
+    out.push_back(file.path + " includes \"" + included + "\": " + from + " may not enter " +
+                  (to.empty() ? "what is no room" : to));
+}
+
+/// The headers that a CMakeLists.txt lists as those that others include, from the tree's top.
+std::set<std::string> listedHeaders(const File& lists) {
+  static const std::regex part(R"(\bHEADERS((\s+[\w./]+\.h)+))");
+  static const std::regex header(R"([\w./]+\.h)");
+  const std::string folder = lists.path.substr(0, lists.path.rfind('/') + 1);
+  std::set<std::string> all;
+  for (std::sregex_iterator it(lists.text.begin(), lists.text.end(), part), end; it != end; ++it) {
+    const std::string names = (*it)[1];
+    for (std::sregex_iterator name(names.begin(), names.end(), header); name != end; ++name)
+      all.insert(folder + name->str());
+  }
+  return all;
+}
+
+/// The folder of the CMakeLists.txt that a file belongs to.
+std::string targetOf(const std::string& path, const std::set<std::string>& folders) {
+  std::string folder = path.substr(0, path.rfind('/'));
+  while (!folder.empty() && !folders.contains(folder))
+    folder = folder.find('/') == std::string::npos ? "" : folder.substr(0, folder.rfind('/'));
+  return folder;
 }
 
 /// A definition: its first line, the lines of its signature joined, and how many lines it takes.
@@ -249,18 +145,17 @@ std::size_t parameterCount(const std::string& signature) {
 }
 }  // namespace
 
-Complaints checkIncludes(const File& file) {
+Complaints checkIncludes(const File& file, const House& house) {
   Complaints out;
-  static const std::regex include(R"re(\s*#\s*include\s*(<([^>]+)>|"([^"]+)").*)re");
   static const std::regex glType(R"(.*\bGL(uint|int|enum|sizei|float|boolean|bitfield|sync)\b.*)");
   for (const std::string& line : linesOf(file.text)) {
     std::smatch match;
-    if (std::regex_match(line, match, include)) {
+    if (std::regex_match(line, match, includeLine)) {
       if (match[2].matched)
-        checkLibrary(file, match[2], out);
+        checkLibrary(file, match[2], house, out);
       else
-        checkRoom(file, match[3], out);
-    } else if (isHeader(file.path) && !under(file.path, "render/gpu") &&
+        checkRoom(file, match[3], house, out);
+    } else if (isHeader(file.path) && !isUnder(file.path, "render/gpu") &&
                std::regex_match(line, glType)) {
       out.push_back(file.path + " shows an OpenGL type: " + line);
     }
@@ -268,38 +163,106 @@ Complaints checkIncludes(const File& file) {
   return out;
 }
 
-Complaints checkLinks(const File& file) {
-  struct Rule {
-    std::string folder;
-    std::regex forbidden;
-  };
-  static const std::vector<Rule> rules{
-      {"model", std::regex(R"(sline_(lines|gpu|headless|passes|picture|cli)\b|Qt6|OpenImageIO)")},
-      {"render/lines", std::regex(R"(Qt6|VTK|OpenMesh|TBB|OpenImageIO|sline_(gpu|import|demo)\b)")},
-      {"render/gpu", std::regex(R"(Qt6|VTK|OpenMesh|TBB|OpenImageIO|sline_(import|demo|cli)\b)")},
-      {"render/passes",
-       std::regex(R"(Qt6|VTK|OpenMesh|TBB|OpenImageIO|sline_(import|demo|cli)\b)")},
-      {"render/picture",
-       std::regex(R"(Qt6|VTK|OpenMesh|TBB|OpenImageIO|sline_(import|demo|cli)\b)")},
-      {"render/measures",
-       std::regex(R"(Qt6|VTK|OpenMesh|TBB|OpenImageIO|sline_(import|demo|cli|headless)\b)")},
-      {"render/labels",
-       std::regex(R"(Qt6|VTK|OpenMesh|TBB|OpenImageIO|sline_(gpu|import|demo|cli)\b)")},
-      {"render/export", std::regex(R"(Qt6::Widgets|VTK|OpenMesh|TBB|sline_(import|demo|cli)\b)")},
-      {"app/cli", std::regex("Qt6|VTK|OpenMesh")},
-  };
+Complaints checkPermissions(const std::vector<File>& files, const House& house) {
+  std::map<std::string, std::set<std::string>> used;
+  std::set<std::string> there;
+  for (const File& file : files) {
+    const std::string from = roomOf(house, file.path);
+    there.insert(from);
+    for (const std::string& to : roomsEntered(file, house))
+      used[from].insert(to);
+  }
   Complaints out;
-  for (const Rule& rule : rules) {
-    std::smatch match;
-    if (under(file.path, rule.folder) && std::regex_search(file.text, match, rule.forbidden))
-      out.push_back(file.path + " links " + match.str());
+  for (const auto& [name, room] : house.rooms) {
+    if (!there.contains(name))
+      out.push_back("the table has " + name + ", where no source is");
+    for (const std::string& to : room.mayUse)
+      if (!used[name].contains(to))
+        out.push_back("the table lets " + name + " into " + to + ", where it never goes");
   }
   return out;
 }
 
-Complaints checkSizes(const File& file, const std::string& exceptions) {
+Complaints checkPublicHeaders(const std::vector<File>& sources, const std::vector<File>& lists) {
+  std::set<std::string> folders;
+  std::set<std::string> listed;
+  for (const File& list : lists) {
+    if (list.text.find("room(") == std::string::npos || isTest(list.path) ||
+        list.path.find('/') == std::string::npos)
+      continue;
+    folders.insert(list.path.substr(0, list.path.rfind('/')));
+    listed.merge(listedHeaders(list));
+  }
   Complaints out;
-  if (exceptions.find(file.path) != std::string::npos)
+  std::set<std::string> used;
+  for (const File& file : sources) {
+    if (isTest(file.path))
+      continue;
+    for (const std::string& line : linesOf(file.text)) {
+      std::smatch match;
+      if (!std::regex_match(line, match, includeLine) || !match[3].matched)
+        continue;
+      const std::string header = match[3];
+      const std::string home = targetOf(header, folders);
+      if (home.empty() || home == targetOf(file.path, folders))
+        continue;
+      used.insert(header);
+      if (!listed.contains(header))
+        out.push_back(file.path + " includes \"" + header + "\", which " + home +
+                      " keeps to itself");
+    }
+  }
+  for (const std::string& header : listed)
+    if (!used.contains(header))
+      out.push_back(header + " is listed for others, and none includes it");
+  return out;
+}
+
+std::map<std::string, std::string> targetsIn(const std::vector<File>& lists) {
+  static const std::regex definition(R"((?:sline_room|sline_widget_room)\((sline_\w+))");
+  std::map<std::string, std::string> targets;
+  for (const File& list : lists)
+    for (std::sregex_iterator it(list.text.begin(), list.text.end(), definition), end; it != end;
+         ++it)
+      if (!isTest(list.path))
+        targets[(*it)[1]] = list.path.substr(0, list.path.rfind('/'));
+  return targets;
+}
+
+Complaints checkLinks(const File& list, const std::map<std::string, std::string>& targets,
+                      const House& house) {
+  static const std::regex target(R"(\bsline_\w+)");
+  static const std::regex widgets("Qt6::\\w*Widgets");
+  std::set<std::string> folders;
+  for (const auto& [name, folder] : targets)
+    folders.insert(folder);
+  const std::string home = list.path.substr(0, list.path.rfind('/'));
+  Complaints out;
+  if (!isUnder(home, "widgets") && !isUnder(home, "app") && std::regex_search(list.text, widgets))
+    out.push_back(list.path + " links Qt's widgets");
+  if (!folders.contains(home))
+    return out;
+  std::set<std::string> allowed{home};
+  std::set<std::string> layers;
+  for (const auto& [name, room] : house.rooms) {
+    if (targetOf(name + "/", folders) != home)
+      continue;
+    layers.insert(room.wholeLayers.begin(), room.wholeLayers.end());
+    for (const std::string& other : room.mayUse)
+      allowed.insert(targetOf(other + "/", folders));
+  }
+  for (std::sregex_iterator it(list.text.begin(), list.text.end(), target), end; it != end; ++it) {
+    const auto linked = targets.find(it->str());
+    if (linked != targets.end() && !allowed.contains(linked->second) &&
+        !layers.contains(linked->second.substr(0, linked->second.find('/'))))
+      out.push_back(list.path + " links " + linked->first + ", whose room its own may not enter");
+  }
+  return out;
+}
+
+Complaints checkSizes(const File& file, const House& house) {
+  Complaints out;
+  if (house.largeFiles.contains(file.path))
     return out;
   const std::vector<std::string> lines = linesOf(file.text);
   const std::size_t limit = isHeader(file.path) ? 250 : 500;

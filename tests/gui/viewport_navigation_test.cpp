@@ -6,7 +6,7 @@
 #include <QtTest>
 #include <glm/geometric.hpp>
 
-#include "render/export/marks/orientation_letters.h"
+#include "render/lettering/orientation_letters.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/suite.h"
 

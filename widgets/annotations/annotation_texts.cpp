@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/scene/markup.h"
-#include "render/export/label_texts.h"
+#include "render/lettering/label_texts.h"
 #include "widgets/annotations/label_look.h"
 #include "widgets/text/tr.h"
 

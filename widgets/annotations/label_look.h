@@ -5,7 +5,7 @@
 #include <QString>
 #include <vector>
 
-#include "render/export/order/label_style.h"
+#include "render/lettering/label_style.h"
 #include "widgets/preferences/preferences.h"
 #include "widgets/session/shown_names.h"
 

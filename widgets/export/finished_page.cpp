@@ -3,7 +3,7 @@
 
 #include <QPainter>
 
-#include "render/export/marks/figure_plate.h"
+#include "render/export/plate/figure_plate.h"
 
 namespace sline::widgets {
 

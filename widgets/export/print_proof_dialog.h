@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "render/export/proof/print_proof.h"
+#include "render/measures/proof/print_proof.h"
 #include "widgets/session/background_queue.h"
 #include "widgets/session/shown_names.h"
 #include "widgets/viewport/viewport.h"

@@ -10,7 +10,7 @@
 #include <memory>
 #include <optional>
 
-#include "render/export/label_painter.h"
+#include "render/lettering/label_painter.h"
 
 namespace sline::widgets {
 

@@ -6,8 +6,8 @@
 #include <array>
 
 #include "model/edit/annotations.h"
-#include "render/export/column_widths.h"
-#include "render/export/order/label_style.h"
+#include "render/lettering/column_widths.h"
+#include "render/lettering/label_style.h"
 #include "widgets/annotations/annotation_texts.h"
 #include "widgets/viewport/navigation.h"
 #include "widgets/viewport/points.h"

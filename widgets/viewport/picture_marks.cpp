@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "render/export/marks/orientation_letters.h"
+#include "render/lettering/orientation_letters.h"
 #include "widgets/viewport/presented_letters.h"
 
 namespace sline::widgets {

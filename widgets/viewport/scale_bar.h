@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "render/export/marks/scale_length.h"
+#include "render/lettering/scale_length.h"
 
 namespace sline::widgets {
 

@@ -8,7 +8,7 @@
 #include <glm/trigonometric.hpp>
 #include <numbers>
 
-#include "render/export/marks/scale_length.h"
+#include "render/lettering/scale_length.h"
 #include "widgets/viewport/navigation.h"
 
 namespace sline::widgets {

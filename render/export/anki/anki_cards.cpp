@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cstring>
 
-#include "render/export/marks/figure_plate.h"
-#include "render/export/png_image.h"
-#include "render/export/typesetting.h"
+#include "render/export/encoding/png_image.h"
+#include "render/export/plate/figure_plate.h"
 #include "render/gpu/headless/context.h"
+#include "render/lettering/typesetting.h"
 
 namespace sline::render {
 

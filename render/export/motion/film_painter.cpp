@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "render/export/marks/figure_plate.h"
-#include "render/export/marks/plate_image.h"
+#include "render/export/plate/figure_plate.h"
+#include "render/export/plate/plate_image.h"
 #include "render/gpu/headless/context.h"
 
 namespace sline::render {

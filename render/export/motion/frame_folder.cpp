@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "model/files/whole_file.h"
+#include "render/export/encoding/png_image.h"
 #include "render/export/motion/film_sink.h"
-#include "render/export/png_image.h"
 
 namespace sline::render {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "render/export/encoding/xmp_packet.h"
 #include "render/export/motion/film_sink.h"
-#include "render/export/xmp_packet.h"
 
 namespace sline::render {
 

@@ -15,8 +15,8 @@
 #include "model/base/units.h"
 #include "model/scene/scene.h"
 #include "render/export/order/export_notes.h"
-#include "render/export/order/label_style.h"
 #include "render/export/order/writer_options.h"
+#include "render/lettering/label_style.h"
 #include "render/picture/picture.h"
 
 namespace sline::render {

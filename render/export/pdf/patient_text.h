@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "model/base/units.h"
-#include "render/export/label_texts.h"
+#include "render/lettering/label_texts.h"
 
 namespace sline::render {
 

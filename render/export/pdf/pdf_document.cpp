@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "render/export/xmp_packet.h"
+#include "render/export/encoding/xmp_packet.h"
 
 namespace sline::render {
 

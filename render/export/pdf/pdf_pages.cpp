@@ -5,8 +5,8 @@
 #include <QPageSize>
 #include <QPdfWriter>
 
-#include "render/export/label_texts.h"
 #include "render/export/pdf/pdf_document.h"
+#include "render/lettering/label_texts.h"
 
 namespace sline::render {
 

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "model/base/result.h"
-#include "render/export/lettering.h"
 #include "render/export/order/export_order.h"
 #include "render/export/pdf/pdf_drawing.h"
+#include "render/lettering/lettering.h"
 
 class QPdfWriter;
 

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <map>
 
-#include "render/export/label_texts.h"
-#include "render/export/marks/figure_plate.h"
 #include "render/export/pdf/patient_text.h"
 #include "render/export/pdf/sheet_lists.h"
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/pdf/sheet_order.h"
 #include "render/export/pdf/sheet_words.h"
 #include "render/export/pdf/style_samples.h"
+#include "render/export/plate/figure_plate.h"
+#include "render/lettering/label_texts.h"
 
 namespace sline::render {
 

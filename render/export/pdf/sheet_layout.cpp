@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "render/export/marks/marks.h"
 #include "render/export/pdf/patient_text.h"
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/pdf/sheet_order.h"
+#include "render/export/plate/marks.h"
 
 namespace sline::render {
 

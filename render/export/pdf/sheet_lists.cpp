@@ -3,8 +3,8 @@
 
 #include <QFontMetricsF>
 
-#include "render/export/label_texts.h"
 #include "render/export/pdf/style_samples.h"
+#include "render/lettering/label_texts.h"
 
 namespace sline::render {
 

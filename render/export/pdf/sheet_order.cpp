@@ -7,9 +7,9 @@
 
 #include "model/anatomy/anatomical_names.h"
 #include "model/anatomy/laterality_words.h"
-#include "render/export/marks/figure_plate.h"
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_options.h"
+#include "render/export/plate/figure_plate.h"
 #include "render/labels/best_place.h"
 
 namespace sline::render {

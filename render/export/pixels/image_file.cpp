@@ -6,10 +6,10 @@
 #include <string_view>
 
 #include "model/files/whole_file.h"
+#include "render/export/encoding/xmp_packet.h"
 #include "render/export/pixels/colour_profile.h"
 #include "render/export/pixels/pixel_module.h"
 #include "render/export/pixels/pixel_rows.h"
-#include "render/export/xmp_packet.h"
 
 namespace sline::render {
 

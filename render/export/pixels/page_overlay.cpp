@@ -4,8 +4,8 @@
 #include <QImage>
 #include <QPainter>
 
-#include "render/export/marks/figure_plate.h"
-#include "render/export/typesetting.h"
+#include "render/export/plate/figure_plate.h"
+#include "render/lettering/typesetting.h"
 
 namespace sline::render {
 

@@ -10,11 +10,11 @@
 #include <cstring>
 
 #include "model/base/parallel.h"
+#include "render/export/encoding/xmp_packet.h"
 #include "render/export/pixels/byte_order.h"
 #include "render/export/pixels/colour_profile.h"
 #include "render/export/pixels/deflate.h"
 #include "render/export/pixels/row_file.h"
-#include "render/export/xmp_packet.h"
 
 namespace sline::render {
 

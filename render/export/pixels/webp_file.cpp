@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "model/files/whole_file.h"
+#include "render/export/encoding/xmp_packet.h"
 #include "render/export/pixels/row_file.h"
-#include "render/export/xmp_packet.h"
 
 namespace sline::render {
 

@@ -7,10 +7,10 @@
 #include <map>
 
 #include "model/base/colour_text.h"
+#include "render/export/encoding/xml_text.h"
 #include "render/export/svg/svg_lettering.h"
 #include "render/export/svg/svg_path.h"
 #include "render/export/svg/svg_values.h"
-#include "render/export/xml_text.h"
 
 namespace sline::render {
 

@@ -2,7 +2,7 @@
 #include "render/export/svg/svg_file.h"
 
 #include "model/files/whole_file.h"
-#include "render/export/marks/figure_plate.h"
+#include "render/export/plate/figure_plate.h"
 #include "render/export/svg/svg_document.h"
 #include "render/vectors/vector_drawing.h"
 

@@ -2,10 +2,10 @@
 #include "render/export/svg/svg_lettering.h"
 
 #include "model/base/colour_text.h"
-#include "render/export/label_texts.h"
+#include "render/export/encoding/xml_text.h"
 #include "render/export/svg/svg_path.h"
 #include "render/export/svg/svg_values.h"
-#include "render/export/xml_text.h"
+#include "render/lettering/label_texts.h"
 
 namespace sline::render {
 

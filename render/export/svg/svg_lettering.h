@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "render/export/lettering.h"
+#include "render/lettering/lettering.h"
 
 namespace sline::render {
 

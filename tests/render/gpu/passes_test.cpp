@@ -5,11 +5,11 @@
 #include <random>
 
 #include "render/gpu/headless/context.h"
-#include "render/passes/hatching/pass.h"
-#include "render/passes/ink/pass.h"
-#include "render/passes/plain_phong/pass.h"
-#include "render/passes/resolve/pass.h"
-#include "render/passes/surface/pass.h"
+#include "render/passes/hatching/hatching_pass.h"
+#include "render/passes/ink/ink_pass.h"
+#include "render/passes/plain_phong/plain_phong_pass.h"
+#include "render/passes/resolve/resolve_pass.h"
+#include "render/passes/surface/surface_pass.h"
 #include "tests/support/suite.h"
 
 using namespace sline;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "render/export/marks/orientation_letters.h"
+#include "render/lettering/orientation_letters.h"
 #include "tests/support/suite.h"
 #include "widgets/viewport/navigation.h"
 #include "widgets/viewport/orientation_cube.h"

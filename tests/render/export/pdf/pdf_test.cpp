@@ -15,7 +15,7 @@
 #include "render/export/pdf/sheet.h"
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_options.h"
-#include "render/export/typesetting.h"
+#include "render/lettering/typesetting.h"
 #include "tests/support/marker_scan.h"
 #include "tests/support/mutator.h"
 #include "tests/support/shapes.h"

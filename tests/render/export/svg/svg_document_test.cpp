@@ -4,8 +4,8 @@
 #include <QXmlStreamReader>
 #include <QtTest>
 
+#include "render/export/encoding/xml_text.h"
 #include "render/export/svg/svg_path.h"
-#include "render/export/xml_text.h"
 #include "tests/support/suite.h"
 
 using namespace sline;

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/encoding/xmp_packet.h"
+
+#include "render/export/encoding/xml_text.h"
+
+namespace sline::render {
+
+std::string xmpPacket(const ExportCredit& credit) {
+  if (credit.empty())
+    return {};
+  // Names and the packet's id as §7 has them.
+  std::string xmp =
+      "<?xpacket begin=\"\xEF\xBB\xBF\" id=\"W5M0MpCehiHzreSzNTczkc9d\"?>\n"
+      "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\">\n"
+      "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">\n"
+      "<rdf:Description rdf:about=\"\" xmlns:dc=\"http://purl.org/dc/elements/1.1/\">\n";
+  if (!credit.author.empty())
+    xmp += "<dc:creator><rdf:Seq><rdf:li>" + xmlText(credit.author) +
+           "</rdf:li></rdf:Seq></dc:creator>\n";
+  if (!credit.copyright.empty())
+    xmp += "<dc:rights><rdf:Alt><rdf:li xml:lang=\"x-default\">" + xmlText(credit.copyright) +
+           "</rdf:li></rdf:Alt></dc:rights>\n";
+  return xmp + "</rdf:Description>\n</rdf:RDF>\n</x:xmpmeta>\n<?xpacket end=\"r\"?>";
+}
+
+}  // namespace sline::render

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/plate/figure_plate.h"
+
+#include <QString>
+#include <set>
+
+#include "model/scene/markup.h"
+
+namespace sline::render {
+
+namespace {
+
+using Kind = ExportNote::Kind;
+
+/// As a person knows it; a distance need not have a text.
+std::string nameOf(const model::Annotation& annotation, const std::string& language) {
+  const QString text =
+      QString::fromStdString(model::plainTextIn(annotation, language)).simplified();
+  return text.isEmpty() ? "distance" : text.toStdString();
+}
+
+/// Gathers notes of labels of one kind.
+void addLabels(ExportNotes& notes, Kind kind, const ExportOrder& order,
+               const std::vector<model::AnnotationId>& ids) {
+  const std::set<model::AnnotationId> those(ids.begin(), ids.end());
+  ExportNote note{.kind = kind, .names = {}, .detail = {}};
+  for (const model::Annotation& annotation : order.scene.annotations())
+    if (those.contains(annotation.id))
+      note.names.push_back(nameOf(annotation, order.labels.language));
+  if (!note.names.empty())
+    addNote(notes, std::move(note));
+}
+
+/// Blank lines show no text; what is the program's own language needs no translation.
+void addUntranslated(ExportNotes& notes, const ExportOrder& order, const LabelPlate& plate) {
+  const std::string& language = order.labels.language;
+  if (language.empty() || language.starts_with("en") || order.labels.mode == LabelMode::blank)
+    return;
+  std::set<model::AnnotationId> placed;
+  for (const PlacedLabel& label : plate.layout.labels)
+    placed.insert(label.id);
+  ExportNote note{.kind = Kind::labelsUntranslated, .names = {}, .detail = language};
+  for (const model::Annotation& annotation : order.scene.annotations())
+    if (placed.contains(annotation.id) && !annotation.text.empty() &&
+        !annotation.texts.contains(language))
+      note.names.push_back(nameOf(annotation, language));
+  if (!note.names.empty())
+    addNote(notes, std::move(note));
+}
+
+}  // namespace
+
+FigurePlate figurePlate(const ExportOrder& order, SightTrees& trees, const LabelTurn& turn) {
+  FigurePlate plate{.labels = {}, .marks = marksOf(order), .notes = {}};
+  plate.notes = plate.marks.notes;
+  if (order.labels.mode == LabelMode::off)
+    return plate;
+  LabelStyle style = order.labels;
+  style.onDark = order.look.background == Background::dark;
+  style.reserved = plate.marks.boxes;
+  const Screen screen(order.camera, order.page.sizeMm);
+  plate.labels = labelPlate(order.scene, screen, style, trees, turn);
+  const UnseenLabels unseen = unseenLabels(order.scene, screen, trees);
+  addLabels(plate.notes, Kind::labelsWithoutRoom, order, plate.labels->layout.leftOut);
+  addLabels(plate.notes, Kind::labelsOfHidden, order, unseen.notDrawn);
+  addLabels(plate.notes, Kind::labelsOffPage, order, unseen.offPicture);
+  addUntranslated(plate.notes, order, *plate.labels);
+  return plate;
+}
+
+FigurePlate figurePlate(const ExportOrder& order) {
+  SightTrees trees;
+  return figurePlate(order, trees);
+}
+
+void paintPlate(QPainter& painter, const FigurePlate& plate) {
+  if (plate.labels)
+    paintLabels(painter, *plate.labels);
+  paintMarks(painter, plate.marks);
+}
+
+}  // namespace sline::render

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/export/plate/marks.h"
+
+#include <QFontMetricsF>
+#include <algorithm>
+
+#include "render/lettering/label_texts.h"
+#include "render/lettering/mark_words.h"
+#include "render/lettering/orientation_letters.h"
+#include "render/lettering/scale_length.h"
+
+namespace sline::render {
+
+namespace {
+
+// Millimetres of the output.
+constexpr float margin = markMargin;
+constexpr float gap = 1.5f;  // between marks, and to labels
+constexpr float barTick = 1.3f;
+constexpr float barWidth = 0.25f;
+constexpr float barHalo = 0.35f;
+constexpr float widestBar = 40.0f;
+
+// Of the labels' size.
+constexpr float letterSize = 1.1f;
+constexpr float nameSize = 1.0f;
+constexpr float smallSize = 0.8f;
+
+constexpr std::size_t mostSectionLines = 3;
+
+bool visibleIn(const model::Scene& scene, const model::Node& node) {
+  return !node.isGroup() && scene.resolve(node.id).visible;
+}
+
+/// False where all that is visible comes from files whose directions nobody knows.
+bool hasSides(const model::Scene& scene) {
+  bool any = false;
+  for (const model::Node& node : scene.nodes())
+    if (visibleIn(scene, node)) {
+      any = true;
+      if (node.provenance.frame != "file")
+        return true;
+    }
+  return !any;
+}
+
+bool takesAway(const model::Plane& plane, const model::Box& box) {
+  for (int i = 0; i < 8; ++i) {
+    const glm::vec3 corner((i & 1) != 0 ? box.high.x : box.low.x,
+                           (i & 2) != 0 ? box.high.y : box.low.y,
+                           (i & 4) != 0 ? box.high.z : box.low.z);
+    if (!plane.keeps(corner))
+      return true;
+  }
+  return false;
+}
+
+/// Those that are on and take something of what is visible away.
+std::vector<const model::Section*> sectionsSeen(const model::Scene& scene) {
+  std::vector<const model::Section*> seen;
+  for (const model::Section& section : scene.sections()) {
+    const auto cuts = [&](const model::Node& node) {
+      return visibleIn(scene, node) && !node.mesh->bounds().empty() &&
+             (section.scope == model::rootId || scene.isBelow(node.id, section.scope)) &&
+             takesAway(section.plane, node.mesh->bounds());
+    };
+    if (section.enabled && std::any_of(scene.nodes().begin(), scene.nodes().end(), cuts))
+      seen.push_back(&section);
+  }
+  return seen;
+}
+
+class MarkLayout {
+ public:
+  explicit MarkLayout(const ExportOrder& order)
+      : m_order(order),
+        m_size(order.page.sizeMm),
+        m_colours(letteringColours(order.look.background == Background::dark)),
+        m_words(order.labels.language) {
+    m_marks.lettering.ground = m_colours.ground;
+  }
+
+  Marks make() {
+    if (m_order.marks.sides && hasSides(m_order.scene))
+      addSides();
+    else if (m_order.marks.sides)
+      addNote(m_marks.notes, {.kind = ExportNote::Kind::sidesUnknown, .names = {}, .detail = {}});
+    addUpperLeft();
+    if (m_order.marks.scaleBar)
+      addScaleBar();
+    return std::move(m_marks);
+  }
+
+ private:
+  float points(float size) const { return size * m_order.labels.points; }
+  float letterCap() const { return capHeightMm(points(letterSize)); }
+
+  LabelBox boxOf(const LetteringText& text) const {
+    const float em = text.points * millimetresPerPoint;
+    const float width = textWidthMm(text.lines.front(), text.points);
+    const float left = text.at.x - (text.anchor == TextAnchor::end      ? width
+                                    : text.anchor == TextAnchor::middle ? 0.5f * width
+                                                                        : 0.0f);
+    return {{left, text.at.y - capHeightMm(text.points)}, {left + width, text.at.y + 0.22f * em}};
+  }
+
+  /// False, and nothing is added, where the page or another mark does not leave the room.
+  bool add(LetteringItem item, const LabelBox& box) {
+    const bool within = box.low.x >= 0.5f * margin && box.low.y >= 0.5f * margin &&
+                        box.high.x <= m_size.x - 0.5f * margin &&
+                        box.high.y <= m_size.y - 0.5f * margin;
+    if (!within || std::any_of(m_boxes.begin(), m_boxes.end(),
+                               [&](const LabelBox& other) { return overlap(box, other); })) {
+      addNote(m_marks.notes, {.kind = ExportNote::Kind::marksWithoutRoom,
+                              .names = {std::move(item.name)},
+                              .detail = {}});
+      return false;
+    }
+    m_boxes.push_back(box);
+    m_marks.boxes.push_back(box.grown(gap));
+    m_marks.lettering.items.push_back(std::move(item));
+    return true;
+  }
+
+  LetteringText text(const QString& line, const glm::vec2& at, float size,
+                     TextAnchor anchor) const {
+    return {.lines = {line},
+            .at = at,
+            .leading = 0.0f,
+            .points = points(size),
+            .anchor = anchor,
+            .ink = m_colours.ink};
+  }
+
+  std::optional<LabelBox> addLetter(const std::string& letters, const glm::vec2& at,
+                                    TextAnchor anchor) {
+    if (letters.empty())
+      return std::nullopt;
+    const LetteringText line = text(QString::fromStdString(letters), at, letterSize, anchor);
+    const LabelBox box = boxOf(line);
+    if (!add({.name = "side " + letters, .shapes = {}, .text = line}, box))
+      return std::nullopt;
+    return box;
+  }
+
+  void addSides() {
+    const EdgeLetters letters = edgeLetters(m_order.camera);
+    const float middle = 0.5f * (m_size.y + letterCap());
+    EdgeRoom& edges = m_marks.edges;
+    if (const auto box = addLetter(letters.left, {margin, middle}, TextAnchor::start))
+      edges.left = box->high.x + gap;
+    if (const auto box = addLetter(letters.right, {m_size.x - margin, middle}, TextAnchor::end))
+      edges.right = m_size.x - box->low.x + gap;
+    m_top = addLetter(letters.top, {0.5f * m_size.x, margin + letterCap()}, TextAnchor::middle);
+    m_bottom = addLetter(letters.bottom, {0.5f * m_size.x, m_size.y - margin}, TextAnchor::middle);
+    if (m_top)
+      edges.top = margin + letterCap() + gap;
+    if (m_bottom)
+      edges.bottom = margin + letterCap() + gap;
+  }
+
+  QString elided(const QString& line, float size, float width) const {
+    const qreal scale = qreal(points(size) * millimetresPerPoint) / labelFontPixels;
+    return QFontMetricsF(labelFont()).elidedText(line, Qt::ElideRight, qreal(width) / scale);
+  }
+
+  /// Lines from the upper left corner downwards; the first beside the letter if it fits there.
+  void addUpperLeft() {
+    float above = 0.0f;  // the lowest of the line before
+    const auto addLine = [&](const std::string& name, const QString& line, float size) {
+      const float em = points(size) * millimetresPerPoint;
+      const float cap = capHeightMm(points(size));
+      const float besideLetter =
+          m_top ? m_top->low.x - 3.0f * gap - margin : m_size.x - 2.0f * margin;
+      float baseline = above > 0.0f ? above + 1.35f * em : margin + std::max(letterCap(), cap);
+      if (above <= 0.0f && m_top && textWidthMm(line, points(size)) > besideLetter)
+        baseline += letterCap() + gap;
+      const QString fitted = elided(line, size, m_size.x - 2.0f * margin);
+      if (fitted != line)
+        addNote(
+            m_marks.notes,
+            {.kind = ExportNote::Kind::textShortened, .names = {line.toStdString()}, .detail = {}});
+      const LetteringText one = text(fitted, {margin, baseline}, size, TextAnchor::start);
+      if (add({.name = name, .shapes = {}, .text = one}, boxOf(one))) {
+        above = baseline;
+        m_marks.edges.top = std::max(m_marks.edges.top, baseline + gap);
+      }
+    };
+    if (const QString view = m_words.view(m_order.viewName, m_order.camera);
+        m_order.marks.viewName && !view.isEmpty())
+      addLine("view", view, nameSize);
+    if (!m_order.marks.sectionState)
+      return;
+    const std::vector<const model::Section*> sections = sectionsSeen(m_order.scene);
+    if (sections.size() > mostSectionLines)
+      addLine("sections", m_words.sections(sections.size()), smallSize);
+    else
+      for (std::size_t i = 0; i < sections.size(); ++i)
+        addLine("section " + std::to_string(i + 1), sectionText(*sections[i]), smallSize);
+  }
+
+  /// One that does not cut all says what it cuts.
+  QString sectionText(const model::Section& section) const {
+    const QString line = m_words.section(section.plane);
+    const model::Node* scope = m_order.scene.find(section.scope);
+    return scope ? QString::fromStdString(scope->name).simplified() + QStringLiteral(": ") + line
+                 : line;
+  }
+
+  /// At the depth of the middle of what is visible; a perspective picture has another elsewhere.
+  void addScaleBar() {
+    const model::Box bounds = m_order.scene.visibleBounds();
+    if (bounds.empty())
+      return;
+    const auto length = scaleLength(m_order.camera, bounds.centre(), double(m_size.y),
+                                    double(std::min(widestBar, 0.22f * m_size.x)));
+    if (!length)
+      return;
+    const QString plain = lengthText(length->millimetres, m_words.locale());
+    const QString line = m_order.camera.projection == model::Projection::perspective
+                             ? m_words.atMidDepth(plain)
+                             : plain;
+    const float bar = float(length->drawn);
+    const float cap = capHeightMm(points(smallSize));
+    float baseline = m_size.y - margin;
+    const float end = margin + bar + gap + textWidthMm(line, points(smallSize));
+    if (m_bottom && end > m_bottom->low.x - 3.0f * gap)
+      baseline -= letterCap() + gap;
+    const LetteringText words =
+        text(line, {margin + bar + gap, baseline}, smallSize, TextAnchor::start);
+    LetteringItem item{.name = "scale", .shapes = {}, .text = words};
+    item.shapes.push_back({.path = polyline({{margin, baseline - barTick},
+                                             {margin, baseline},
+                                             {margin + bar, baseline},
+                                             {margin + bar, baseline - barTick}}),
+                           .pen = barWidth,
+                           .ink = m_colours.ink,
+                           .fill = {},
+                           .dashed = false,
+                           .halo = barHalo});
+    LabelBox box = boxOf(words);
+    box.low.x = margin - 0.5f * barWidth;
+    if (add(std::move(item), box))
+      m_marks.edges.bottom = std::max(m_marks.edges.bottom, m_size.y - baseline + cap + gap);
+  }
+
+  const ExportOrder& m_order;
+  glm::vec2 m_size;
+  LetteringColours m_colours;
+  MarkWords m_words;
+  Marks m_marks;
+  std::vector<LabelBox> m_boxes;
+  std::optional<LabelBox> m_top;
+  std::optional<LabelBox> m_bottom;
+};
+
+}  // namespace
+
+Marks marksOf(const ExportOrder& order) {
+  return MarkLayout(order).make();
+}
+
+void paintMarks(QPainter& painter, const Marks& marks) {
+  paintLettering(painter, marks.lettering);
+}
+
+}  // namespace sline::render

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/lettering/label_painter.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "render/lettering/column_widths.h"
+
+namespace sline::render {
+
+namespace {
+
+// Millimetres of the output.
+constexpr float leaderWidth = 0.2f;
+constexpr float distanceWidth = 0.25f;
+constexpr float lineHalo = 0.35f;  // on either side of lines
+constexpr float dotHalo = 0.4f;    // around dots
+constexpr float dotRadius = 0.5f;
+constexpr float pinRadius = 0.8f;
+
+/// One plate's labels as shapes and text.
+class Setting {
+ public:
+  explicit Setting(const LabelPlate& plate)
+      : m_plate(plate), m_colours(letteringColours(plate.style.onDark)) {}
+
+  Lettering make() {
+    Lettering lettering{.ground = m_colours.ground, .items = {}};
+    for (std::size_t i = 0; i < m_plate.labels.size(); ++i)
+      if (const PlacedLabel* placed = m_plate.layout.find(m_plate.labels[i].item.id)) {
+        m_item = {.name = nameOf(i), .shapes = {}, .text = {}};
+        addLeader(*placed);
+        addPlaces(i);
+        addBox(i, *placed);
+        lettering.items.push_back(std::move(m_item));
+      }
+    return lettering;
+  }
+
+ private:
+  /// A test's lines must not tell their answers.
+  std::string nameOf(std::size_t i) const {
+    return m_plate.style.mode == LabelMode::on ? plainText(m_plate.texts[i].lines).toStdString()
+                                               : std::to_string(m_plate.labels[i].number);
+  }
+
+  LetteringShape& add(Path path, float pen, float halo = lineHalo) {
+    return m_item.shapes.emplace_back(
+        LetteringShape{.path = std::move(path), .pen = pen, .ink = m_colours.ink, .halo = halo});
+  }
+
+  void addLeader(const PlacedLabel& placed) {
+    if (placed.leader.size() >= 2)
+      add(polyline(placed.leader), leaderWidth).dashed = placed.hidden;
+  }
+
+  void addPlaces(std::size_t i) {
+    const LabelItem& item = m_plate.labels[i].item;
+    if (item.kind == model::AnnotationKind::distance) {
+      addDistance(item);
+      return;
+    }
+    const float radius = item.kind == model::AnnotationKind::pin ? pinRadius : dotRadius;
+    const Colour colour = m_plate.labels[i].colour.value_or(m_colours.ink);
+    for (const glm::vec2& place : item.places) {
+      const float pen = item.hidden ? leaderWidth : 0.0f;
+      LetteringShape& dot = add(circle(place, radius), pen, dotHalo - 0.5f * pen);
+      dot.ink = colour;
+      dot.fill = item.hidden ? m_colours.ground : colour;
+    }
+  }
+
+  /// A line with a bar across at either end.
+  void addDistance(const LabelItem& item) {
+    if (item.places.size() != 2)
+      return;
+    const glm::vec2 way = item.places[1] - item.places[0];
+    const float length = glm::length(way);
+    const glm::vec2 across =
+        1.2f * (length > 0.0f ? glm::vec2(way.y, -way.x) / length : glm::vec2(0.0f, 1.0f));
+    for (const glm::vec2& end : item.places)
+      add(polyline({end - across, end + across}), distanceWidth);
+    add(polyline(item.places), distanceWidth).dashed = item.hidden;
+  }
+
+  void addBox(std::size_t i, const PlacedLabel& placed) {
+    const LabelBox& box = placed.box;
+    const bool callout = m_plate.labels[i].item.kind == model::AnnotationKind::callout;
+    const bool badge = m_plate.style.mode == LabelMode::numbers;
+    if (badge || callout)
+      add(roundedBox(box.low, box.high, badge ? 0.5f * box.size().y : 0.6f), leaderWidth).fill =
+          m_colours.ground;
+    if (m_plate.style.mode != LabelMode::blank)
+      addText(i, placed);
+    else if (!callout)  // a line to write on, which goes on from the leader
+      add(polyline({{box.low.x, box.middle().y}, {box.high.x, box.middle().y}}), leaderWidth);
+  }
+
+  /// Towards the place: in the left column to the right, in the right one and beside to the left.
+  TextAnchor anchorOf(std::size_t i, const PlacedLabel& placed) const {
+    if (m_plate.style.mode == LabelMode::numbers)
+      return TextAnchor::middle;
+    if (m_plate.texts[i].list)
+      return TextAnchor::start;
+    const float place = m_plate.labels[i].item.places.front().x;
+    if (placed.post == LabelPost::left ||
+        (placed.post == LabelPost::beside && placed.box.high.x < place))
+      return TextAnchor::end;
+    return TextAnchor::start;
+  }
+
+  void addText(std::size_t i, const PlacedLabel& placed) {
+    const LabelText& text = m_plate.texts[i];
+    const float height = lineHeightMm(m_plate.style);
+    const float padding = paddingOf(m_plate.labels[i].item.kind, m_plate.style).x;
+    const TextAnchor anchor = anchorOf(i, placed);
+    const float x = anchor == TextAnchor::end      ? placed.box.high.x - padding
+                    : anchor == TextAnchor::middle ? placed.box.middle().x
+                                                   : placed.box.low.x + padding;
+    // Capitals stand in the middle of their line.
+    const float first = placed.box.middle().y - 0.5f * height * (float(text.lines.size()) - 1.0f);
+    m_item.text = LetteringText{.lines = text.lines,
+                                .at = {x, first + 0.5f * capHeightMm(m_plate.style.points)},
+                                .leading = height,
+                                .points = m_plate.style.points,
+                                .anchor = anchor,
+                                .ink = m_colours.ink};
+  }
+
+  const LabelPlate& m_plate;
+  LetteringColours m_colours;
+  LetteringItem m_item;
+};
+
+/// As in the picture before: lines that break anew while a camera turns would jump.
+float textWidthFor(const LabelPlate& plate, const LabelRequest& request, const LabelTurn& turn) {
+  if (turn.before && turn.before->textWidth > 0.0f)
+    return turn.before->textWidth;
+  const LabelBox everywhere{glm::vec2(0.0f), request.space.size};
+  return widthsBeside({.labels = plate.labels,
+                       .style = plate.style,
+                       .space = request.space,
+                       .anatomy = request.obstacles.extent.value_or(everywhere)})
+      .text;
+}
+
+/// Sets the texts in lines of the request's width and lays them out.
+void setPlate(LabelPlate& plate, LabelRequest& request, const LabelTurn& turn) {
+  const WordRoom words = wordRoom(request.space.size.x, plate.style);
+  plate.texts.clear();
+  request.items.clear();
+  for (ShownLabel& label : plate.labels) {
+    plate.texts.push_back(textOf(label, plate.style, request.textWidth, words));
+    label.item.box = plate.texts.back().box;
+    request.items.push_back(label.item);
+  }
+  plate.layout = layOutLabels(request, turn.before);
+}
+
+}  // namespace
+
+LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const LabelStyle& style,
+                      SightTrees& trees, const LabelTurn& turn) {
+  LabelPlate plate{.style = style,
+                   .labels = shownLabels(scene, screen, style.language, trees),
+                   .texts = {},
+                   .layout = {}};
+  LabelRequest request{.items = {},
+                       .space = {screen.size(), 0.0f, style.edges, style.reserved},
+                       .obstacles = {},
+                       .towardsEye = model::cameraFrame(screen.camera()).back,
+                       .moving = turn.moving};
+  if (!plate.labels.empty())
+    request.obstacles = obstaclesOf(scene, screen);
+  request.textWidth = textWidthFor(plate, request, turn);
+  setPlate(plate, request, turn);
+  // Beside marks there may be room for long lines where there is none for several.
+  const bool chosen = !turn.before || request.textWidth != turn.before->textWidth;
+  if (chosen && !plate.layout.leftOut.empty()) {
+    LabelPlate wide = plate;
+    constexpr float nearlyHalf = 0.42f;
+    request.textWidth =
+        std::max(widestTextMm(screen.size().x, style), nearlyHalf * screen.size().x);
+    setPlate(wide, request, turn);
+    if (wide.layout.leftOut.size() < plate.layout.leftOut.size())
+      return wide;
+  }
+  return plate;
+}
+
+Lettering letteringOf(const LabelPlate& plate) {
+  return Setting(plate).make();
+}
+
+void paintLabels(QPainter& painter, const LabelPlate& plate) {
+  paintLettering(painter, letteringOf(plate));
+}
+
+}  // namespace sline::render

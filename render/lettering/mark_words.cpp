@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/lettering/mark_words.h"
+
+#include <array>
+#include <cmath>
+
+#include "model/scene/scene.h"
+
+namespace sline::render {
+
+/// Views and sections in the order of model::AnatomicalView; %1 is a place, a number or a length.
+struct MarkTable {
+  const char* language;
+  std::array<const char*, 6> views;
+  std::array<const char*, 6> sections;
+  const char* oblique;
+  const char* count;
+  const char* midDepth;
+};
+
+namespace {
+
+constexpr std::array<MarkTable, 5> tables{
+    {{"en",
+      {"Anterior view", "Posterior view", "Left lateral view", "Right lateral view",
+       "Superior view", "Inferior view"},
+      {"Coronal section at %1, anterior part kept", "Coronal section at %1, posterior part kept",
+       "Sagittal section at %1, left part kept", "Sagittal section at %1, right part kept",
+       "Axial section at %1, superior part kept", "Axial section at %1, inferior part kept"},
+      "Oblique section",
+      "%1 sections",
+      "%1 at mid-depth"},
+     {"de",
+      {"Ansicht von vorn", "Ansicht von hinten", "Ansicht von links", "Ansicht von rechts",
+       "Ansicht von oben", "Ansicht von unten"},
+      {"Koronalschnitt bei %1, vorderer Teil erhalten",
+       "Koronalschnitt bei %1, hinterer Teil erhalten",
+       "Sagittalschnitt bei %1, linker Teil erhalten",
+       "Sagittalschnitt bei %1, rechter Teil erhalten", "Axialschnitt bei %1, oberer Teil erhalten",
+       "Axialschnitt bei %1, unterer Teil erhalten"},
+      "Schräger Schnitt",
+      "%1 Schnitte",
+      "%1 in mittlerer Tiefe"},
+     {"nl",
+      {"Vooraanzicht", "Achteraanzicht", "Linkerzijaanzicht", "Rechterzijaanzicht", "Bovenaanzicht",
+       "Onderaanzicht"},
+      {"Coronale doorsnede bij %1, voorste deel behouden",
+       "Coronale doorsnede bij %1, achterste deel behouden",
+       "Sagittale doorsnede bij %1, linkerdeel behouden",
+       "Sagittale doorsnede bij %1, rechterdeel behouden",
+       "Axiale doorsnede bij %1, bovenste deel behouden",
+       "Axiale doorsnede bij %1, onderste deel behouden"},
+      "Schuine doorsnede",
+      "%1 doorsneden",
+      "%1 op halve diepte"},
+     {"nb",
+      {"Sett forfra", "Sett bakfra", "Sett fra venstre", "Sett fra høyre", "Sett ovenfra",
+       "Sett nedenfra"},
+      {"Koronalt snitt ved %1, fremre del beholdt", "Koronalt snitt ved %1, bakre del beholdt",
+       "Sagittalt snitt ved %1, venstre del beholdt", "Sagittalt snitt ved %1, høyre del beholdt",
+       "Aksialt snitt ved %1, øvre del beholdt", "Aksialt snitt ved %1, nedre del beholdt"},
+      "Skrått snitt",
+      "%1 snitt",
+      "%1 i midtre dybde"},
+     {"la",
+      {"Aspectus anterior", "Aspectus posterior", "Aspectus lateralis sinister",
+       "Aspectus lateralis dexter", "Aspectus superior", "Aspectus inferior"},
+      {"Sectio coronalis ad %1, parte anteriore servata",
+       "Sectio coronalis ad %1, parte posteriore servata",
+       "Sectio sagittalis ad %1, parte sinistra servata",
+       "Sectio sagittalis ad %1, parte dextra servata",
+       "Sectio axialis ad %1, parte superiore servata",
+       "Sectio axialis ad %1, parte inferiore servata"},
+      "Sectio obliqua",
+      "%1 sectiones",
+      "%1 in media profunditate"}}};
+
+const MarkTable& tableOf(const std::string& language) {
+  const std::string primary = language.substr(0, language.find_first_of("-_"));
+  for (const MarkTable& table : tables)
+    if (primary == table.language)
+      return table;
+  return tables.front();
+}
+
+}  // namespace
+
+MarkWords::MarkWords(const std::string& language)
+    : m_table(tableOf(language)),
+      m_locale(QString::fromStdString(language.empty() ? "en" : language)) {}
+
+QString MarkWords::view(const std::string& name, const model::Camera& camera) const {
+  const auto named = model::anatomicalViewNamed(model::normalisedName(name));
+  if (!named)
+    return QString::fromStdString(name).simplified();
+  const bool seen = model::nearestAnatomicalView(camera) == *named;
+  const auto side = seen ? named : model::anatomicalViewOf(camera);
+  return side ? QString::fromUtf8(m_table.views[std::size_t(*side)]) : QString();
+}
+
+QString MarkWords::section(const model::Plane& plane) const {
+  const auto kept = model::keptSide(plane);
+  if (!kept)
+    return QString::fromUtf8(m_table.oblique);
+  constexpr const char* positive = "LPS";
+  constexpr const char* negative = "RAI";
+  const double place = std::round(10.0 * model::positionOf(plane)) / 10.0;
+  const char letter = (place < 0.0 ? negative : positive)[model::axisOf(*kept)];
+  const QString at = QLatin1Char(letter) + QString(QChar::Nbsp) +
+                     m_locale.toString(std::abs(place), 'f', 1) + QString(QChar::Nbsp) +
+                     QStringLiteral("mm");
+  return QString::fromUtf8(m_table.sections[std::size_t(*kept)]).arg(at);
+}
+
+QString MarkWords::sections(std::size_t count) const {
+  return QString::fromUtf8(m_table.count).arg(m_locale.toString(qulonglong(count)));
+}
+
+QString MarkWords::atMidDepth(const QString& length) const {
+  return QString::fromUtf8(m_table.midDepth).arg(length);
+}
+
+}  // namespace sline::render

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/lettering/orientation_letters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/vec3.hpp>
+
+namespace sline::render {
+
+namespace {
+
+/// Letters of +x, +y, +z and of −x, −y, −z in LPS.
+constexpr char positive[] = "LPS";
+constexpr char negative[] = "RAI";
+
+/// Sides that the direction leads to by more than sin 25°, the nearest first.
+std::string sidesTowards(const glm::vec3& direction) {
+  constexpr float least = 0.42f;
+  std::array<int, 3> axes{0, 1, 2};
+  std::sort(axes.begin(), axes.end(),
+            [&](int a, int b) { return std::abs(direction[a]) > std::abs(direction[b]); });
+  std::string sides;
+  for (const int axis : axes)
+    if (std::abs(direction[axis]) > least)
+      sides += (direction[axis] > 0.0f ? positive : negative)[axis];
+  return sides;
+}
+
+}  // namespace
+
+EdgeLetters edgeLetters(const model::Camera& camera) {
+  const model::CameraFrame frame = model::cameraFrame(camera);
+  return {.left = sidesTowards(-frame.right),
+          .right = sidesTowards(frame.right),
+          .top = sidesTowards(frame.up),
+          .bottom = sidesTowards(-frame.up)};
+}
+
+}  // namespace sline::render

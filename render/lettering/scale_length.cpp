@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/lettering/scale_length.h"
+
+#include <cmath>
+
+namespace sline::render {
+
+double roundStep(double most) {
+  const double decade = std::pow(10.0, std::floor(std::log10(most)));
+  for (const double step : {5.0, 2.0})
+    if (step * decade <= most * (1.0 + 1e-9))
+      return step * decade;
+  return decade;
+}
+
+std::optional<ScaleLength> scaleLength(const model::Camera& camera, const glm::vec3& at,
+                                       double height, double most) {
+  const double scale = double(model::millimetresPerPixel(camera, at, float(height)));
+  if (!(scale > 0.0) || !std::isfinite(scale))
+    return std::nullopt;
+  const double millimetres = roundStep(scale * most);
+  return ScaleLength{.millimetres = millimetres, .drawn = millimetres / scale};
+}
+
+QString lengthText(double millimetres, const QLocale& locale) {
+  constexpr int digits = 4;
+  const auto text = [&](double value, const char* unit) {
+    return locale.toString(value, 'g', digits) + QLatin1Char(' ') + QLatin1String(unit);
+  };
+  if (millimetres >= 1000.0)
+    return text(millimetres / 1000.0, "m");
+  if (millimetres >= 10.0)
+    return text(millimetres / 10.0, "cm");
+  return text(millimetres, "mm");
+}
+
+}  // namespace sline::render

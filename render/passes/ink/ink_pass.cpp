@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/passes/ink/ink_pass.h"
+
+#include <cstddef>
+
+#include "render/passes/shader_files.h"
+
+namespace sline::render::passes {
+
+namespace {
+
+gpu::ProgramRecipe inkRecipe(InkKind kind) {
+  using gpu::UniformType;
+  gpu::ProgramRecipe recipe{.name = "lines on surfaces",
+                            .vertexFile = "ink.vert.glsl",
+                            .fragmentFile = "surface_line.frag.glsl",
+                            .uniforms = {{"layer", UniformType::vec4},
+                                         {"surfaceDepth", UniformType::texture},
+                                         {"slot", UniformType::ivec4},
+                                         {"toAtlas", UniformType::ivec2},
+                                         {"projection", UniformType::vec4}}};
+  if (kind == InkKind::surfaceLines)
+    return recipe;
+  recipe.uniforms.push_back({"reach", UniformType::vec2});
+  recipe.uniforms.push_back({"sheet", UniformType::real});
+  if (kind == InkKind::contours) {
+    recipe.name = "contours";
+    recipe.fragmentFile = "contour.frag.glsl";
+    recipe.uniforms.push_back({"probe", UniformType::real});
+  } else {
+    recipe.name = "edges of fills";
+    recipe.fragmentFile = "edge.frag.glsl";
+    recipe.uniforms.push_back({"paint", UniformType::vec4});
+    recipe.uniforms.push_back({"key", UniformType::vec3});
+  }
+  return recipe;
+}
+
+std::vector<gpu::Stream> streams(const gpu::Buffer& buffer) {
+  using gpu::AttributeType;
+  return {{.buffer = &buffer,
+           .stride = sizeof(InkSegment),
+           .attributes = {{0, 4, AttributeType::float32, offsetof(InkSegment, a)},
+                          {1, 4, AttributeType::float32, offsetof(InkSegment, depthA)},
+                          {2, 4, AttributeType::float32, offsetof(InkSegment, outwardA)},
+                          {3, 4, AttributeType::float32, offsetof(InkSegment, halfWidthA)}},
+           .perInstance = true}};
+}
+
+}  // namespace
+
+InkPass::InkPass()
+    : m_segments(gpu::BufferKind::vertices, "ink segments"),
+      m_geometry(streams(m_segments), nullptr, "ink") {}
+
+Result<std::unique_ptr<InkPass>> InkPass::create(gpu::Dialect dialect) {
+  std::unique_ptr<InkPass> pass(new InkPass);
+  for (const InkKind kind : {InkKind::surfaceLines, InkKind::contours, InkKind::edges}) {
+    auto program = gpu::Program::create(shaderFiles(), dialect, inkRecipe(kind));
+    if (!program)
+      return program.error();
+    pass->m_programs[std::size_t(kind)] = std::move(*program);
+  }
+  return pass;
+}
+
+void InkPass::upload(std::span<const InkSegment> segments) {
+  m_segments.stream(std::as_bytes(segments));
+}
+
+void InkPass::draw(gpu::Device& device, const gpu::Target& target, const gpu::Texture& surfaceDepth,
+                   const InkDraw& draw) {
+  if (draw.count == 0)
+    return;
+  gpu::Program& program = *m_programs[std::size_t(draw.kind)];
+  program.set("layer", glm::vec4(float(draw.layer.x), float(draw.layer.y), float(draw.layer.width),
+                                 float(draw.layer.height)));
+  program.set("surfaceDepth", surfaceDepth);
+  program.set("slot",
+              glm::ivec4(draw.slot.x, draw.slot.y, draw.slot.right() - 1, draw.slot.top() - 1));
+  program.set("toAtlas", glm::ivec2(draw.slot.x - draw.layer.x, draw.slot.y - draw.layer.y));
+  program.set("projection", draw.projection);
+  if (draw.kind != InkKind::surfaceLines) {
+    program.set("reach", draw.reach);
+    program.set("sheet", draw.sheet);
+  }
+  if (draw.kind == InkKind::contours)
+    program.set("probe", draw.probe);
+  if (draw.kind == InkKind::edges) {
+    program.set("paint", draw.paint);
+    program.set("key", draw.key);
+  }
+  m_geometry.startInstancesAt(draw.first);
+  // Segments come farthest first, so the depth that stays is the nearest line's although every
+  // coverage counts.
+  const gpu::DrawState state{
+      .viewport = draw.slot,
+      .scissor = draw.slot,
+      .depth = gpu::DepthTest::always,
+      .writeDepth = true,
+      .blend = draw.kind == InkKind::edges ? gpu::Blend::over : gpu::Blend::maximum};
+  device.quads({target, program, m_geometry, state}, draw.count);
+}
+
+}  // namespace sline::render::passes

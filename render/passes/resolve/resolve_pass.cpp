@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/passes/resolve/resolve_pass.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "render/passes/shader_files.h"
+
+namespace sline::render::passes {
+
+namespace {
+
+constexpr int filledFlag = 1 << 24;
+constexpr int inkedFlag = 1 << 25;
+/// How many layers of tiles are drawn at one go; llvmpipe needs about 10 ms for them.
+constexpr int batchEntries = 400;
+
+std::int32_t pair(int low, int high) {
+  assert(low >= 0 && low <= 0xffff && high >= 0 && high <= 0xffff);
+  return std::int32_t(std::uint32_t(low) | std::uint32_t(high) << 16);
+}
+
+gpu::ProgramRecipe resolveRecipe() {
+  using gpu::UniformType;
+  return {.name = "resolve",
+          .vertexFile = "resolve.vert.glsl",
+          .fragmentFile = "resolve.frag.glsl",
+          .uniforms = {{"targetSize", UniformType::vec2},
+                       {"tileSide", UniformType::real},
+                       {"colours", UniformType::texture},
+                       {"inks", UniformType::texture},
+                       {"depths", UniformType::texture},
+                       {"entries", UniformType::intTexture},
+                       {"rowBits", UniformType::integer},
+                       {"background", UniformType::vec4}}};
+}
+
+}  // namespace
+
+ResolveEntry resolveEntry(const ResolveLayer& layer) {
+  const gpu::Rect& a = layer.area;
+  const int ink = layer.ink.red << 16 | layer.ink.green << 8 | layer.ink.blue;
+  return {{pair(layer.offsetX + 32768, layer.offsetY + 32768), pair(a.x, a.right() - 1),
+           pair(a.y, a.top() - 1),
+           ink | (layer.filled ? filledFlag : 0) | (layer.inked ? inkedFlag : 0)}};
+}
+
+ResolvePass::ResolvePass()
+    : m_tiles(gpu::BufferKind::vertices, "tiles"),
+      m_geometry({{.buffer = &m_tiles,
+                   .stride = sizeof(ResolveTile),
+                   .attributes = {{0, 4, gpu::AttributeType::integer32, 0}},
+                   .perInstance = true}},
+                 nullptr, "tiles") {}
+
+Result<std::unique_ptr<ResolvePass>> ResolvePass::create(gpu::Dialect dialect) {
+  auto program = gpu::Program::create(shaderFiles(), dialect, resolveRecipe());
+  if (!program)
+    return program.error();
+  std::unique_ptr<ResolvePass> pass(new ResolvePass);
+  pass->m_program = std::move(*program);
+  return pass;
+}
+
+void ResolvePass::upload(std::span<const ResolveTile> tiles,
+                         std::span<const ResolveEntry> entries) {
+  m_tiles.stream(std::as_bytes(tiles));
+  m_batches.clear();
+  int waiting = 0;
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    waiting += tiles[i].count;
+    if (waiting >= batchEntries || i + 1 == tiles.size()) {
+      m_batches.push_back(i + 1);
+      waiting = 0;
+    }
+  }
+  const int rows = std::max(1, (int(entries.size()) + entriesPerRow - 1) / entriesPerRow);
+  if (!m_entries || m_entries->size().height < rows)
+    m_entries = std::make_unique<gpu::Texture>(gpu::TextureFormat::rgba32i,
+                                               gpu::TextureSize{entriesPerRow, rows + rows / 2},
+                                               "layers of tiles");
+  m_rows.assign(std::size_t(rows) * entriesPerRow, ResolveEntry{});
+  std::copy(entries.begin(), entries.end(), m_rows.begin());
+  m_entries->upload(std::as_bytes(std::span(m_rows)), rows);
+}
+
+void ResolvePass::draw(gpu::Device& device, const gpu::Target& target,
+                       const ResolveInputs& inputs) {
+  const gpu::TextureSize size = target.size();
+  if (!inputs.keepOthers)
+    device.clear(target, {.colour = inputs.background});
+  if (m_batches.empty())
+    return;
+  m_program->set("targetSize", glm::vec2(float(size.width), float(size.height)));
+  m_program->set("tileSide", float(tileSide));
+  m_program->set("colours", inputs.colours);
+  m_program->set("inks", inputs.inks);
+  m_program->set("depths", inputs.depths);
+  m_program->set("entries", *m_entries);
+  m_program->set("rowBits", rowBits);
+  m_program->set("background", inputs.background);
+  const gpu::DrawState state{.viewport = {0, 0, size.width, size.height}};
+  std::size_t first = 0;
+  for (const std::size_t end : m_batches) {
+    if (first > 0)
+      device.finish();
+    m_geometry.startInstancesAt(first);
+    device.quads({target, *m_program, m_geometry, state}, end - first);
+    first = end;
+  }
+}
+
+}  // namespace sline::render::passes

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/passes/surface/surface_pass.h"
+
+#include "render/passes/shader_files.h"
+
+namespace sline::render::passes {
+
+namespace {
+
+using gpu::UniformType;
+
+gpu::ProgramRecipe flatRecipe() {
+  return {.name = "flat surface",
+          .vertexFile = "flat.vert.glsl",
+          .fragmentFile = "flat.frag.glsl",
+          .uniforms = {{"viewProjection", UniformType::mat4},
+                       {"pictureSize", UniformType::vec2},
+                       {"layer", UniformType::vec4},
+                       {"colour", UniformType::vec4}}};
+}
+
+gpu::ProgramRecipe phongRecipe() {
+  return {.name = "shaded surface",
+          .vertexFile = "surface.vert.glsl",
+          .fragmentFile = "surface.frag.glsl",
+          .uniforms = {{"viewProjection", UniformType::mat4},
+                       {"pictureSize", UniformType::vec2},
+                       {"layer", UniformType::vec4},
+                       {"eye", UniformType::vec4},
+                       {"shapeScale", UniformType::real},
+                       {"filigree", UniformType::real},
+                       {"colour", UniformType::vec3},
+                       {"wash", UniformType::vec4},
+                       {"transition", UniformType::vec3},
+                       {"twoSided", UniformType::integer},
+                       {"darkGround", UniformType::integer},
+                       {"key", UniformType::vec3}}};
+}
+
+/// The same program, leaving out what sections cut away.
+gpu::ProgramRecipe sectioned(gpu::ProgramRecipe recipe) {
+  const bool flat = recipe.fragmentFile == "flat.frag.glsl";
+  recipe.name = flat ? "cut flat surface" : "cut shaded surface";
+  recipe.vertexFile = flat ? "flat_cut.vert.glsl" : "surface_cut.vert.glsl";
+  recipe.fragmentFile = flat ? "flat_cut.frag.glsl" : "surface_cut.frag.glsl";
+  recipe.uniforms.push_back({"sections[0]", UniformType::vec4});
+  recipe.uniforms.push_back({"sectionCount", UniformType::integer});
+  return recipe;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<SurfacePass>> SurfacePass::create(gpu::Dialect dialect) {
+  std::unique_ptr<SurfacePass> pass(new SurfacePass);
+  const auto make = [dialect](std::unique_ptr<gpu::Program>& program,
+                              const gpu::ProgramRecipe& recipe) -> Status {
+    auto made = gpu::Program::create(shaderFiles(), dialect, recipe);
+    if (!made)
+      return made.error();
+    program = std::move(*made);
+    return Unit{};
+  };
+  for (const Status& status : {make(pass->m_flat, flatRecipe()), make(pass->m_phong, phongRecipe()),
+                               make(pass->m_flatCut, sectioned(flatRecipe())),
+                               make(pass->m_phongCut, sectioned(phongRecipe()))})
+    if (!status)
+      return status.error();
+  return pass;
+}
+
+void SurfacePass::draw(gpu::Device& device, const gpu::Target& target, const SurfaceView& view,
+                       const SurfaceDraw& draw) const {
+  const SurfaceFill& fill = draw.fill;
+  const bool shaded = fill.kind == SurfaceFill::Kind::phong;
+  const bool cut = !draw.sections.empty();
+  const gpu::Program& program =
+      cut ? (shaded ? *m_phongCut : *m_flatCut) : (shaded ? *m_phong : *m_flat);
+  if (cut) {
+    program.set("sections[0]", draw.sections);
+    program.set("sectionCount", int(draw.sections.size()));
+  }
+  program.set("viewProjection", view.viewProjection);
+  program.set("pictureSize", view.pictureSize);
+  program.set("layer", glm::vec4(float(draw.layer.x), float(draw.layer.y), float(draw.layer.width),
+                                 float(draw.layer.height)));
+  if (shaded) {
+    program.set("eye", view.eye);
+    program.set("shapeScale", shapeScale);
+    program.set("filigree", fill.filigree);
+    program.set("colour", fill.colour);
+    program.set("wash", fill.wash);
+    program.set("transition", glm::vec3(fill.shading, fill.complete, fill.opacity));
+    program.set("twoSided", fill.twoSided ? 1 : 0);
+    program.set("darkGround", fill.darkGround ? 1 : 0);
+    program.set("key", view.key);
+  } else {
+    program.set("colour", fill.wash);
+  }
+  const gpu::DrawState state{.viewport = draw.slot,
+                             .scissor = draw.slot,
+                             .depth = gpu::DepthTest::less,
+                             .writeDepth = true,
+                             .writeColour = fill.kind != SurfaceFill::Kind::depthOnly};
+  if (draw.visible.empty()) {
+    device.triangles({target, program, draw.surface.geometry(), state}, draw.ranges);
+    return;
+  }
+  draw.surface.showOnly(draw.visible);
+  const gpu::DrawRange all{0, std::uint32_t(draw.visible.size())};
+  device.triangles({target, program, draw.surface.visibleGeometry(), state}, std::span(&all, 1));
+}
+
+}  // namespace sline::render::passes

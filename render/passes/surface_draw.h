@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// One structure's surface as passes draw it, and the camera that it is seen with.
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+
+#include "render/gpu/device.h"
+#include "render/passes/surface_geometry.h"
+
+namespace sline::render::passes {
+
+/// The camera of the whole picture.
+struct SurfaceView {
+  glm::mat4 viewProjection{1.0f};
+  glm::vec4 eye{0.0f};  ///< position and 1, or for a parallel projection direction and 0
+  glm::vec2 pictureSize{1.0f};
+  glm::vec3 key{0.0f};  ///< unit, towards a key light besides the headlight; 0: there is none
+};
+
+/// How the surface's pixels look.
+struct SurfaceFill {
+  enum class Kind { depthOnly, flat, phong };
+  Kind kind = Kind::depthOnly;
+  glm::vec4 wash{0.0f};  ///< premultiplied, under the shading; all there is to a flat fill
+  glm::vec3 colour{1.0f};
+  float shading = 0.0f;   ///< T_P
+  float complete = 0.0f;  ///< clamp01(Γ − 4): mixes the opacity with 1
+  float opacity = 1.0f;   ///< the style's
+  float filigree = 1.0f;  ///< F_c in mm
+  /// Fills enter as light instead of shade: from what faces the eye, where on paper they enter from
+  /// the rim, as S eq. 11 says.
+  bool darkGround = false;
+  bool twoSided = false;  ///< normals turn towards the eye
+};
+
+struct SurfaceDraw {
+  SurfaceGeometry& surface;
+  std::span<const gpu::DrawRange> ranges;
+  std::span<const std::uint32_t> visible;  ///< where not empty, only these triangles are drawn
+  gpu::Rect layer;                         ///< in picture pixels, y upwards
+  gpu::Rect slot;                          ///< the layer's place in the target, of the same size
+  SurfaceFill fill;
+  std::span<const glm::vec4> sections;  ///< as in sections.glsl; at most 8
+};
+
+}  // namespace sline::render::passes

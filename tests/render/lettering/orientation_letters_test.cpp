@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QTest>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "model/scene/camera.h"
+#include "render/lettering/orientation_letters.h"
+#include "tests/support/suite.h"
+
+using namespace sline;
+using namespace sline::render;
+
+class OrientationLettersTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void views_data() {
+    QTest::addColumn<int>("view");
+    QTest::addColumn<float>("turn");
+    QTest::addColumn<QString>("letters");  // left right top bottom
+    const auto row = [](const char* name, model::AnatomicalView view, float turn,
+                        const char* letters) {
+      QTest::newRow(name) << int(view) << turn << letters;
+    };
+    using enum model::AnatomicalView;
+    row("anterior", anterior, 0.0f, "R L S I");
+    row("posterior", posterior, 0.0f, "L R S I");
+    row("left", left, 0.0f, "A P S I");
+    row("right", right, 0.0f, "P A S I");
+    row("superior", superior, 0.0f, "L R A P");
+    row("inferior", inferior, 0.0f, "R L A P");
+    // The eye goes to the patient's right, so that more of it comes into sight.
+    row("oblique", anterior, 40.0f, "RP LA S I");
+    row("hardly oblique", anterior, 10.0f, "R L S I");
+  }
+  void views() {
+    QFETCH(int, view);
+    QFETCH(float, turn);
+    QFETCH(QString, letters);
+    model::Camera camera = model::anatomicalCamera(model::AnatomicalView(view), {}, 1.0f);
+    camera.eye =
+        glm::vec3(glm::rotate(glm::mat4(1.0f), glm::radians(-turn), glm::vec3(0.0f, 0.0f, 1.0f)) *
+                  glm::vec4(camera.eye, 1.0f));
+    const EdgeLetters found = edgeLetters(camera);
+    QCOMPARE(QString::fromStdString(found.left + " " + found.right + " " + found.top + " " +
+                                    found.bottom),
+             letters);
+  }
+};
+
+SLINE_TEST(OrientationLettersTest)
+#include "orientation_letters_test.moc"
