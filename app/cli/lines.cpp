@@ -17,8 +17,8 @@
 #include "render/lines/cut_faces.h"
 #include "render/lines/view_scale.h"
 #include "render/lines/visibility.h"
-#include "render/picture/layer_lines.h"
-#include "render/picture/transitions.h"
+#include "render/strokes/structure_lines.h"
+#include "render/strokes/transitions.h"
 
 namespace sline::cli {
 

@@ -14,6 +14,7 @@
 #include "model/geometry/plane_section.h"
 #include "render/export/pixels/image_file.h"
 #include "render/gpu/headless/context.h"
+#include "render/picture/picture.h"
 
 namespace sline::cli {
 

@@ -13,7 +13,7 @@
 #include "app/cli/values.h"
 #include "model/base/result.h"
 #include "model/scene/scene.h"
-#include "render/picture/picture.h"
+#include "render/strokes/picture_settings.h"
 
 namespace sline::cli {
 

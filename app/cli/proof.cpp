@@ -18,6 +18,7 @@
 #include "render/export/pixels/image_file.h"
 #include "render/gpu/headless/context.h"
 #include "render/measures/proof/print_proof.h"
+#include "render/picture/picture.h"
 
 namespace sline::cli {
 

@@ -13,6 +13,7 @@
 #include "app/cli/measure_options.h"
 #include "app/cli/targets.h"
 #include "render/measures/contact_sheet.h"
+#include "render/picture/picture.h"
 
 namespace sline::cli {
 
@@ -202,7 +203,8 @@ Result<MeasuredRamp> measure(render::Picture& picture, const render::Subject& su
       halves[std::size_t(twice)] = {label.data(), image};
     }
   };
-  Result<render::Ramp> ramp = render::measureRamp(render::rampPictures(picture, subject, look));
+  Result<render::Ramp> ramp =
+      render::measureRamp(render::rampPictures(picture.drawing(), subject, look));
   if (!ramp.ok()) {
     Error error = ramp.error();
     error.where = subject.structure().name;

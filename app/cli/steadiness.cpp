@@ -8,6 +8,7 @@
 #include "app/cli/json_values.h"
 #include "app/cli/measure_options.h"
 #include "app/cli/option_kinds.h"
+#include "render/picture/picture.h"
 
 namespace sline::cli {
 
@@ -76,7 +77,7 @@ void printSteadiness(const MeasuredSteadiness& measured) {
 Result<MeasuredSteadiness> measure(render::Picture& picture, const render::Subject& subject,
                                    Gamma gamma, const SteadinessFlags& flags) {
   const auto steadiness = measureSteadiness(
-      picture, subject,
+      picture.drawing(), subject,
       {.gamma = gamma, .frames = flags.frames, .oversampling = flags.oversampling});
   if (!steadiness.ok())
     return steadiness.error();

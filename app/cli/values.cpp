@@ -9,6 +9,7 @@
 #include "app/cli/typed_options.h"
 #include "model/base/colour_text.h"
 #include "model/import/volumes/threshold_presets.h"
+#include "model/scene/light.h"
 #include "model/scene/style_fields.h"
 #include "render/export/order/common_options.h"
 #include "render/export/pixels/pixel_options.h"
@@ -32,9 +33,9 @@ constexpr std::array<Choice<render::HatchingMethod>, 2> hatchingMethods{
      {"as-printed", render::HatchingMethod::asPrinted}}};
 
 constexpr std::array<Choice<glm::vec3>, 3> lights{
-    {{"upper-left", render::upperLeftLight},
+    {{"upper-left", model::upperLeftLight},
      {"above", glm::vec3(0.0f, 0.81f, 0.586f)},
-     {"upper-right", render::upperLeftLight* glm::vec3(-1.0f, 1.0f, 1.0f)}}};
+     {"upper-right", model::upperLeftLight* glm::vec3(-1.0f, 1.0f, 1.0f)}}};
 
 char lower(char c) {
   return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;

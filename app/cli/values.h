@@ -12,7 +12,7 @@
 #include "model/import/import.h"
 #include "model/scene/style.h"
 #include "render/export/order/export_order.h"
-#include "render/picture/picture.h"
+#include "render/strokes/picture_settings.h"
 
 namespace sline::cli {
 

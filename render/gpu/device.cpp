@@ -164,7 +164,7 @@ void Device::quads(const Draw& draw, std::size_t instances) {
   glBindVertexArray(0);
 }
 
-void Device::copyDepth(const Target& from, const Target& to, const Rect& area) {
+void Device::copyDepth(const Target& from, const Target& to, const PixelRect& area) {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, from.handle());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.handle());
   glDisable(GL_SCISSOR_TEST);
@@ -172,7 +172,8 @@ void Device::copyDepth(const Target& from, const Target& to, const Rect& area) {
                     area.top(), GL_DEPTH_BUFFER_BIT, GL_NEAREST);
 }
 
-void Device::copyColour(const Target& from, const Rect& area, const Target& to, const Rect& place) {
+void Device::copyColour(const Target& from, const PixelRect& area, const Target& to,
+                        const PixelRect& place) {
   assert(area.width == place.width && area.height == place.height);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, from.handle());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.handle());
@@ -181,14 +182,14 @@ void Device::copyColour(const Target& from, const Rect& area, const Target& to, 
                     place.top(), GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-void Device::read(const Target& target, const Rect& area, std::span<std::byte> rgba) {
+void Device::read(const Target& target, const PixelRect& area, std::span<std::byte> rgba) {
   assert(rgba.size() >= std::size_t(area.width) * area.height * 4);
   glBindFramebuffer(GL_FRAMEBUFFER, target.handle());
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
 }
 
-void Device::read(const Target& target, const Rect& area, std::span<std::uint16_t> rgba) {
+void Device::read(const Target& target, const PixelRect& area, std::span<std::uint16_t> rgba) {
   assert(rgba.size() >= std::size_t(area.width) * area.height * 4);
   glBindFramebuffer(GL_FRAMEBUFFER, target.handle());
   glPixelStorei(GL_PACK_ALIGNMENT, 2);

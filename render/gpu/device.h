@@ -40,7 +40,7 @@ class Device {
   struct Clear {
     std::optional<glm::vec4> colour;  ///< of every colour texture
     std::optional<float> depth;
-    std::optional<Rect> area;  ///< absent: all
+    std::optional<PixelRect> area;  ///< absent: all
   };
   void clear(const Target& target, const Clear& what);
 
@@ -57,13 +57,14 @@ class Device {
   void quads(const Draw& draw, std::size_t instances);
 
   /// Copies depth to the same place of another target.
-  void copyDepth(const Target& from, const Target& to, const Rect& area);
+  void copyDepth(const Target& from, const Target& to, const PixelRect& area);
   /// Copies the first colour texture's area to another target; both areas have one size.
-  void copyColour(const Target& from, const Rect& area, const Target& to, const Rect& place);
+  void copyColour(const Target& from, const PixelRect& area, const Target& to,
+                  const PixelRect& place);
   /// 8-bit RGBA rows from the bottom, tightly packed, of the first colour texture.
-  void read(const Target& target, const Rect& area, std::span<std::byte> rgba);
+  void read(const Target& target, const PixelRect& area, std::span<std::byte> rgba);
   /// The same with 16 bits a channel, whatever the texture has. Not in ES.
-  void read(const Target& target, const Rect& area, std::span<std::uint16_t> rgba);
+  void read(const Target& target, const PixelRect& area, std::span<std::uint16_t> rgba);
   /// Waits until everything asked for is done.
   void finish();
 

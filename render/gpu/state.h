@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "render/gpu/rect.h"
+#include "render/raster/pixel_rect.h"
 
 namespace sline::render::gpu {
 
@@ -18,8 +18,8 @@ enum class Cull { none, back };
 /// All that a draw call depends on besides program and geometry; nothing is left over from the call
 /// before it.
 struct DrawState {
-  Rect viewport;
-  std::optional<Rect> scissor;
+  PixelRect viewport;
+  std::optional<PixelRect> scissor;
   DepthTest depth = DepthTest::off;
   bool writeDepth = false;  ///< needs a depth test; `always` writes without testing
   bool writeColour = true;

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "model/base/result.h"
-#include "render/gpu/rect.h"
 #include "render/gpu/texture.h"
+#include "render/raster/pixel_rect.h"
 
 namespace sline::render::gpu {
 

@@ -24,8 +24,8 @@ Image blank(int width, int height) {
 }
 
 /// Fills the part of the rectangle that lies within the image.
-void fill(Image& image, const gpu::Rect& rectangle, const Colour& colour) {
-  const gpu::Rect r = gpu::intersection(rectangle, {0, 0, image.width, image.height});
+void fill(Image& image, const PixelRect& rectangle, const Colour& colour) {
+  const PixelRect r = intersection(rectangle, {0, 0, image.width, image.height});
   for (int y = r.y; y < r.top(); ++y)
     for (int x = r.x; x < r.right(); ++x) {
       std::uint8_t* p =
@@ -82,7 +82,7 @@ int textWidth(const std::string& text, int dot) {
 }
 
 /// Bars of a stage's steps within `panel`, whose height is `top` times the stage's mean.
-void drawStage(Image& image, const gpu::Rect& panel, const Ramp& ramp, int s, double top) {
+void drawStage(Image& image, const PixelRect& panel, const Ramp& ramp, int s, double top) {
   const RampStage& stage = ramp.stages[std::size_t(s)];
   for (int i = 0; i < stepsPerStage; ++i) {
     const int step = s * stepsPerStage + i;
@@ -101,7 +101,7 @@ void drawStage(Image& image, const gpu::Rect& panel, const Ramp& ramp, int s, do
   }
 }
 
-void drawLuminance(Image& image, const gpu::Rect& panel, const RampTone& tone) {
+void drawLuminance(Image& image, const PixelRect& panel, const RampTone& tone) {
   const auto height = [&](double value) {
     return panel.top() - 1 - int(std::lround(std::clamp(value, 0.0, 1.0) * (panel.height - 1)));
   };
@@ -141,8 +141,8 @@ Image rampDiagram(const Ramp& ramp, int width, int height) {
   Image image = blank(width, height);
   const int margin = std::max(6, height / 20);
   const int panel = (height - 3 * margin) / 2;
-  const gpu::Rect bars{margin, margin, width - 2 * margin, panel};
-  const gpu::Rect curve{margin, panel + 2 * margin, width - 2 * margin, panel};
+  const PixelRect bars{margin, margin, width - 2 * margin, panel};
+  const PixelRect curve{margin, panel + 2 * margin, width - 2 * margin, panel};
   constexpr double top = jumpLimit + 1.0;
   for (int s = 0; s <= rampStages; ++s)
     fill(image, {bars.x + bars.width * s / rampStages, bars.y, 1, curve.top() - bars.y}, pale);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "render/measures/ramp.h"
-#include "render/picture/image.h"
+#include "render/raster/image.h"
 
 namespace sline::render {
 

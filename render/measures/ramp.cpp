@@ -21,7 +21,7 @@ double gammaOf(int index) {
   return double(index) / double(stepsPerStage);
 }
 
-gpu::Rect unite(const gpu::Rect& a, const gpu::Rect& b) {
+PixelRect unite(const PixelRect& a, const PixelRect& b) {
   if (a.empty() || b.empty())
     return a.empty() ? b : a;
   const int x = std::min(a.x, b.x);
@@ -91,7 +91,7 @@ Result<Frame> frameOf(const RampPictures& pictures) {
   const Result<Image> fill = pictures.fill(rampGamma(rampSteps));
   if (!fill)
     return fill.error();
-  const gpu::Rect covered = coveredArea(*fill);
+  const PixelRect covered = coveredArea(*fill);
   if (covered.empty())
     return Error{.reason = "the structure covers no pixel",
                  .remedy = "Choose a camera that sees it, or a larger picture"};
@@ -108,7 +108,7 @@ Result<Frame> frameOf(const RampPictures& pictures) {
 }
 
 Status measurePictures(const RampPictures& pictures, const Frame& frame, Ramp& ramp) {
-  const gpu::Rect& area = frame.mask.area;
+  const PixelRect& area = frame.mask.area;
   const int reach = int(std::lround(0.5f * toneReach * float(frame.first.height) / 720.0f));
   const MaskedBlur blur(frame.mask, std::max(reach, 1));
   TurningPixels turning(frame.mask.inside.size(), float(toneLimit * frame.luminanceAtEnd));

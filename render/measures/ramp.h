@@ -11,8 +11,8 @@
 
 #include "model/base/result.h"
 #include "model/base/units.h"
-#include "render/gpu/rect.h"
-#include "render/picture/image.h"
+#include "render/raster/image.h"
+#include "render/raster/pixel_rect.h"
 
 namespace sline::render {
 
@@ -106,7 +106,7 @@ struct RampFill {
 };
 
 struct Ramp {
-  gpu::Rect area;             ///< the structure's rectangle, rows from the top
+  PixelRect area;             ///< the structure's rectangle, rows from the top
   std::size_t pixels = 0;     ///< of it that the structure covers (half or more) at Γ = 5
   std::vector<double> steps;  ///< d from each picture to the next
   std::array<RampStage, rampStages> stages;

@@ -18,7 +18,7 @@
 #include "model/base/result.h"
 #include "model/geometry/mesh.h"
 #include "model/scene/camera.h"
-#include "render/picture/image.h"
+#include "render/raster/image.h"
 
 namespace sline::render {
 

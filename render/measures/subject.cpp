@@ -26,32 +26,32 @@ model::Scene Subject::at(Gamma gamma) const {
   return model::withLook(scene, std::array{structure().id}, {.gamma = gamma}).scene;
 }
 
-RampPictures rampPictures(Picture& picture, const Subject& subject,
+RampPictures rampPictures(const DrawPicture& draw, const Subject& subject,
                           std::function<void(Gamma, const Image&)> look) {
   RampPictures pictures;
-  pictures.whole = [&picture, &subject, look = std::move(look)](Gamma gamma) {
-    Result<Image> image = picture.render(subject.at(gamma), subject.camera,
-                                         {.width = subject.width, .height = subject.height});
+  pictures.whole = [draw, &subject, look = std::move(look)](Gamma gamma) {
+    Result<Image> image =
+        draw(subject.at(gamma), subject.camera, {.width = subject.width, .height = subject.height});
     if (image.ok() && look)
       look(gamma, *image);
     return image;
   };
-  pictures.fill = [&picture, &subject](Gamma gamma) {
-    return picture.render(subject.at(gamma), subject.camera,
-                          {.width = subject.width,
-                           .height = subject.height,
-                           .background = Background::transparent,
-                           .parts = {.lines = false, .hatching = false, .fills = true}});
+  pictures.fill = [draw, &subject](Gamma gamma) {
+    return draw(subject.at(gamma), subject.camera,
+                {.width = subject.width,
+                 .height = subject.height,
+                 .background = Background::transparent,
+                 .parts = {.lines = false, .hatching = false, .fills = true}});
   };
   return pictures;
 }
 
-Result<Steadiness> measureSteadiness(Picture& picture, const Subject& subject,
+Result<Steadiness> measureSteadiness(const DrawPicture& draw, const Subject& subject,
                                      const SteadinessSettings& settings) {
   const std::array<HatchingWay, 2> ways{
-      {{hatchingPicture(picture, subject, settings.gamma, HatchingMethod::strokes),
+      {{hatchingPicture(draw, subject, settings.gamma, HatchingMethod::strokes),
         settings.oversampling},
-       {hatchingPicture(picture, subject, settings.gamma, HatchingMethod::asPrinted)}}};
+       {hatchingPicture(draw, subject, settings.gamma, HatchingMethod::asPrinted)}}};
   const auto flickers = measureFlicker({.mesh = subject.structure().mesh,
                                         .camera = subject.camera,
                                         .width = subject.width,
@@ -66,19 +66,19 @@ Result<Steadiness> measureSteadiness(Picture& picture, const Subject& subject,
   return Steadiness{.strokes = flickers->front(), .asPrinted = flickers->back()};
 }
 
-HatchingPicture hatchingPicture(Picture& picture, const Subject& subject, Gamma gamma,
+HatchingPicture hatchingPicture(const DrawPicture& draw, const Subject& subject, Gamma gamma,
                                 HatchingMethod method) {
   model::Style patch;
   patch.gamma = gamma;
   patch.inkColour = Colour{0, 0, 0};
   const model::Scene scene =
       model::withLook(subject.scene, std::array{subject.structure().id}, patch).scene;
-  return [&picture, scene, method](const model::Camera& camera, int width, int height) {
-    return picture.render(scene, camera,
-                          {.width = width,
-                           .height = height,
-                           .hatching = method,
-                           .parts = {.lines = false, .hatching = true, .fills = false}});
+  return [draw, scene, method](const model::Camera& camera, int width, int height) {
+    return draw(scene, camera,
+                {.width = width,
+                 .height = height,
+                 .hatching = method,
+                 .parts = {.lines = false, .hatching = true, .fills = false}});
   };
 }
 

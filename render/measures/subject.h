@@ -7,7 +7,7 @@
 #include "model/scene/scene.h"
 #include "render/measures/ramp.h"
 #include "render/measures/steadiness.h"
-#include "render/picture/picture.h"
+#include "render/strokes/picture_settings.h"
 
 namespace sline::render {
 
@@ -27,9 +27,9 @@ struct Subject {
 /// The node must be a structure.
 model::Scene alone(const model::Scene& scene, model::NodeId structure);
 
-/// The subject's ramp as `picture` draws it. Both must live as long as the result; each picture of
-/// the whole structure is also shown to `look`, where there is one.
-RampPictures rampPictures(Picture& picture, const Subject& subject,
+/// The subject's ramp as `draw` draws it. The subject must live as long as the result; each picture
+/// of the whole structure is also shown to `look`, where there is one.
+RampPictures rampPictures(const DrawPicture& draw, const Subject& subject,
                           std::function<void(Gamma, const Image&)> look = {});
 
 struct SteadinessSettings {
@@ -38,11 +38,11 @@ struct SteadinessSettings {
   int oversampling = 4;  ///< of strokes
 };
 /// The subject's hatching at the subject's size. The error names the structure.
-Result<Steadiness> measureSteadiness(Picture& picture, const Subject& subject,
+Result<Steadiness> measureSteadiness(const DrawPicture& draw, const Subject& subject,
                                      const SteadinessSettings& settings);
 
 /// The subject's hatching alone at that Γ, black on white, made that way.
-HatchingPicture hatchingPicture(Picture& picture, const Subject& subject, Gamma gamma,
+HatchingPicture hatchingPicture(const DrawPicture& draw, const Subject& subject, Gamma gamma,
                                 HatchingMethod method);
 
 }  // namespace sline::render

@@ -25,7 +25,7 @@ std::array<float, 256> linearLight() {
 }
 
 template <class Value>
-PixelValues valuesOf(const Image& image, const gpu::Rect& area, const Value& value) {
+PixelValues valuesOf(const Image& image, const PixelRect& area, const Value& value) {
   PixelValues result{.width = area.width, .height = area.height, .values = {}};
   result.values.reserve(std::size_t(area.width) * std::size_t(area.height));
   for (int y = area.y; y < area.top(); ++y)
@@ -35,7 +35,7 @@ PixelValues valuesOf(const Image& image, const gpu::Rect& area, const Value& val
 }
 
 template <class Counts>
-gpu::Rect areaOf(const Image& image, const Counts& counts) {
+PixelRect areaOf(const Image& image, const Counts& counts) {
   int left = image.width;
   int right = 0;
   int first = image.height;
@@ -48,7 +48,7 @@ gpu::Rect areaOf(const Image& image, const Counts& counts) {
         first = std::min(first, y);
         last = std::max(last, y + 1);
       }
-  return left < right ? gpu::Rect{left, first, right - left, last - first} : gpu::Rect{};
+  return left < right ? PixelRect{left, first, right - left, last - first} : PixelRect{};
 }
 
 bool covered(const std::uint8_t* p) {
@@ -68,7 +68,7 @@ void boxRow(float* values, std::size_t count, std::size_t stride, int radius,
 
 }  // namespace
 
-double meanDifference(const Image& a, const Image& b, const gpu::Rect& area) {
+double meanDifference(const Image& a, const Image& b, const PixelRect& area) {
   std::uint64_t sum = 0;
   for (int y = area.y; y < area.top(); ++y) {
     const std::uint8_t* p = pixel(a, area.x, y);
@@ -80,7 +80,7 @@ double meanDifference(const Image& a, const Image& b, const gpu::Rect& area) {
   return double(sum) / (255.0 * 3.0 * double(area.width) * double(area.height));
 }
 
-PixelValues luminance(const Image& image, const gpu::Rect& area) {
+PixelValues luminance(const Image& image, const PixelRect& area) {
   const std::array<float, 256> light = linearLight();
   return valuesOf(image, area, [&](const std::uint8_t* p) {
     return 0.2126f * light[p[0]] + 0.7152f * light[p[1]] + 0.0722f * light[p[2]];
@@ -92,7 +92,7 @@ PixelValues ink(const Image& image) {
                   [](const std::uint8_t* p) { return 1.0f - float(p[0] + p[1] + p[2]) / 765.0f; });
 }
 
-PixelValues opacity(const Image& image, const gpu::Rect& area) {
+PixelValues opacity(const Image& image, const PixelRect& area) {
   return valuesOf(image, area, [](const std::uint8_t* p) { return float(p[3]) / 255.0f; });
 }
 
@@ -100,16 +100,16 @@ std::size_t PixelMask::count() const {
   return std::accumulate(inside.begin(), inside.end(), std::size_t(0));
 }
 
-gpu::Rect inkedArea(const Image& image) {
+PixelRect inkedArea(const Image& image) {
   return areaOf(image,
                 [](const std::uint8_t* p) { return p[0] < 255 || p[1] < 255 || p[2] < 255; });
 }
 
-gpu::Rect coveredArea(const Image& image) {
+PixelRect coveredArea(const Image& image) {
   return areaOf(image, covered);
 }
 
-PixelMask coveredMask(const Image& image, const gpu::Rect& area) {
+PixelMask coveredMask(const Image& image, const PixelRect& area) {
   PixelMask mask{.area = area, .inside = {}};
   for (int y = area.y; y < area.top(); ++y)
     for (int x = area.x; x < area.right(); ++x)

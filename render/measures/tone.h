@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "render/gpu/rect.h"
-#include "render/picture/image.h"
+#include "render/raster/image.h"
+#include "render/raster/pixel_rect.h"
 
 namespace sline::render {
 
@@ -21,32 +21,32 @@ struct PixelValues {
 
 /// Mean absolute difference of two pictures of one size over a rectangle within them: over the
 /// three colour channels of every pixel, as display values in [0, 1].
-double meanDifference(const Image& a, const Image& b, const gpu::Rect& area);
+double meanDifference(const Image& a, const Image& b, const PixelRect& area);
 
 /// Relative luminance Y of linear light (Rec. 709 weights, IEC 61966-2-1 transfer): 0 black … 1
 /// white. The picture is opaque.
-PixelValues luminance(const Image& image, const gpu::Rect& area);
+PixelValues luminance(const Image& image, const PixelRect& area);
 
 /// 1 − grey of display values: 0 white paper … 1 black ink. The picture is opaque.
 PixelValues ink(const Image& image);
 
 /// Opacity, 0 … 1.
-PixelValues opacity(const Image& image, const gpu::Rect& area);
+PixelValues opacity(const Image& image, const PixelRect& area);
 
 /// Pixels of the rectangle that count.
 struct PixelMask {
-  gpu::Rect area;
+  PixelRect area;
   std::vector<std::uint8_t> inside;  ///< 0 or 1 for each pixel of `area`
 
   std::size_t count() const;
 };
 
 /// The smallest rectangle that holds every pixel that is not white; empty where all are.
-gpu::Rect inkedArea(const Image& image);
+PixelRect inkedArea(const Image& image);
 /// The smallest rectangle that holds every pixel at least half opaque.
-gpu::Rect coveredArea(const Image& image);
+PixelRect coveredArea(const Image& image);
 /// The pixels of the rectangle that are at least half opaque.
-PixelMask coveredMask(const Image& image, const gpu::Rect& area);
+PixelMask coveredMask(const Image& image, const PixelRect& area);
 /// Those of them that lie at least `pixels` within.
 PixelMask shrunk(const PixelMask& mask, int pixels);
 double mean(const PixelValues& values, const PixelMask& mask);

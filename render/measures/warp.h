@@ -7,7 +7,7 @@
 
 #include "model/geometry/bvh.h"
 #include "render/measures/tone.h"
-#include "render/picture/picture_view.h"
+#include "render/strokes/picture_view.h"
 
 namespace sline::render {
 

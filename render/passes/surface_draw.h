@@ -9,6 +9,7 @@
 
 #include "render/gpu/device.h"
 #include "render/passes/surface_geometry.h"
+#include "render/strokes/surface_fill.h"
 
 namespace sline::render::passes {
 
@@ -20,28 +21,12 @@ struct SurfaceView {
   glm::vec3 key{0.0f};  ///< unit, towards a key light besides the headlight; 0: there is none
 };
 
-/// How the surface's pixels look.
-struct SurfaceFill {
-  enum class Kind { depthOnly, flat, phong };
-  Kind kind = Kind::depthOnly;
-  glm::vec4 wash{0.0f};  ///< premultiplied, under the shading; all there is to a flat fill
-  glm::vec3 colour{1.0f};
-  float shading = 0.0f;   ///< T_P
-  float complete = 0.0f;  ///< clamp01(Γ − 4): mixes the opacity with 1
-  float opacity = 1.0f;   ///< the style's
-  float filigree = 1.0f;  ///< F_c in mm
-  /// Fills enter as light instead of shade: from what faces the eye, where on paper they enter from
-  /// the rim, as S eq. 11 says.
-  bool darkGround = false;
-  bool twoSided = false;  ///< normals turn towards the eye
-};
-
 struct SurfaceDraw {
   SurfaceGeometry& surface;
   std::span<const gpu::DrawRange> ranges;
   std::span<const std::uint32_t> visible;  ///< where not empty, only these triangles are drawn
-  gpu::Rect layer;                         ///< in picture pixels, y upwards
-  gpu::Rect slot;                          ///< the layer's place in the target, of the same size
+  PixelRect layer;                         ///< in picture pixels, y upwards
+  PixelRect slot;                          ///< the layer's place in the target, of the same size
   SurfaceFill fill;
   std::span<const glm::vec4> sections;  ///< as in sections.glsl; at most 8
 };

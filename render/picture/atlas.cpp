@@ -18,7 +18,7 @@ int roundedToStep(int pixels) {
   return (pixels + sizeStep - 1) / sizeStep * sizeStep;
 }
 
-std::vector<gpu::Rect> Atlas::layOut(std::span<const gpu::TextureSize> sizes) {
+std::vector<PixelRect> Atlas::layOut(std::span<const gpu::TextureSize> sizes) {
   std::size_t area = 0;
   int widest = 1;
   for (const gpu::TextureSize& size : sizes) {
@@ -35,7 +35,7 @@ std::vector<gpu::Rect> Atlas::layOut(std::span<const gpu::TextureSize> sizes) {
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return sizes[a].height > sizes[b].height; });
   ShelfPacker packer({width, height});
-  std::vector<gpu::Rect> places(sizes.size());
+  std::vector<PixelRect> places(sizes.size());
   for (const std::size_t i : order) {
     const auto place = packer.place(sizes[i].width, sizes[i].height);
     if (!place)

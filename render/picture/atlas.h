@@ -26,9 +26,9 @@ class Atlas {
 
   /// Lays out all rectangles afresh: places come back in the order of `sizes`, and nothing of what
   /// was drawn before counts any more. Empty where they do not fit.
-  std::vector<gpu::Rect> layOut(std::span<const gpu::TextureSize> sizes);
+  std::vector<PixelRect> layOut(std::span<const gpu::TextureSize> sizes);
   /// Adds a rectangle beside those in use; nothing where there is no room.
-  std::optional<gpu::Rect> add(gpu::TextureSize size) {
+  std::optional<PixelRect> add(gpu::TextureSize size) {
     return m_packer.place(size.width, size.height);
   }
   /// True where the textures that are there do not serve the last layout.

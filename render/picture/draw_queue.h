@@ -16,7 +16,7 @@ class DrawQueue {
 
   void addTriangles(gpu::Device& device, std::size_t indices) { add(device, indices); }
   void addStrokes(gpu::Device& device, std::size_t count) { add(device, 24 * count); }
-  void addCopies(gpu::Device& device, const gpu::Rect& area) {
+  void addCopies(gpu::Device& device, const PixelRect& area) {
     add(device, std::size_t(area.width) * std::size_t(area.height) / 10);
   }
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "model/base/parallel.h"
+#include "render/strokes/surface_fill.h"
 
 namespace sline::render {
 
@@ -22,9 +23,8 @@ bool needsLines(const PictureInput& input, const Shown& shown) {
          (input.parts.fills && showsEdges(shown.style)) || (input.parts.lines && shown.cut);
 }
 
-passes::SurfaceFill shownFill(const PictureInput& input, const Shown& shown) {
-  return input.parts.fills ? surfaceFill(shown, input.view, input.background)
-                           : passes::SurfaceFill{};
+SurfaceFill shownFill(const PictureInput& input, const Shown& shown) {
+  return input.parts.fills ? surfaceFill(shown, input.view, input.background) : SurfaceFill{};
 }
 
 bool hatches(const PictureInput& input, const Shown& shown) {
@@ -166,7 +166,7 @@ bool LayerPainter::place(std::vector<Layer>& layers, std::vector<std::size_t>& c
   sizes.reserve(layers.size());
   for (const Layer& layer : layers)
     sizes.push_back({layer.area.width, layer.area.height});
-  const std::vector<gpu::Rect> slots = m_atlas.layOut(sizes);
+  const std::vector<PixelRect> slots = m_atlas.layOut(sizes);
   if (slots.size() != layers.size())
     return false;
   for (std::size_t i = 0; i < layers.size(); ++i)
@@ -179,7 +179,7 @@ bool LayerPainter::place(std::vector<Layer>& layers, std::vector<std::size_t>& c
 
 void LayerPainter::clear(gpu::Device& device, std::span<const Layer> layers,
                          std::span<const std::size_t> changed) const {
-  const auto clearBoth = [&](std::optional<gpu::Rect> area) {
+  const auto clearBoth = [&](std::optional<PixelRect> area) {
     device.clear(m_atlas.surfaceTarget(), {.colour = glm::vec4(0.0f), .depth = 1.0f, .area = area});
     device.clear(m_atlas.inkTarget(), {.colour = glm::vec4(0.0f), .depth = 1.0f, .area = area});
   };
@@ -265,8 +265,8 @@ passes::InkDraw LayerPainter::inkDraw(const PictureInput& input, const Layer& la
 
 void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
                            std::vector<Layer>& layers, std::span<const std::size_t> changed) {
-  std::vector<passes::InkSegment> all;
-  const auto append = [&all](std::vector<passes::InkSegment>& some) {
+  std::vector<Stroke> all;
+  const auto append = [&all](std::vector<Stroke>& some) {
     all.insert(all.end(), some.begin(), some.end());
     some = {};
   };
@@ -279,7 +279,7 @@ void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
       passes::InkDraw draw = inkDraw(input, layers[i], shown);
       draw.first = all.size();
       draw.count = layers[i].edges[k].size();
-      const passes::SurfaceFill fill = shownFill(input, shown);
+      const SurfaceFill fill = shownFill(input, shown);
       draw.kind = passes::InkKind::edges;
       draw.paint = glm::vec4(fill.colour, fill.complete * fill.opacity);
       draw.key = keyLight(input);
@@ -313,7 +313,7 @@ void LayerPainter::drawInk(gpu::Device& device, const PictureInput& input,
   drawAll(strokes, m_atlas.inkTarget());
 }
 
-LayerPainter::Canvas LayerPainter::canvas(const gpu::Target& target, const gpu::Rect& region,
+LayerPainter::Canvas LayerPainter::canvas(const gpu::Target& target, const PixelRect& region,
                                           std::span<const Layer> layers,
                                           std::span<const std::size_t> changed) {
   // A target that was resized is another region's; one that another paint had is not ours any more.
@@ -331,10 +331,10 @@ LayerPainter::Canvas LayerPainter::canvas(const gpu::Target& target, const gpu::
 
 void LayerPainter::resolve(gpu::Device& device, Background background, const Canvas& canvas,
                            std::span<const Layer> layers) {
-  const gpu::Rect& region = canvas.region;
+  const PixelRect& region = canvas.region;
   std::vector<ListedLayer> listed;
   for (const Layer& layer : layers) {
-    const gpu::Rect seen = gpu::intersection(layer.area, region);
+    const PixelRect seen = intersection(layer.area, region);
     if (!layer.shows() || seen.empty())
       continue;
     listed.push_back(
@@ -392,7 +392,7 @@ Status LayerPainter::makeRoom(gpu::Device& device) {
 }
 
 Result<LayerPainter::Outcome> LayerPainter::paint(gpu::Device& device, const PictureInput& input,
-                                                  const gpu::Rect& region,
+                                                  const PixelRect& region,
                                                   const gpu::Target& target, Stopwatch& stopwatch) {
   std::vector<Layer> layers = planLayers(input.shown, input.view, region, input.parts);
   std::vector<std::size_t> changed =

@@ -48,7 +48,7 @@ class LayerPainter {
   /// `tooLarge`, with nothing
   /// drawn, where its layers exceed the atlas: a smaller region may do. `givenUp` where the input
   /// said so on the way: the target's contents are undefined.
-  Result<Outcome> paint(gpu::Device& device, const PictureInput& input, const gpu::Rect& region,
+  Result<Outcome> paint(gpu::Device& device, const PictureInput& input, const PixelRect& region,
                         const gpu::Target& target, Stopwatch& stopwatch);
   /// Layers drawn anew by the last `paint`.
   int layersDrawn() const { return m_layersDrawn; }
@@ -64,7 +64,7 @@ class LayerPainter {
     glm::vec3 light{0.0f};
     bool keyLight = false;
     PictureParts parts;
-    gpu::Rect region;
+    PixelRect region;
     bool operator==(const Key&) const = default;
   };
 
@@ -86,11 +86,11 @@ class LayerPainter {
   /// What of a target is to be blended anew; the rest stays as it is.
   struct Canvas {
     const gpu::Target& target;
-    gpu::Rect region;
+    PixelRect region;
     TileMask wanted;
     bool keeps = false;  ///< what is not wanted is good
   };
-  Canvas canvas(const gpu::Target& target, const gpu::Rect& region, std::span<const Layer> layers,
+  Canvas canvas(const gpu::Target& target, const PixelRect& region, std::span<const Layer> layers,
                 std::span<const std::size_t> changed);
   void resolve(gpu::Device& device, Background background, const Canvas& canvas,
                std::span<const Layer> layers);

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <optional>
 
-#include "render/passes/plain_phong/plain_phong_pass.h"
+#include "model/scene/visible_structures.h"
 #include "render/picture/layer_painter.h"
 
 namespace sline::render {
@@ -38,7 +38,7 @@ struct Canvas {
 };
 
 /// From premultiplied rows from the bottom to straight rows from the top, at the region's place.
-void copyRegion(const std::vector<std::byte>& pixels, const gpu::Rect& region, Image& image) {
+void copyRegion(const std::vector<std::byte>& pixels, const PixelRect& region, Image& image) {
   for (int y = 0; y < region.height; ++y) {
     const auto* from =
         reinterpret_cast<const std::uint8_t*>(pixels.data()) + std::size_t(y) * region.width * 4;
@@ -55,7 +55,7 @@ void copyRegion(const std::vector<std::byte>& pixels, const gpu::Rect& region, I
 }
 
 /// The region's pixels as a piece of a picture `height` pixels high.
-PicturePiece pieceOf(gpu::Device& device, const gpu::Target& target, const gpu::Rect& region,
+PicturePiece pieceOf(gpu::Device& device, const gpu::Target& target, const PixelRect& region,
                      int height) {
   PicturePiece piece{.left = region.x,
                      .top = height - region.top(),
@@ -64,7 +64,7 @@ PicturePiece pieceOf(gpu::Device& device, const gpu::Target& target, const gpu::
                      .rgba = {}};
   const std::size_t row = std::size_t(region.width) * 4;
   piece.rgba.resize(row * std::size_t(region.height));
-  const gpu::Rect all{0, 0, region.width, region.height};
+  const PixelRect all{0, 0, region.width, region.height};
   if (device.dialect() == gpu::Dialect::desktop330) {
     device.read(target, all, std::span(piece.rgba));
   } else {
@@ -82,9 +82,9 @@ PicturePiece pieceOf(gpu::Device& device, const gpu::Target& target, const gpu::
 }
 
 /// The region in two, at a multiple of `grid`.
-std::pair<gpu::Rect, gpu::Rect> halves(const gpu::Rect& region, int grid) {
-  gpu::Rect first = region;
-  gpu::Rect second = region;
+std::pair<PixelRect, PixelRect> halves(const PixelRect& region, int grid) {
+  PixelRect first = region;
+  PixelRect second = region;
   if (region.width >= region.height) {
     first.width = region.width / 2 / grid * grid;
     second = {first.right(), region.y, region.width - first.width, region.height};
@@ -127,11 +127,9 @@ struct Picture::Data {
   std::unique_ptr<gpu::Device> device;
   Easel main;
   Easel aside;  ///< its painter is made for the first preview
-  std::unique_ptr<passes::PlainPhongPass> plainPhong;
   PictureOptions options;
   SurfaceCache surfaces;
-  SectionCache sections;
-  Canvas plainCanvas;
+  SectionCache<CappedSurface> sections;
   PictureTimings timings;
   int layersDrawn = 0;
   bool givenUp = false;
@@ -140,7 +138,7 @@ struct Picture::Data {
   std::optional<std::vector<Shown>> shown(const model::Scene& scene, const Output& output = {});
   int regionSide() const;
   Easel& easel(const Output& output);
-  Status paint(const PictureInput& input, const gpu::Rect& region, Stopwatch& stopwatch,
+  Status paint(const PictureInput& input, const PixelRect& region, Stopwatch& stopwatch,
                const Output& output);
   Status picture(const model::Scene& scene, const model::Camera& camera,
                  const PictureSettings& settings, const Output& output);
@@ -148,23 +146,25 @@ struct Picture::Data {
 
 std::optional<std::vector<Shown>> Picture::Data::shown(const model::Scene& scene,
                                                        const Output& output) {
-  std::vector<model::MeshPtr> meshes;
   std::vector<Shown> visible;
-  for (const model::Node& node : scene.nodes()) {
-    if (node.isGroup())
-      continue;
+  for (model::VisibleStructure& structure : model::visibleStructures(scene)) {
     if (output.unwanted && *output.unwanted)
       return std::nullopt;
-    meshes.push_back(node.mesh);
-    const model::ResolvedStyle style = scene.resolve(node.id);
-    if (!style.visible || node.mesh->triangleCount() == 0)
-      continue;
-    Shown& shown = visible.emplace_back(
-        Shown{node.id, node.mesh, style, &surfaces.at(node.mesh, node.provenance), false, {}, {}});
+    const model::Node& node = *structure.node;
+    Shown& shown = visible.emplace_back();
+    shown.id = node.id;
+    shown.mesh = node.mesh;
+    shown.style = std::move(structure.style);
+    shown.cached = &surfaces.at(node.mesh, node.provenance);
+    shown.prepared = shown.cached;
     shown.sections = sectionsThatCut(scene.sectionsOf(node.id), node.mesh->bounds());
     if (!shown.sections.empty())
-      shown.cut = sections.at(shown.cached->surface, shown.sections);
+      shown.cut = shown.capped = sections.at(shown.cached->surface, shown.sections);
   }
+  std::vector<model::MeshPtr> meshes;
+  for (const model::Node& node : scene.nodes())
+    if (!node.isGroup())
+      meshes.push_back(node.mesh);
   if (!output.aside) {
     surfaces.keepOnly(meshes);
     sections.forgetUnused();
@@ -190,7 +190,7 @@ Easel& Picture::Data::easel(const Output& output) {
   return aside;
 }
 
-Status Picture::Data::paint(const PictureInput& input, const gpu::Rect& region,
+Status Picture::Data::paint(const PictureInput& input, const PixelRect& region,
                             Stopwatch& stopwatch, const Output& output) {
   Easel& used = easel(output);
   Canvas& canvas = used.canvas;
@@ -213,7 +213,7 @@ Status Picture::Data::paint(const PictureInput& input, const gpu::Rect& region,
                        "for a picture, not even piece by piece",
                    .remedy = "Hide some structures"};
     const auto [first, second] = halves(region, output.pieces ? output.pieces->grid : 1);
-    for (const gpu::Rect& half : {first, second})
+    for (const PixelRect& half : {first, second})
       if (Status s = paint(input, half, stopwatch, output); !s || givenUp)
         return s;
     return Unit{};
@@ -296,10 +296,6 @@ Result<std::unique_ptr<Picture>> Picture::create(const PictureOptions& options) 
   if (!painter)
     return painter.error();
   data.main.painter = std::move(*painter);
-  auto plain = passes::PlainPhongPass::create(data.device->dialect());
-  if (!plain)
-    return plain.error();
-  data.plainPhong = std::move(*plain);
   return picture;
 }
 
@@ -316,6 +312,11 @@ Result<Image> Picture::render(const model::Scene& scene, const model::Camera& ca
   if (Status s = m_data->picture(scene, camera, settings, {.image = &image}); !s)
     return s.error();
   return image;
+}
+
+DrawPicture Picture::drawing() {
+  return [this](const model::Scene& scene, const model::Camera& camera,
+                const PictureSettings& settings) { return render(scene, camera, settings); };
 }
 
 Result<bool> Picture::renderPieces(const model::Scene& scene, const model::Camera& camera,
@@ -358,32 +359,6 @@ Result<std::optional<Image>> Picture::preview(const model::Scene& scene,
   if (m_data->givenUp)
     return std::optional<Image>();
   return std::optional<Image>(std::move(image));
-}
-
-Status Picture::drawPlainPhong(const model::Scene& scene, const model::Camera& camera,
-                               const PictureSettings& settings) {
-  if (Status s = checkRequest(camera, settings); !s)
-    return s;
-  Data& data = *m_data;
-  const std::vector<Shown> visible = *data.shown(scene);
-  if (Status s = data.plainCanvas.resize({settings.width, settings.height}, true); !s)
-    return s;
-  Stopwatch stopwatch;
-  const PictureView view(camera, scene.visibleBounds(), settings.width, settings.height);
-  const gpu::Target& target = *data.plainCanvas.target;
-  data.device->clear(target, {.colour = backgroundColour(settings.background), .depth = 1.0f});
-  DrawQueue queue;
-  for (const Shown& s : visible) {
-    s.cached->needWhole();
-    const Colour& c = s.style.colour;
-    data.plainPhong->draw(*data.device, target, {view.viewProjection(), view.eyeVector()},
-                          *s.cached->geometry,
-                          glm::vec3(float(c.red), float(c.green), float(c.blue)) / 255.0f);
-    queue.addTriangles(*data.device, s.cached->geometry->indexCount());
-  }
-  stopwatch.pass(*data.device, "plain phong");
-  data.timings = stopwatch.done();
-  return Unit{};
 }
 
 const PictureTimings& Picture::timings() const {

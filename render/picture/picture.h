@@ -15,41 +15,14 @@
 #include "model/base/result.h"
 #include "model/geometry/surface.h"
 #include "model/scene/scene.h"
-#include "render/lines/hatching.h"
-#include "render/picture/image.h"
+#include "render/raster/image.h"
+#include "render/strokes/picture_settings.h"
 
 namespace sline::render {
 
 namespace gpu {
 class Target;
 }
-
-enum class Background { white, paper, dark, transparent };
-
-/// How hatching is made: strokes along curves (ours), or S §3.4 as printed, which is grey and of
-/// one scale: a yardstick for measures.
-enum class HatchingMethod { strokes, asPrinted };
-
-/// What of a picture is drawn; measures look at one part alone.
-struct PictureParts {
-  bool lines = true;  ///< contours, suggestive contours
-  bool hatching = true;
-  bool fills = true;
-  bool operator==(const PictureParts&) const = default;
-};
-
-struct PictureSettings {
-  int width = 1280;
-  int height = 720;
-  Background background = Background::white;
-  HatchingMethod hatching = HatchingMethod::strokes;
-  /// Towards the light that hatching's shadows turn away from, in the camera's frame (right, up,
-  /// back); absent: the scene's own, else from the upper left.
-  std::optional<glm::vec3> light;
-  /// Shading has that light, too, besides the headlight; absent: as the scene says, else not.
-  std::optional<bool> keyLight;
-  PictureParts parts;
-};
 
 /// Where the time of the last picture went, in milliseconds; the GPU is finished where a phase
 /// ends.
@@ -108,6 +81,8 @@ class Picture {
   /// tiles without seams.
   Result<Image> render(const model::Scene& scene, const model::Camera& camera,
                        const PictureSettings& settings);
+  /// Returns `render` as a function, which this must outlive.
+  DrawPicture drawing();
   /// Draws piece by piece, so that a picture of any size needs little memory. Surfaces are prepared
   /// and lines found once for all pieces, and no seam shows between them. False where `take` wanted
   /// no more.
@@ -130,10 +105,6 @@ class Picture {
   Result<std::optional<Image>> preview(const model::Scene& scene, const model::Camera& camera,
                                        const PictureSettings& settings,
                                        const std::atomic<bool>* unwanted = nullptr);
-  /// One opaque Phong pass of the visible structures straight to the picture, without layers or
-  /// lines: the benchmark's yardstick.
-  Status drawPlainPhong(const model::Scene& scene, const model::Camera& camera,
-                        const PictureSettings& settings);
   const PictureTimings& timings() const;
 
  private:

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "render/picture/atlas.h"
-#include "render/picture/transitions.h"
+#include "render/strokes/transitions.h"
 
 namespace sline::render {
 

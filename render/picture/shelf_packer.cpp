@@ -3,7 +3,7 @@
 
 namespace sline::render {
 
-std::optional<gpu::Rect> ShelfPacker::place(int width, int height) {
+std::optional<PixelRect> ShelfPacker::place(int width, int height) {
   Shelf* best = nullptr;
   for (Shelf& shelf : m_shelves)
     if (shelf.height >= height && m_size.width - shelf.used >= width &&
@@ -16,7 +16,7 @@ std::optional<gpu::Rect> ShelfPacker::place(int width, int height) {
     m_top += height;
     best = &m_shelves.back();
   }
-  const gpu::Rect placed{best->used, best->y, width, height};
+  const PixelRect placed{best->used, best->y, width, height};
   best->used += width;
   return placed;
 }

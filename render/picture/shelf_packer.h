@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "render/gpu/rect.h"
 #include "render/gpu/texture.h"
+#include "render/raster/pixel_rect.h"
 
 namespace sline::render {
 
@@ -16,7 +16,7 @@ class ShelfPacker {
   explicit ShelfPacker(gpu::TextureSize size = {}) : m_size(size) {}
 
   /// Nothing where there is no room.
-  std::optional<gpu::Rect> place(int width, int height);
+  std::optional<PixelRect> place(int width, int height);
   /// From now on no higher than that.
   void limitHeight(int height) { m_size.height = height; }
   /// Rows in use, from the bottom.

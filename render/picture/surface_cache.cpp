@@ -6,21 +6,9 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <set>
 
-#include "render/lines/hatching.h"
-
 namespace sline::render {
 
 namespace {
-
-/// One-ring averaging steps of the curvature tensor (METHOD §5). Refinement halves the rings, so
-/// that twice the steps make up for a part of it; four times, for the whole, were seen to wipe out
-/// the folds of a coarse colon.
-int tensorSmoothing(const model::Provenance& provenance) {
-  constexpr int steps = 4;
-  if (provenance.refinementSteps > 0)
-    return steps << std::min(provenance.refinementSteps, 2);
-  return provenance.smoothingSteps > 0 ? steps : 0;
-}
 
 std::unique_ptr<passes::SurfaceGeometry> upload(const model::Surface& surface) {
   const auto positions = surface.mesh->positions();
@@ -31,10 +19,6 @@ std::unique_ptr<passes::SurfaceGeometry> upload(const model::Surface& surface) {
 }
 
 }  // namespace
-
-model::SurfacePtr pictureSurface(const model::MeshPtr& mesh, const model::Provenance& provenance) {
-  return model::prepareSurface(mesh, {.smoothingSteps = tensorSmoothing(provenance)});
-}
 
 void CachedSurface::needShape() {
   if (geometry->hasShape())
@@ -60,11 +44,6 @@ void CachedSurface::needWhole() {
     for (const std::uint32_t vertex : surface->mesh->triangles()[triangle])
       indices.push_back(vertex);
   geometry->addWhole(indices);
-}
-
-void CachedSurface::needStrokes() {
-  if (!strokes)
-    strokes = std::make_unique<StrokeLayout>(surface, longestHatchStroke / hatchSpacing);
 }
 
 CachedSurface& SurfaceCache::at(const model::MeshPtr& mesh, const model::Provenance& provenance) {

@@ -8,27 +8,18 @@
 
 #include "model/geometry/surface.h"
 #include "model/scene/scene.h"
-#include "render/lines/stroke_layout.h"
 #include "render/passes/surface_geometry.h"
+#include "render/strokes/prepared_surface.h"
 
 namespace sline::render {
 
-/// The surface as pictures show it. What import smoothed, because it shows the steps of a label
-/// map, or refined, because its few vertices carry its noise, has its curvature smoothed too
-/// (METHOD §5).
-model::SurfacePtr pictureSurface(const model::MeshPtr& mesh, const model::Provenance& provenance);
-
-struct CachedSurface {
-  model::SurfacePtr surface;
+struct CachedSurface : PreparedSurface {
   std::unique_ptr<passes::SurfaceGeometry> geometry;
-  std::unique_ptr<StrokeLayout> strokes;  ///< null until some hatching needs it
 
   /// Uploads the curvature that fills at 3 < Γ < 4 need, once.
   void needShape();
   /// Uploads all triangles in the order of the clusters, for drawing without culling, once.
   void needWhole();
-  /// Prepares for strokes of hatching, once.
-  void needStrokes();
 };
 
 class SurfaceCache {

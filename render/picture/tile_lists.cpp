@@ -10,14 +10,14 @@ namespace {
 constexpr int side = passes::ResolvePass::tileSide;
 }  // namespace
 
-TileMask::TileMask(const gpu::Rect& region)
+TileMask::TileMask(const PixelRect& region)
     : m_region(region),
       m_columns((region.width + side - 1) / side),
       m_rows((region.height + side - 1) / side),
       m_marked(std::size_t(m_columns) * m_rows, 0) {}
 
-void TileMask::mark(const gpu::Rect& area) {
-  const gpu::Rect seen = gpu::intersection(area, m_region);
+void TileMask::mark(const PixelRect& area) {
+  const PixelRect seen = intersection(area, m_region);
   if (seen.empty())
     return;
   const int left = (seen.x - m_region.x) / side;

@@ -17,9 +17,9 @@ class TileMask {
  public:
   TileMask() = default;
   /// `region` in pixels of the whole picture; its squares start at its lower left corner.
-  explicit TileMask(const gpu::Rect& region);
+  explicit TileMask(const PixelRect& region);
 
-  void mark(const gpu::Rect& area);
+  void mark(const PixelRect& area);
   /// Also all squares of the other, which has the same region.
   void mark(const TileMask& other);
   void markAll() { std::fill(m_marked.begin(), m_marked.end(), std::uint8_t(1)); }
@@ -30,7 +30,7 @@ class TileMask {
   int rows() const { return m_rows; }
 
  private:
-  gpu::Rect m_region;
+  PixelRect m_region;
   int m_columns = 0;
   int m_rows = 0;
   std::vector<std::uint8_t> m_marked;

@@ -25,7 +25,7 @@ ScreenTriangle projected(const PictureView& view, const std::array<glm::vec3, 3>
 
 /// Calls draw(x, y, weights) for each pixel of the area whose middle lies in the triangle.
 template <class Draw>
-void forEachPixel(const ScreenTriangle& t, const gpu::Rect& area, const Draw& draw) {
+void forEachPixel(const ScreenTriangle& t, const PixelRect& area, const Draw& draw) {
   if (t.a.w <= 0.0f || t.b.w <= 0.0f || t.c.w <= 0.0f)
     return;
   const glm::vec2 low = glm::min(glm::min(t.a.pixel, t.b.pixel), t.c.pixel);
@@ -62,7 +62,7 @@ bool takenAway(std::span<const glm::vec4> planes, const glm::vec3& p) {
 
 class LayerDrawing {
  public:
-  LayerDrawing(const Shown& shown, const LayerInput& input, DepthLayer& layer)
+  LayerDrawing(const DrawnStructure& shown, const LayerInput& input, DepthLayer& layer)
       : m_shown(shown), m_input(input), m_layer(layer) {
     const std::size_t pixels = std::size_t(layer.area.width) * std::size_t(layer.area.height);
     layer.depths.assign(pixels, 1.0f);
@@ -80,8 +80,7 @@ class LayerDrawing {
     for (const model::Cluster& cluster : surface.clusters.items) {
       if ((cull && model::facing(cluster, eye) == model::Facing::back) ||
           render::takenAway(m_shown, cluster.bounds) ||
-          gpu::intersection(gpu::grown(m_input.view.bounds(cluster.bounds), 1), m_layer.area)
-              .empty())
+          intersection(grown(m_input.view.bounds(cluster.bounds), 1), m_layer.area).empty())
         continue;
       for (std::uint32_t i = 0; i < cluster.triangleCount; ++i)
         drawTriangle(surface.clusters.triangles[cluster.firstTriangle + i], cull, planes);
@@ -197,7 +196,7 @@ class LayerDrawing {
     return std::abs(stripe - nearest) / perPixel < width;
   }
 
-  const Shown& m_shown;
+  const DrawnStructure& m_shown;
   const LayerInput& m_input;
   DepthLayer& m_layer;
   std::vector<std::uint32_t> m_triangles;  ///< of each pixel one more than its index; 0: none
@@ -221,7 +220,7 @@ glm::vec3 ScreenTriangle::inSpace(const glm::vec3& weights) const {
   return w / (w.x + w.y + w.z);
 }
 
-DepthLayer depthLayer(const Shown& shown, const LayerInput& input, const gpu::Rect& area) {
+DepthLayer depthLayer(const DrawnStructure& shown, const LayerInput& input, const PixelRect& area) {
   DepthLayer layer;
   layer.area = area;
   LayerDrawing drawing(shown, input, layer);

@@ -6,13 +6,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/picture/layer.h"
+#include "render/strokes/section_look.h"
+#include "render/strokes/surface_fill.h"
 
 namespace sline::render {
 
 /// Of a picture; y upwards.
 struct DepthLayer {
-  gpu::Rect area;
+  PixelRect area;
   std::vector<float> depths;        ///< window depth, 1 where there is nothing; row by row
   std::vector<std::uint8_t> tones;  ///< 0 unfilled, else one more than an index into `colours`
   std::vector<glm::vec4> colours;   ///< premultiplied
@@ -41,7 +42,7 @@ struct LayerInput {
 };
 
 /// Draws surface and cut faces into `area`, which may go on beyond the picture.
-DepthLayer depthLayer(const Shown& shown, const LayerInput& input, const gpu::Rect& area);
+DepthLayer depthLayer(const DrawnStructure& shown, const LayerInput& input, const PixelRect& area);
 
 /// Mean depth of the layer's pixels, 0 … 1.
 float meanDepth(const DepthLayer& layer);

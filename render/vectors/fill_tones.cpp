@@ -14,8 +14,6 @@ namespace sline::render {
 
 namespace {
 
-using passes::SurfaceFill;
-
 constexpr float quarterTurn = 1.5707963268f;
 
 // The three functions of phong.glsl.
@@ -45,7 +43,7 @@ float luminance(const glm::vec4& colour) {
 /// surface.frag.glsl on the CPU.
 class Shader {
  public:
-  Shader(const Shown& shown, const LayerInput& input)
+  Shader(const DrawnStructure& shown, const LayerInput& input)
       : m_surface(shown.surface()),
         m_input(input),
         m_fill(surfaceFill(shown, input.view, input.background)) {
@@ -127,7 +125,7 @@ class Shader {
 
 }  // namespace
 
-void fillTones(const Shown& shown, const LayerInput& input,
+void fillTones(const DrawnStructure& shown, const LayerInput& input,
                std::span<const std::uint32_t> triangles, DepthLayer& layer) {
   const Shader shader(shown, input);
   if (shader.flat()) {

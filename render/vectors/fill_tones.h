@@ -16,7 +16,7 @@ inline constexpr int mostToneSteps = 64;
 
 /// Fills `layer.tones` and `layer.colours` where `triangles` (index + 1, 0 for none; one per pixel)
 /// says that the surface is seen.
-void fillTones(const Shown& shown, const LayerInput& input,
+void fillTones(const DrawnStructure& shown, const LayerInput& input,
                std::span<const std::uint32_t> triangles, DepthLayer& layer);
 
 }  // namespace sline::render

@@ -14,14 +14,13 @@ namespace {
 constexpr std::uint32_t none = ~0u;
 
 /// End 2i is segment i's a, end 2i + 1 its b.
-std::tuple<float, float, float> endOf(std::span<const passes::InkSegment> segments,
-                                      std::uint32_t end) {
-  const passes::InkSegment& s = segments[end / 2];
+std::tuple<float, float, float> endOf(std::span<const Stroke> segments, std::uint32_t end) {
+  const Stroke& s = segments[end / 2];
   return end % 2 == 0 ? std::tuple(s.a.x, s.a.y, s.depthA) : std::tuple(s.b.x, s.b.y, s.depthB);
 }
 
 /// For each end the only other end at the same point, else `none`.
-std::vector<std::uint32_t> partners(std::span<const passes::InkSegment> segments) {
+std::vector<std::uint32_t> partners(std::span<const Stroke> segments) {
   std::vector<std::uint32_t> order(2 * segments.size());
   std::iota(order.begin(), order.end(), 0u);
   std::sort(order.begin(), order.end(), [&](std::uint32_t x, std::uint32_t y) {
@@ -41,8 +40,8 @@ std::vector<std::uint32_t> partners(std::span<const passes::InkSegment> segments
   return partner;
 }
 
-passes::InkSegment turned(const passes::InkSegment& s) {
-  passes::InkSegment t = s;
+Stroke turned(const Stroke& s) {
+  Stroke t = s;
   std::swap(t.a, t.b);
   std::swap(t.depthA, t.depthB);
   std::swap(t.outwardA, t.outwardB);
@@ -53,7 +52,7 @@ passes::InkSegment turned(const passes::InkSegment& s) {
 
 }  // namespace
 
-std::vector<InkChain> inkChains(std::span<const passes::InkSegment> segments) {
+std::vector<InkChain> inkChains(std::span<const Stroke> segments) {
   const std::vector<std::uint32_t> partner = partners(segments);
   std::vector<InkChain> chains;
   std::vector<bool> taken(segments.size());

@@ -5,15 +5,15 @@
 #include <span>
 #include <vector>
 
-#include "render/passes/ink/ink_pass.h"
+#include "render/strokes/stroke.h"
 
 namespace sline::render {
 
 /// One after the other, each turned so that its b is the next one's a.
-using InkChain = std::vector<passes::InkSegment>;
+using InkChain = std::vector<Stroke>;
 
 /// Every segment once. Neighbours share their ends to the last bit, in the picture and in depth; a
 /// chain ends where a line ends, or where more than two segments meet.
-std::vector<InkChain> inkChains(std::span<const passes::InkSegment> segments);
+std::vector<InkChain> inkChains(std::span<const Stroke> segments);
 
 }  // namespace sline::render

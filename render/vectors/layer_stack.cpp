@@ -32,7 +32,7 @@ LayerStack::LayerStack(std::span<const DepthLayer> layers, glm::vec2 size)
       m_rows(int(size.y) / tileSide + 1),
       m_tiles(std::size_t(m_columns) * std::size_t(m_rows)) {
   for (std::size_t i = 0; i < layers.size(); ++i) {
-    const gpu::Rect& area = layers[i].area;
+    const PixelRect& area = layers[i].area;
     if (!layers[i].filled() || area.empty())
       continue;
     // Areas may go on beyond the picture, and what lies there belongs to the tiles at its edge.

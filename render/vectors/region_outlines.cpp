@@ -80,7 +80,7 @@ double enclosed(const std::vector<glm::ivec2>& corners) {
 
 /// The middles of the edges, each drawn a little to its neighbours: what is straight but slanted
 /// becomes straight again.
-std::vector<glm::vec2> smoothed(const std::vector<glm::ivec2>& corners, const gpu::Rect& area) {
+std::vector<glm::vec2> smoothed(const std::vector<glm::ivec2>& corners, const PixelRect& area) {
   const std::size_t count = corners.size();
   std::vector<glm::vec2> middles(count);
   for (std::size_t i = 0; i < count; ++i)
@@ -94,7 +94,7 @@ std::vector<glm::vec2> smoothed(const std::vector<glm::ivec2>& corners, const gp
 
 }  // namespace
 
-Path regionOutlines(std::span<const std::uint8_t> inside, const gpu::Rect& area, float smallest,
+Path regionOutlines(std::span<const std::uint8_t> inside, const PixelRect& area, float smallest,
                     float tolerance) {
   Path path;
   Tracer tracer(inside, area.width, area.height);

@@ -15,7 +15,7 @@ struct FilledLayer {
 
 /// The part of a layer's fill that other fills do not hide.
 struct SeenTones {
-  gpu::Rect area;  ///< the smallest rectangle that holds it; empty: nothing is seen
+  PixelRect area;  ///< the smallest rectangle that holds it; empty: nothing is seen
   std::vector<std::uint8_t> tones;  ///< as in DepthLayer; 0 where nothing is seen
   std::vector<glm::vec4> colours;   ///< premultiplied
   std::size_t firstCapTone = 0;

@@ -7,8 +7,11 @@
 #include <deque>
 
 #include "model/base/parallel.h"
-#include "render/picture/layer.h"
-#include "render/picture/transitions.h"
+#include "model/scene/visible_structures.h"
+#include "render/strokes/coverage.h"
+#include "render/strokes/structure_lines.h"
+#include "render/strokes/surface_fill.h"
+#include "render/strokes/transitions.h"
 #include "render/vectors/fill_shapes.h"
 #include "render/vectors/paint_order.h"
 #include "render/vectors/pen_shapes.h"
@@ -44,12 +47,12 @@ PixelSize pixelSize(const glm::vec2& sizeMm, float height) {
 
 /// One structure on its way to the page.
 struct Work {
-  Shown shown;
-  gpu::Rect area;
+  DrawnStructure shown;
+  PixelRect area;
   StructureLines lines;
 };
 
-bool hasLines(const Shown& shown) {
+bool hasLines(const DrawnStructure& shown) {
   return showsLines(shown.style) || shown.cut != nullptr;
 }
 
@@ -134,28 +137,33 @@ class Drawing {
   }
 
   void findShown() {
-    std::vector<const model::Node*> nodes;
-    for (const model::Node& node : m_scene.nodes())
-      if (!node.isGroup() && node.mesh->triangleCount() > 0 && m_scene.resolve(node.id).visible)
-        nodes.push_back(&node);
-    std::sort(nodes.begin(), nodes.end(),
-              [](const model::Node* a, const model::Node* b) { return a->id < b->id; });
-    for (const model::Node* node : nodes) {
-      const auto known = std::find_if(m_work.begin(), m_work.end(), [&](const Work& work) {
-        return work.shown.mesh == node->mesh;
-      });
-      CachedSurface* cached = known != m_work.end() ? known->shown.cached : nullptr;
-      if (!cached) {
-        cached = &m_surfaces.emplace_back();
-        cached->surface = pictureSurface(node->mesh, node->provenance);
-      }
-      Work& work = m_work.emplace_back();
-      work.shown = {node->id, node->mesh, m_scene.resolve(node->id), cached, false, {}, {}};
-      work.shown.sections = sectionsThatCut(m_scene.sectionsOf(node->id), node->mesh->bounds());
-      if (!work.shown.sections.empty())
-        work.shown.cut = m_sections.at(cached->surface, work.shown.sections);
-      m_bounds.add(node->mesh->bounds());
+    std::vector<model::VisibleStructure> structures = model::visibleStructures(m_scene);
+    std::sort(structures.begin(), structures.end(),
+              [](const auto& a, const auto& b) { return a.node->id < b.node->id; });
+    for (model::VisibleStructure& structure : structures) {
+      const model::Node& node = *structure.node;
+      DrawnStructure shown{
+          .id = node.id,
+          .mesh = node.mesh,
+          .style = std::move(structure.style),
+          .prepared = &prepared(node),
+          .sections = sectionsThatCut(m_scene.sectionsOf(node.id), node.mesh->bounds()),
+          .cut = nullptr};
+      if (!shown.sections.empty())
+        shown.cut = m_sections.at(shown.prepared->surface, shown.sections);
+      m_bounds.add(node.mesh->bounds());
+      m_work.push_back({std::move(shown), {}, {}});
     }
+  }
+
+  /// The surface of the node's mesh, shared by all structures of that mesh.
+  PreparedSurface& prepared(const model::Node& node) {
+    for (const Work& work : m_work)
+      if (work.shown.mesh == node.mesh)
+        return *work.shown.prepared;
+    PreparedSurface& made = m_surfaces.emplace_back();
+    made.surface = pictureSurface(node.mesh, node.provenance);
+    return made;
   }
 
   /// Chooses the size of pixels so that all layers fit into memory.
@@ -167,7 +175,9 @@ class Drawing {
       double pixels = 0.0;
       parallelFor(m_work.size(), 1, [&](std::size_t i) {
         // A little beyond the page, as lines at its edge look beside them.
-        m_work[i].area = coverage(m_work[i].shown, *m_view, m_view->whole()).area;
+        const DrawnStructure& shown = m_work[i].shown;
+        m_work[i].area =
+            coveredArea(shown, *m_view, grown(m_view->whole(), strokeReach(shown, *m_view)));
       });
       for (const Work& work : m_work)
         pixels += double(work.area.width) * double(work.area.height);
@@ -183,10 +193,10 @@ class Drawing {
     m_page = {.mmPerPixel = m_settings.sizeMm.y / m_view->size().y,
               .heightMm = m_settings.sizeMm.y};
     // Layouts are shared by structures of one mesh, so each is made before lines are.
-    std::vector<CachedSurface*> hatched;
+    std::vector<PreparedSurface*> hatched;
     for (const Work& work : m_work)
       if (showsHatching(work.shown.style))
-        hatched.push_back(work.shown.cached);
+        hatched.push_back(work.shown.prepared);
     std::sort(hatched.begin(), hatched.end());
     hatched.erase(std::unique(hatched.begin(), hatched.end()), hatched.end());
     parallelFor(hatched.size(), 1, [&](std::size_t i) { hatched[i]->needStrokes(); });
@@ -195,10 +205,10 @@ class Drawing {
   void findLines(Work& work) const {
     if (!hasLines(work.shown))
       return;
-    const Shown& shown = work.shown;
+    const DrawnStructure& shown = work.shown;
     work.lines.lines = styledLines(shown.surface(), *m_view, shown.style);
     if (showsHatching(shown.style))
-      work.lines.hatching = styledHatching(*shown.cached->strokes, *m_view, shown.style, m_light);
+      work.lines.hatching = styledHatching(*shown.prepared->strokes, *m_view, shown.style, m_light);
     if (shown.cut)
       cutLines(*shown.cut, work.lines);
     joinLines(shown.surface(), *m_view, shown.style, work.lines.lines);
@@ -261,8 +271,8 @@ class Drawing {
   const model::Camera& m_camera;
   const VectorSettings& m_settings;
   const VectorProgress& m_progress;
-  std::deque<CachedSurface> m_surfaces;
-  SectionCache m_sections;
+  std::deque<PreparedSurface> m_surfaces;
+  SectionCache<SectionedSurface> m_sections;
   std::vector<Work> m_work;
   model::Box m_bounds;
   std::optional<PictureView> m_view;

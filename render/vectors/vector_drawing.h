@@ -12,7 +12,7 @@
 
 #include "model/base/result.h"
 #include "model/scene/scene.h"
-#include "render/picture/picture.h"
+#include "render/strokes/picture_settings.h"
 #include "render/vectors/path.h"
 
 namespace sline::render {

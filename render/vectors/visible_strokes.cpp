@@ -34,7 +34,7 @@ class Looker {
  public:
   explicit Looker(const StrokeScene& scene) : m_scene(scene) {}
 
-  Sample look(const passes::InkSegment& s, float t) const {
+  Sample look(const Stroke& s, float t) const {
     const glm::vec2 on = glm::mix(s.a, s.b, t);
     const float depth = glm::mix(s.depthA, s.depthB, t);
     float halfWidth = glm::mix(s.halfWidthA, s.halfWidthB, t) *
@@ -42,12 +42,12 @@ class Looker {
     Sample sample;
     sample.point.at = on;
     float seenAt = depth;
-    if (s.contour > 0.0f) {
+    if (s.kind == StrokeKind::contour) {
       const glm::vec2 outward = outwardAt(s, t);
       float wide = 0.0f;
       if (!contourVisible(on, depth, s.tolerance, outward, wide))
         return sample;
-      const float left = s.contour - 1.0f;
+      const float left = s.innerShare;
       if (left < 1.0f && depthAt(on + (wide + m_scene.probes.probe) * outward) < 1.0f)
         halfWidth *= left;
       sample.point.at = on + std::max(halfWidth - 0.5f, 0.0f) * outward;
@@ -64,7 +64,7 @@ class Looker {
   }
 
  private:
-  static glm::vec2 outwardAt(const passes::InkSegment& s, float t) {
+  static glm::vec2 outwardAt(const Stroke& s, float t) {
     const glm::vec2 outward = glm::mix(s.outwardA, s.outwardB, t);
     const float length = glm::length(outward);
     return length > 1e-6f ? outward / length : glm::vec2(1.0f, 0.0f);
@@ -112,7 +112,7 @@ class Looker {
 
 std::vector<Sample> samples(const InkChain& chain, const Looker& looker) {
   std::vector<Sample> found;
-  for (const passes::InkSegment& s : chain) {
+  for (const Stroke& s : chain) {
     const int steps = std::max(1, int(std::ceil(glm::distance(s.a, s.b))));
     for (int i = found.empty() ? 0 : 1; i <= steps; ++i)
       found.push_back(looker.look(s, float(i) / float(steps)));

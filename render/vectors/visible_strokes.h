@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "render/picture/layer_lines.h"
+#include "render/strokes/structure_lines.h"
 #include "render/vectors/ink_chains.h"
 #include "render/vectors/layer_stack.h"
 

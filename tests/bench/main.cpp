@@ -19,6 +19,7 @@
 #include "tests/bench/gamma_drag.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/meshing.h"
+#include "tests/bench/plain_phong.h"
 #include "tests/bench/report.h"
 #include "tests/bench/vtk_phong.h"
 #include "tests/support/process_memory.h"
@@ -125,9 +126,13 @@ Status measureFrames(render::Picture& picture, const Stage& stage, bench::Report
   return Unit{};
 }
 
-Status measurePhong(render::Picture& picture, const Stage& stage, bench::Report& report) {
+Status measurePhong(const Stage& stage, bench::Report& report) {
+  auto plain = bench::PlainPhong::create(stage.settings.width, stage.settings.height);
+  if (!plain)
+    return plain.error();
   const auto phong = timed(stage.frames, stage.camera, [&](const model::Camera& camera) {
-    return picture.drawPlainPhong(stage.scene, camera, stage.settings);
+    (*plain)->draw(stage.scene, camera);
+    return Status(Unit{});
   });
   if (!phong)
     return phong.error();
@@ -243,7 +248,7 @@ Result<bench::Report> run(const Options& options, const glm::ivec2& size) {
   report.preprocessMs = prepareWatch.milliseconds();
   if (const Status status = measureFrames(**picture, *stage, report); !status)
     return status.error();
-  if (const Status status = measurePhong(**picture, *stage, report); !status)
+  if (const Status status = measurePhong(*stage, report); !status)
     return status.error();
   if (const Status status = measureVectors(*stage, report); !status)
     return status.error();

@@ -5,6 +5,7 @@
 #include <QLayout>
 #include <QtTest>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "render/lettering/orientation_letters.h"
 #include "tests/gui/window_fixture.h"

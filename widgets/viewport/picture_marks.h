@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "render/picture/picture.h"
+#include "render/strokes/picture_settings.h"
 #include "widgets/viewport/cube_mark.h"
 #include "widgets/viewport/scale_bar.h"
 #include "widgets/viewport/section_mark.h"

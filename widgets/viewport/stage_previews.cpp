@@ -6,6 +6,7 @@
 
 #include "model/scene/resolved_styles.h"
 #include "model/scene/style_fields.h"
+#include "render/lines/hatching.h"
 
 namespace sline::widgets {
 

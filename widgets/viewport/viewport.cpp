@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "render/picture/layer.h"
+#include "render/strokes/surface_fill.h"
 #include "widgets/viewport/framing.h"
 
 namespace sline::widgets {

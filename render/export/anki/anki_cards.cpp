@@ -11,6 +11,7 @@
 #include "render/export/plate/figure_plate.h"
 #include "render/gpu/headless/context.h"
 #include "render/lettering/typesetting.h"
+#include "render/picture/picture.h"
 
 namespace sline::render {
 

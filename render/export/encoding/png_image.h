@@ -5,7 +5,7 @@
 
 #include "model/base/result.h"
 #include "render/export/order/export_order.h"
-#include "render/picture/image.h"
+#include "render/raster/image.h"
 
 namespace sline::render {
 

@@ -9,6 +9,7 @@
 #include "render/export/plate/figure_plate.h"
 #include "render/export/plate/plate_image.h"
 #include "render/gpu/headless/context.h"
+#include "render/picture/picture.h"
 
 namespace sline::render {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "render/export/motion/film.h"
-#include "render/picture/image.h"
+#include "render/raster/image.h"
 
 namespace sline::render {
 

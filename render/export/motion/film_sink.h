@@ -9,7 +9,7 @@
 #include "model/base/result.h"
 #include "render/export/motion/gif_palette.h"
 #include "render/export/order/export_order.h"
-#include "render/picture/image.h"
+#include "render/raster/image.h"
 
 namespace sline::render {
 

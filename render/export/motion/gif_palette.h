@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "render/picture/image.h"
+#include "render/raster/image.h"
 
 namespace sline::render {
 

@@ -17,7 +17,7 @@
 #include "render/export/order/export_notes.h"
 #include "render/export/order/writer_options.h"
 #include "render/lettering/label_style.h"
-#include "render/picture/picture.h"
+#include "render/strokes/picture_settings.h"
 
 namespace sline::render {
 

@@ -7,7 +7,7 @@
 
 #include "model/base/result.h"
 #include "render/export/pixels/row_file.h"
-#include "render/picture/image.h"
+#include "render/raster/image.h"
 
 namespace sline::render {
 

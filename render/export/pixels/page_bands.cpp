@@ -8,6 +8,7 @@
 #include "render/export/pixels/page_overlay.h"
 #include "render/export/pixels/pixel_options.h"
 #include "render/gpu/headless/context.h"
+#include "render/picture/picture.h"
 
 namespace sline::render {
 

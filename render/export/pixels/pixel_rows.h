@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "render/export/pixels/row_file.h"
-#include "render/picture/image.h"
 #include "render/picture/picture.h"
+#include "render/raster/image.h"
 
 namespace sline::render {
 

@@ -8,7 +8,7 @@
 #include "model/scene/free_sides.h"
 #include "render/export/order/export_order.h"
 #include "render/lettering/typesetting.h"
-#include "render/picture/image.h"
+#include "render/raster/image.h"
 
 namespace sline::render {
 

@@ -6,7 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "model/base/units.h"
-#include "render/picture/image.h"
+#include "render/raster/image.h"
 
 namespace sline::render {
 

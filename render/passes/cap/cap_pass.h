@@ -32,8 +32,8 @@ struct CapDraw {
   const CapGeometry& cap;
   glm::mat4 viewProjection{1.0f};  ///< of the whole picture
   glm::vec2 pictureSize{1.0f};
-  gpu::Rect layer;  ///< as in SurfaceDraw
-  gpu::Rect slot;
+  PixelRect layer;  ///< as in SurfaceDraw
+  PixelRect slot;
   std::span<const glm::vec4> otherSections;  ///< as in sections.glsl: what cuts the face itself
   glm::vec4 colour{0.0f};                    ///< premultiplied
   glm::vec4 strokeColour{0.0f};              ///< premultiplied; alpha 0: no strokes

@@ -61,7 +61,7 @@ void HatchingPass::drawFields(gpu::Device& device, const HatchingFields& to,
                               const gpu::Texture& surfaceDepths, const SurfaceView& view,
                               const HatchingDraw& draw) const {
   const SurfaceDraw& surface = draw.surface;
-  const gpu::Rect here{0, 0, surface.slot.width, surface.slot.height};
+  const PixelRect here{0, 0, surface.slot.width, surface.slot.height};
   device.clear(to.target, {.depth = 1.0f, .area = here});
   m_field->set("viewProjection", view.viewProjection);
   m_field->set("pictureSize", view.pictureSize);
@@ -90,7 +90,7 @@ void HatchingPass::drawFields(gpu::Device& device, const HatchingFields& to,
 
 void HatchingPass::search(gpu::Device& device, const gpu::Target& target,
                           const HatchingFields& from, const HatchingDraw& draw) const {
-  const gpu::Rect& slot = draw.surface.slot;
+  const PixelRect& slot = draw.surface.slot;
   m_search->set("fields", from.fields);
   m_search->set("depths", from.depths);
   m_search->set("origin", glm::ivec2(slot.x, slot.y));

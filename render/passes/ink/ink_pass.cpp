@@ -36,14 +36,44 @@ gpu::ProgramRecipe inkRecipe(InkKind kind) {
   return recipe;
 }
 
+/// A stroke as the shaders read it.
+struct InkVertex {
+  glm::vec2 a;
+  glm::vec2 b;
+  float depthA;
+  float depthB;
+  float tolerance;
+  /// 0: a line on the surface; 1 … 2: a contour, 1 + the share of it that is left within the
+  /// surface's own mask; below 0: hatching, minus the pixels over which its edge fades.
+  float kind;
+  glm::vec2 outwardA;
+  glm::vec2 outwardB;
+  float halfWidthA;
+  float halfWidthB;
+  float opacityA;
+  float opacityB;
+};
+
+float kindOf(const Stroke& stroke) {
+  switch (stroke.kind) {
+    case StrokeKind::contour:
+      return 1.0f + stroke.innerShare;
+    case StrokeKind::hatching:
+      return -stroke.softness;
+    case StrokeKind::surfaceLine:
+      break;
+  }
+  return 0.0f;
+}
+
 std::vector<gpu::Stream> streams(const gpu::Buffer& buffer) {
   using gpu::AttributeType;
   return {{.buffer = &buffer,
-           .stride = sizeof(InkSegment),
-           .attributes = {{0, 4, AttributeType::float32, offsetof(InkSegment, a)},
-                          {1, 4, AttributeType::float32, offsetof(InkSegment, depthA)},
-                          {2, 4, AttributeType::float32, offsetof(InkSegment, outwardA)},
-                          {3, 4, AttributeType::float32, offsetof(InkSegment, halfWidthA)}},
+           .stride = sizeof(InkVertex),
+           .attributes = {{0, 4, AttributeType::float32, offsetof(InkVertex, a)},
+                          {1, 4, AttributeType::float32, offsetof(InkVertex, depthA)},
+                          {2, 4, AttributeType::float32, offsetof(InkVertex, outwardA)},
+                          {3, 4, AttributeType::float32, offsetof(InkVertex, halfWidthA)}},
            .perInstance = true}};
 }
 
@@ -64,8 +94,13 @@ Result<std::unique_ptr<InkPass>> InkPass::create(gpu::Dialect dialect) {
   return pass;
 }
 
-void InkPass::upload(std::span<const InkSegment> segments) {
-  m_segments.stream(std::as_bytes(segments));
+void InkPass::upload(std::span<const Stroke> strokes) {
+  std::vector<InkVertex> vertices;
+  vertices.reserve(strokes.size());
+  for (const Stroke& s : strokes)
+    vertices.push_back({s.a, s.b, s.depthA, s.depthB, s.tolerance, kindOf(s), s.outwardA,
+                        s.outwardB, s.halfWidthA, s.halfWidthB, s.opacityA, s.opacityB});
+  m_segments.stream(std::as_bytes(std::span(vertices)));
 }
 
 void InkPass::draw(gpu::Device& device, const gpu::Target& target, const gpu::Texture& surfaceDepth,

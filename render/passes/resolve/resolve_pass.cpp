@@ -38,7 +38,7 @@ gpu::ProgramRecipe resolveRecipe() {
 }  // namespace
 
 ResolveEntry resolveEntry(const ResolveLayer& layer) {
-  const gpu::Rect& a = layer.area;
+  const PixelRect& a = layer.area;
   const int ink = layer.ink.red << 16 | layer.ink.green << 8 | layer.ink.blue;
   return {{pair(layer.offsetX + 32768, layer.offsetY + 32768), pair(a.x, a.right() - 1),
            pair(a.y, a.top() - 1),

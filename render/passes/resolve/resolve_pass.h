@@ -18,7 +18,7 @@ struct ResolveEntry {
 };
 
 struct ResolveLayer {
-  gpu::Rect area;   ///< in pixels of the target, y upwards, within it
+  PixelRect area;   ///< in pixels of the target, y upwards, within it
   int offsetX = 0;  ///< from pixels of the target to pixels of the atlas
   int offsetY = 0;
   Colour ink;

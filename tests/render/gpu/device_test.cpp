@@ -186,7 +186,8 @@ void DeviceTest::drawsInstancesFromAStart() {
 void DeviceTest::clearsOnlyTheArea() {
   Scene scene;
   m_device->clear(*scene.target, {.colour = glm::vec4(1.0f)});
-  m_device->clear(*scene.target, {.colour = glm::vec4(0.0f), .area = Rect{2, 2, 3, 3}});
+  m_device->clear(*scene.target,
+                  {.colour = glm::vec4(0.0f), .area = render::PixelRect{2, 2, 3, 3}});
   QCOMPARE(scene.pixel(*m_device, 1, 2)[0], 255);
   QCOMPARE(scene.pixel(*m_device, 2, 2)[0], 0);
   QCOMPARE(scene.pixel(*m_device, 4, 4)[0], 0);

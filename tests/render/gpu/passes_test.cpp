@@ -42,8 +42,8 @@ Case randomCase(int count, std::uint32_t seed) {
   for (int i = 0; i < count; ++i) {
     const int width = 20 + below(44);
     const int height = 20 + below(28);
-    const gpu::Rect slot{(i % 4) * 64, (i / 4) * 48, width, height};
-    const gpu::Rect area{below(side - width), below(side - height), width, height};
+    const PixelRect slot{(i % 4) * 64, (i / 4) * 48, width, height};
+    const PixelRect area{below(side - width), below(side - height), width, height};
     ResolveLayer layer{.area = area,
                        .offsetX = slot.x - area.x,
                        .offsetY = slot.y - area.y,
@@ -87,7 +87,7 @@ glm::vec4 reference(const Case& c, int x, int y, const glm::vec4& background) {
   };
   std::vector<Item> items;
   for (const ResolveLayer& layer : c.layers) {
-    if (gpu::intersection(layer.area, {x, y, 1, 1}).empty())
+    if (intersection(layer.area, {x, y, 1, 1}).empty())
       continue;
     const std::size_t p = std::size_t(y + layer.offsetY) * atlasWidth + x + layer.offsetX;
     if (c.pixels.depths[p] < 1.0f)
@@ -116,7 +116,7 @@ class PassesTest : public QObject {
 
  private:
   std::vector<std::uint8_t> resolved(const Case& c, const glm::vec4& background);
-  std::vector<int> inked(std::span<const passes::InkSegment> segments);
+  std::vector<int> inked(std::span<const Stroke> segments);
   std::unique_ptr<gpu::HeadlessContext> m_context;
   std::unique_ptr<gpu::Device> m_device;
 };
@@ -161,7 +161,7 @@ std::vector<std::uint8_t> PassesTest::resolved(const Case& c, const glm::vec4& b
   for (int y = 0; y < atlasHeight; ++y)
     for (int x = 0; x < atlasWidth; ++x)
       if (const float d = c.pixels.depths[std::size_t(y) * atlasWidth + x]; d < 1.0f)
-        m_device->clear(*depthTarget, {.depth = d, .area = gpu::Rect{x, y, 1, 1}});
+        m_device->clear(*depthTarget, {.depth = d, .area = PixelRect{x, y, 1, 1}});
   std::vector<passes::ResolveEntry> entries;
   std::vector<passes::ResolveTile> tiles;
   constexpr int tile = ResolvePass::tileSide;
@@ -169,7 +169,7 @@ std::vector<std::uint8_t> PassesTest::resolved(const Case& c, const glm::vec4& b
     for (int x = 0; x < side; x += tile) {
       passes::ResolveTile t{x, y, std::int32_t(entries.size()), 0};
       for (const ResolveLayer& layer : c.layers)
-        if (!gpu::intersection(layer.area, {x, y, tile, tile}).empty())
+        if (!intersection(layer.area, {x, y, tile, tile}).empty())
           entries.push_back(passes::resolveEntry(layer));
       t.count = std::int32_t(entries.size()) - t.first;
       tiles.push_back(t);
@@ -213,7 +213,7 @@ void PassesTest::resolvesLikeTheReference() {
     }
 }
 
-std::vector<int> PassesTest::inked(std::span<const passes::InkSegment> segments) {
+std::vector<int> PassesTest::inked(std::span<const Stroke> segments) {
   const gpu::TextureSize size{64, 64};
   gpu::Texture ink(gpu::TextureFormat::r8, size, "ink");
   gpu::Texture layerDepths(gpu::TextureFormat::depth32f, size, "layer");
@@ -254,12 +254,12 @@ void PassesTest::strokesHaveTheirWidth() {
   QFETCH(float, slope);
   QFETCH(float, offset);
   const float y0 = 32.0f + offset - 32.0f * slope;
-  const passes::InkSegment line{.a = {-10.0f, y0 - 10.0f * slope},
-                                .b = {74.0f, y0 + 74.0f * slope},
-                                .depthA = 0.5f,
-                                .depthB = 0.5f,
-                                .halfWidthA = halfWidth,
-                                .halfWidthB = halfWidth};
+  const Stroke line{.a = {-10.0f, y0 - 10.0f * slope},
+                    .b = {74.0f, y0 + 74.0f * slope},
+                    .depthA = 0.5f,
+                    .depthB = 0.5f,
+                    .halfWidthA = halfWidth,
+                    .halfWidthB = halfWidth};
   const std::vector<int> coverage = inked({&line, 1});
   // Down a column the ink adds up to the width, seen at that slope.
   const float expected = 2.0f * halfWidth * std::sqrt(1.0f + slope * slope);
@@ -274,17 +274,17 @@ void PassesTest::strokesHaveTheirWidth() {
 
 void PassesTest::jointsDoNotDarken() {
   const auto piece = [](float from, float to) {
-    return passes::InkSegment{.a = {from, 32.5f},
-                              .b = {to, 32.5f},
-                              .depthA = 0.5f,
-                              .depthB = 0.5f,
-                              .halfWidthA = 1.2f,
-                              .halfWidthB = 1.2f,
-                              .opacityA = 0.6f,
-                              .opacityB = 0.6f};
+    return Stroke{.a = {from, 32.5f},
+                  .b = {to, 32.5f},
+                  .depthA = 0.5f,
+                  .depthB = 0.5f,
+                  .halfWidthA = 1.2f,
+                  .halfWidthB = 1.2f,
+                  .opacityA = 0.6f,
+                  .opacityB = 0.6f};
   };
-  const std::vector<passes::InkSegment> whole{piece(10.0f, 50.0f)};
-  std::vector<passes::InkSegment> pieces;
+  const std::vector<Stroke> whole{piece(10.0f, 50.0f)};
+  std::vector<Stroke> pieces;
   for (int i = 0; i < 16; ++i)
     pieces.push_back(piece(10.0f + 2.5f * float(i), 12.5f + 2.5f * float(i)));
   const std::vector<int> one = inked(whole);

@@ -11,6 +11,7 @@
 #include "render/measures/ramp.h"
 #include "render/measures/steadiness.h"
 #include "render/measures/subject.h"
+#include "render/picture/picture.h"
 #include "tests/support/suite.h"
 
 using namespace sline;
@@ -139,7 +140,7 @@ void OrgansTest::rampIsSeamless() {
   const std::optional<render::Subject> subject = subjectOf(name, rampHeight);
   if (!subject)
     SLINE_ABSENT("there is no such anatomy here");
-  const auto ramp = render::measureRamp(render::rampPictures(*m_picture, *subject));
+  const auto ramp = render::measureRamp(render::rampPictures(m_picture->drawing(), *subject));
   QVERIFY2(ramp.ok(), ramp.ok() ? "" : ramp.error().text().c_str());
   const std::vector<std::string> faults = render::faults(*ramp);
   QVERIFY2(faults.empty(), listed(faults).constData());
@@ -152,7 +153,7 @@ const render::Steadiness* OrgansTest::steadinessOf(const QString& name) {
   if (!subject)
     return nullptr;
   const auto steadiness = render::measureSteadiness(
-      *m_picture, *subject, {.gamma = Gamma::clamped(3.0f), .frames = frames});
+      m_picture->drawing(), *subject, {.gamma = Gamma::clamped(3.0f), .frames = frames});
   if (!steadiness.ok()) {
     QTest::qFail(steadiness.error().text().c_str(), __FILE__, __LINE__);
     return nullptr;

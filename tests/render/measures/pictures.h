@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "render/picture/image.h"
+#include "render/raster/image.h"
 
 namespace sline::test {
 

@@ -99,7 +99,7 @@ void RampTest::figuresOfAnEvenRamp() {
   const Course course = even();
   const auto ramp = render::measureRamp(course.pictures());
   QVERIFY(ramp.ok());
-  QCOMPARE(ramp->area, (render::gpu::Rect{left, first, side, side}));
+  QCOMPARE(ramp->area, (render::PixelRect{left, first, side, side}));
   QCOMPARE(ramp->pixels, std::size_t(side * side));
   QCOMPARE(ramp->steps.size(), std::size_t(100));
   for (const double step : ramp->steps)

@@ -82,8 +82,8 @@ void ToneTest::areasAndMasks() {
     const bool inside = x >= 3 && x < 9 && y >= 2 && y < 8;
     return inside ? Pixel{255, 254, 255, x == 3 ? 127 : 128} : Pixel{255, 255, 255, 0};
   });
-  QCOMPARE(render::inkedArea(image), (render::gpu::Rect{3, 2, 6, 6}));
-  QCOMPARE(render::coveredArea(image), (render::gpu::Rect{4, 2, 5, 6}));
+  QCOMPARE(render::inkedArea(image), (render::PixelRect{3, 2, 6, 6}));
+  QCOMPARE(render::coveredArea(image), (render::PixelRect{4, 2, 5, 6}));
   QVERIFY(render::coveredArea(plain(4, 4, {0, 0, 0, 127})).empty());
   QVERIFY(render::inkedArea(plain(4, 4, {255, 255, 255, 255})).empty());
   const PixelMask mask = render::coveredMask(image, {2, 1, 9, 8});

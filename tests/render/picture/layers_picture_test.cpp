@@ -31,7 +31,6 @@ class LayersPictureTest : public QObject {
   void targetsGetTheSamePicture_data();
   void targetsGetTheSamePicture();
   void drawsWhatIsLeftOfNothing();
-  void plainPhongCoversTheSameShape();
   void whatTouchesHidesNoOutline();
   void refusesBadRequests();
 
@@ -337,13 +336,6 @@ void LayersPictureTest::drawsWhatIsLeftOfNothing() {
   const auto image = m_studio.picture->render(behind, camera(), settings);
   QVERIFY(image.ok());
   QCOMPARE(difference(*empty, *image).largest, 0);
-}
-
-void LayersPictureTest::plainPhongCoversTheSameShape() {
-  model::Scene scene;
-  add(scene, sphere(40.0f, 4), gammaStyle(2.0f));
-  QVERIFY(m_studio.picture->drawPlainPhong(scene, camera(), settings).ok());
-  QVERIFY(m_studio.picture->timings().passes.size() == 1);
 }
 
 /// Structures of one label map share the surface at which they touch: here a ring of paper that

@@ -3,11 +3,11 @@
 #include <QtTest>
 #include <random>
 
-#include "render/picture/image.h"
-#include "render/picture/picture_view.h"
 #include "render/picture/shelf_packer.h"
 #include "render/picture/tile_lists.h"
-#include "render/picture/transitions.h"
+#include "render/raster/image.h"
+#include "render/strokes/picture_view.h"
+#include "render/strokes/transitions.h"
 #include "tests/support/suite.h"
 
 using namespace sline;
@@ -29,13 +29,13 @@ class LayoutTest : public QObject {
 void LayoutTest::packsWithoutOverlap() {
   ShelfPacker packer({512, 2048});
   std::mt19937 random(1);
-  std::vector<gpu::Rect> placed;
+  std::vector<PixelRect> placed;
   for (int i = 0; i < 60; ++i) {
     const auto place = packer.place(10 + int(random() % 200), 10 + int(random() % 60));
     QVERIFY(place.has_value());
     QVERIFY(place->x >= 0 && place->right() <= 512 && place->top() <= packer.usedHeight());
-    for (const gpu::Rect& other : placed)
-      QVERIFY(gpu::intersection(*place, other).empty());
+    for (const PixelRect& other : placed)
+      QVERIFY(intersection(*place, other).empty());
     placed.push_back(*place);
   }
 }
@@ -49,7 +49,7 @@ void LayoutTest::refusesWhatDoesNotFit() {
 }
 
 void LayoutTest::listsLayersInOrder() {
-  const gpu::Rect region{100, 0, 96, 64};
+  const PixelRect region{100, 0, 96, 64};
   std::array<TileMask, 3> masks{TileMask(region), TileMask(region), TileMask(region)};
   masks[0].mark({100, 0, 1, 1});      // first tile only
   masks[1].mark({110, 10, 50, 10});   // first and second
@@ -104,7 +104,7 @@ void LayoutTest::sphereBoundsHoldTheSphere() {
   for (int i = 0; i < 200; ++i) {
     const model::Sphere sphere{150.0f * glm::vec3(number(), number(), number()),
                                10.0f + 5.0f * number()};
-    const gpu::Rect bounds = view.bounds(sphere);
+    const PixelRect bounds = view.bounds(sphere);
     for (int k = 0; k < 50; ++k) {
       const glm::vec3 direction =
           glm::normalize(glm::vec3(number(), number(), number()) + glm::vec3(1e-4f));

@@ -13,7 +13,7 @@ using namespace sline;
 
 namespace {
 
-constexpr render::gpu::Rect area{100, 200, 120, 90};
+constexpr render::PixelRect area{100, 200, 120, 90};
 
 std::vector<std::uint8_t> pixels(const std::function<bool(float, float)>& inside) {
   std::vector<std::uint8_t> found;

@@ -9,6 +9,7 @@
 #include "render/export/motion/film_file.h"
 #include "render/export/motion/film_options.h"
 #include "render/gpu/headless/context.h"
+#include "render/picture/picture.h"
 #include "tests/render/export/motion/decoded_film.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"

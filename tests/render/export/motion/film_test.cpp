@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/motion/film.h"
-#include "render/export/motion/film_options.h"
 
 #include <QtTest>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 #include "model/edit/views.h"
+#include "render/export/motion/film_options.h"
 #include "render/export/motion/gif_palette.h"
 #include "render/labels/screen.h"
 #include "tests/support/shapes.h"

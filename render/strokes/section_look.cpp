@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/picture/layer_sections.h"
+#include "render/strokes/section_look.h"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
-#include "render/picture/layer.h"
+#include "render/strokes/surface_fill.h"
 
 namespace sline::render {
 
@@ -18,11 +20,6 @@ constexpr float lightTint = 0.35f;
 constexpr float strokeShade = 0.75f;
 constexpr float strokeSpacing = 9.0f;  // λ
 constexpr float strokeWidth = 1.2f;    // λ
-
-/// The corner that lies farthest in that direction.
-glm::vec3 cornerAlong(const model::Box& box, const glm::vec3& direction) {
-  return glm::mix(box.low, box.high, glm::greaterThan(direction, glm::vec3(0.0f)));
-}
 
 /// Faces of one plane would lie equally deep. The smaller comes first, so that what lies inside
 /// another shows on its cut face: a step of depth for every 4 % of area.
@@ -64,74 +61,27 @@ glm::vec3 paperColour(Background background) {
 
 }  // namespace
 
-std::shared_ptr<SectionedSurface> SectionCache::at(const model::SurfacePtr& surface,
-                                                   std::span<const model::Section> sections) {
-  std::vector<model::Plane> planes = model::planesOf(sections);
-  for (Entry& entry : m_entries)
-    if (entry.cut->surface == surface && entry.cut->planes == planes) {
-      entry.used = true;
-      return entry.cut;
-    }
-  auto cut = std::make_shared<SectionedSurface>();
-  cut->surface = surface;
-  cut->faces = cutFaces(*surface, planes);
-  cut->planes = std::move(planes);
-  cut->caps.resize(cut->faces.size());
-  m_entries.push_back({cut, true});
-  return cut;
-}
-
-void SectionCache::forgetUnused() {
-  std::erase_if(m_entries, [](const Entry& entry) { return !entry.used; });
-  for (Entry& entry : m_entries)
-    entry.used = false;
-}
-
-std::vector<model::Section> sectionsThatCut(std::vector<model::Section> sections,
-                                            const model::Box& box) {
-  std::erase_if(sections, [&box](const model::Section& section) {
-    return !(section.plane.distance(cornerAlong(box, section.plane.normal)) > 0.0);
-  });
-  if (sections.size() > model::maximumSections)
-    sections.resize(model::maximumSections);
-  return sections;
-}
-
-bool alike(std::span<const model::Section> a, std::span<const model::Section> b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const model::Section& x, const model::Section& y) {
-                      return x.plane == y.plane && x.hatched == y.hatched;
-                    });
-}
-
-bool takenAway(const Shown& shown, const model::Box& box) {
+bool takenAway(const DrawnStructure& shown, const model::Box& box) {
   return std::any_of(shown.sections.begin(), shown.sections.end(),
                      [&box](const model::Section& section) {
                        return section.plane.distance(cornerAlong(box, -section.plane.normal)) > 0.0;
                      });
 }
 
-bool takenAway(const Shown& shown, const model::Sphere& sphere) {
+bool takenAway(const DrawnStructure& shown, const model::Sphere& sphere) {
   return std::any_of(shown.sections.begin(), shown.sections.end(),
                      [&sphere](const model::Section& section) {
                        return section.plane.distance(sphere.centre) > 1.00001 * sphere.radius;
                      });
 }
 
-std::vector<glm::vec4> sectionVectors(std::span<const model::Plane> planes) {
-  std::vector<glm::vec4> vectors;
-  for (const model::Plane& plane : planes)
-    vectors.emplace_back(plane.normal, -plane.offset);
-  return vectors;
-}
-
-bool hasCaps(const Shown& shown) {
+bool hasCaps(const DrawnStructure& shown) {
   return shown.cut && shown.style.opacity.value() > 0.0f &&
          std::any_of(shown.cut->faces.begin(), shown.cut->faces.end(),
                      [](const CutFace& face) { return !face.cap.empty(); });
 }
 
-gpu::Rect sectionArea(const Shown& shown, const PictureView& view) {
+PixelRect sectionArea(const DrawnStructure& shown, const PictureView& view) {
   glm::vec2 low(1e6f);
   glm::vec2 high(-1e6f);
   for (const CutFace& face : shown.cut->faces)
@@ -150,25 +100,7 @@ gpu::Rect sectionArea(const Shown& shown, const PictureView& view) {
   return {x, y, int(std::ceil(high.x)) - x, int(std::ceil(high.y)) - y};
 }
 
-void markCaps(const Shown& shown, const PictureView& view, TileMask& mask) {
-  for (const CutFace& face : shown.cut->faces)
-    for (std::size_t i = 0; i + 2 < face.cap.size(); i += 3) {
-      const std::array<PictureView::Point, 3> p{
-          view.project(face.cap[i]), view.project(face.cap[i + 1]), view.project(face.cap[i + 2])};
-      if (std::min({p[0].w, p[1].w, p[2].w}) <= 0.0f) {
-        mask.mark(view.whole());
-        continue;
-      }
-      const glm::vec2 limit(1e6f);
-      const glm::vec2 low =
-          glm::clamp(glm::min(glm::min(p[0].pixel, p[1].pixel), p[2].pixel) - 1.0f, -limit, limit);
-      const glm::vec2 high =
-          glm::clamp(glm::max(glm::max(p[0].pixel, p[1].pixel), p[2].pixel) + 2.0f, -limit, limit);
-      mask.mark({int(low.x), int(low.y), int(high.x - low.x) + 1, int(high.y - low.y) + 1});
-    }
-}
-
-CapLook capLook(const Shown& shown, const PictureView& view, Background background,
+CapLook capLook(const DrawnStructure& shown, const PictureView& view, Background background,
                 std::size_t face) {
   const CutFace& cut = shown.cut->faces[face];
   const float filled =
@@ -186,33 +118,6 @@ CapLook capLook(const Shown& shown, const PictureView& view, Background backgrou
           .stripes = stripes(cut.plane, view, shown.id.value % 2 == 0),
           .strokeHalfWidth = 0.5f * strokeWidth * view.outputUnit(),
           .depthPlane = depth};
-}
-
-CapDraws capDraws(const Shown& shown, const PictureView& view, Background background,
-                  const gpu::Rect& area, const gpu::Rect& slot) {
-  CapDraws result;
-  SectionedSurface& cut = *shown.cut;
-  result.planes.resize(cut.faces.size());
-  for (std::size_t i = 0; i < cut.faces.size(); ++i) {
-    if (cut.faces[i].cap.empty())
-      continue;
-    if (!cut.caps[i])
-      cut.caps[i] = std::make_unique<passes::CapGeometry>(cut.faces[i].cap);
-    result.planes[i] = sectionVectors(otherPlanes(*cut.surface, cut.planes, i));
-    const CapLook look = capLook(shown, view, background, i);
-    result.draws.push_back({.cap = *cut.caps[i],
-                            .viewProjection = view.viewProjection(),
-                            .pictureSize = view.size(),
-                            .layer = area,
-                            .slot = slot,
-                            .otherSections = result.planes[i],
-                            .colour = look.colour,
-                            .strokeColour = look.strokeColour,
-                            .stripes = look.stripes,
-                            .strokeHalfWidth = look.strokeHalfWidth,
-                            .depthPlane = look.depthPlane});
-  }
-  return result;
 }
 
 }  // namespace sline::render

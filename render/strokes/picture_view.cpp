@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/picture/picture_view.h"
+#include "render/strokes/picture_view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ glm::vec2 PictureView::projectedDirection(const glm::vec3& p, const glm::vec3& n
   return length > 1e-20f ? direction / length : glm::vec2(0.0f);
 }
 
-gpu::Rect PictureView::bounds(const model::Sphere& sphere) const {
+PixelRect PictureView::bounds(const model::Sphere& sphere) const {
   const glm::vec3 c = glm::vec3(m_view * glm::vec4(sphere.centre, 1.0f));
   const float r = sphere.radius;
   glm::vec2 low = glm::vec2(c) - r;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/picture/layer_lines.h"
+#include "render/strokes/structure_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,9 @@
 #include "render/lines/chains.h"
 #include "render/lines/clipping.h"
 #include "render/lines/view_fields.h"
-#include "render/picture/entrance.h"
-#include "render/picture/layer_sections.h"
-#include "render/picture/transitions.h"
+#include "render/strokes/section_look.h"
+#include "render/strokes/stage_entry.h"
+#include "render/strokes/transitions.h"
 
 namespace sline::render {
 
@@ -67,16 +67,16 @@ float outlineError(const model::Surface& surface, const PictureView& view) {
   return std::min(sagitta * pixelsPerMillimetre(surface, view), 2.0f);
 }
 
-bool isContour(const passes::InkSegment& segment) {
-  return segment.contour > 0.0f;
+bool isContour(const Stroke& stroke) {
+  return stroke.kind == StrokeKind::contour;
 }
 
 class StrokeMaker {
  public:
-  StrokeMaker(const model::Surface& surface, const PictureView& view, const gpu::Rect& area)
+  StrokeMaker(const model::Surface& surface, const PictureView& view, const PixelRect& area)
       : m_surface(surface), m_view(view), m_area(area) {}
 
-  std::vector<passes::InkSegment> take() {
+  std::vector<Stroke> take() {
     // Contours last, being another kind to draw; each kind by depth, so that where strokes of a
     // layer cross the nearest depth is written last; stable, so that equal depths keep the
     // surface's own order.
@@ -90,19 +90,20 @@ class StrokeMaker {
 
   /// `t` is T_C, by which the parts within the structure's own mask enter.
   void contour(const Segment& s, float width, float opacity, float t) {
-    passes::InkSegment stroke;
+    Stroke stroke;
     if (!place(s.a, s.b, stroke))
       return;
     stroke.outwardA = m_view.projectedDirection(s.a, s.normalA);
     stroke.outwardB = m_view.projectedDirection(s.b, s.normalB);
-    stroke.contour = 1.0f + entered(t, 0.5f * (s.entryA + s.entryB));
+    stroke.kind = StrokeKind::contour;
+    stroke.innerShare = entered(t, 0.5f * (s.entryA + s.entryB));
     stroke.tolerance = 0.5f * m_surface.meanEdge + 1e-3f * m_surface.filigreeSize;
     finish(stroke, devicePen(width, s.opacityA * opacity), devicePen(width, s.opacityB * opacity));
   }
 
   /// Around a cut face: centred on the line, in front of the faces that it borders.
   void outline(const Segment& s, float width, float opacity) {
-    passes::InkSegment stroke;
+    Stroke stroke;
     if (!place(s.a, s.b, stroke))
       return;
     stroke.depthA -= outlineLift;
@@ -114,7 +115,7 @@ class StrokeMaker {
 
   /// `t` is T_SC.
   void surfaceLine(const Segment& s, float width, float opacity, float t) {
-    passes::InkSegment stroke;
+    Stroke stroke;
     if (!place(s.a, s.b, stroke))
       return;
     stroke.tolerance = 0.1f * m_surface.meanEdge + 1e-4f * m_surface.featureSize +
@@ -134,23 +135,25 @@ class StrokeMaker {
     const float unit = m_view.outputUnit();
     for (std::size_t from = 0; from + 1 < points.size();) {
       const std::size_t to = farthestChord(points, from);
-      passes::InkSegment stroke;
+      Stroke stroke;
       const HatchPoint& a = points[from];
       const HatchPoint& b = points[to];
       if (place(a.position, b.position, stroke)) {
         stroke.tolerance = surfaceTolerance(a, b);
-        stroke.contour = -hatchEdge(unit);
+        stroke.kind = StrokeKind::hatching;
+        stroke.softness = hatchEdge(unit);
         finish(stroke, devicePen(2.0f * a.halfWidth * unit * width, opacity),
                devicePen(2.0f * b.halfWidth * unit * width, opacity));
       }
       from = to;
     }
     if (points.size() == 1) {
-      passes::InkSegment dot;
+      Stroke dot;
       const HatchPoint& at = points.front();
       if (place(at.position, at.position, dot)) {
         dot.tolerance = surfaceTolerance(at, at);
-        dot.contour = -hatchEdge(unit);
+        dot.kind = StrokeKind::hatching;
+        dot.softness = hatchEdge(unit);
         const Pen pen = devicePen(2.0f * at.halfWidth * unit * width, opacity);
         finish(dot, pen, pen);
       }
@@ -185,7 +188,7 @@ class StrokeMaker {
     return to;
   }
 
-  bool place(const glm::vec3& from, const glm::vec3& to, passes::InkSegment& stroke) const {
+  bool place(const glm::vec3& from, const glm::vec3& to, Stroke& stroke) const {
     const PictureView::Point a = m_view.project(from);
     const PictureView::Point b = m_view.project(to);
     if (a.w <= 0.0f || b.w <= 0.0f || a.depth < 0.0f || b.depth < 0.0f)
@@ -204,20 +207,20 @@ class StrokeMaker {
     return std::min(tangent, 8.0f);
   }
 
-  void finish(passes::InkSegment& stroke, const Pen& a, const Pen& b) {
+  void finish(Stroke& stroke, const Pen& a, const Pen& b) {
     stroke.halfWidthA = 0.5f * a.width;
     stroke.halfWidthB = 0.5f * b.width;
     stroke.opacityA = a.opacity;
     stroke.opacityB = b.opacity;
     if (std::max(a.opacity, b.opacity) > 0.004f &&
-        !gpu::intersection(strokeBounds(stroke), m_area).empty())
+        !intersection(strokeBounds(stroke), m_area).empty())
       m_strokes.push_back(stroke);
   }
 
   const model::Surface& m_surface;
   const PictureView& m_view;
-  gpu::Rect m_area;
-  std::vector<passes::InkSegment> m_strokes;
+  PixelRect m_area;
+  std::vector<Stroke> m_strokes;
 };
 
 }  // namespace
@@ -313,9 +316,9 @@ ContourProbes contourProbes(const model::Surface& surface, const PictureView& vi
                        view.millimetresPerPixel(surface.boundingSphere.centre)};
 }
 
-std::vector<passes::InkSegment> strokes(const model::Surface& surface, const PictureView& view,
-                                        const model::ResolvedStyle& style,
-                                        const StructureLines& drawn, const gpu::Rect& area) {
+std::vector<Stroke> strokes(const model::Surface& surface, const PictureView& view,
+                            const model::ResolvedStyle& style, const StructureLines& drawn,
+                            const PixelRect& area) {
   StrokeMaker maker(surface, view, area);
   const LineSet& lines = drawn.lines;
   const Transitions t = transitions(style.gamma);
@@ -333,19 +336,19 @@ std::vector<passes::InkSegment> strokes(const model::Surface& surface, const Pic
   return maker.take();
 }
 
-std::vector<passes::InkSegment> edges(const model::Surface& surface, const PictureView& view,
-                                      const LineSet& lines, const gpu::Rect& area) {
+std::vector<Stroke> edges(const model::Surface& surface, const PictureView& view,
+                          const LineSet& lines, const PixelRect& area) {
   StrokeMaker maker(surface, view, area);
   for (const Segment& s : lines.contours)
     maker.contour(s, 1.0f, 1.0f, 1.0f);
   return maker.take();
 }
 
-std::size_t firstContour(std::span<const passes::InkSegment> strokes) {
+std::size_t firstContour(std::span<const Stroke> strokes) {
   return std::size_t(std::find_if(strokes.begin(), strokes.end(), isContour) - strokes.begin());
 }
 
-gpu::Rect strokeBounds(const passes::InkSegment& s) {
+PixelRect strokeBounds(const Stroke& s) {
   // The stroke's middle lies up to a half width off the line, its edge as much again, and half a
   // pixel of softness.
   const float reach = 2.0f * std::max(s.halfWidthA, s.halfWidthB) + 1.5f;

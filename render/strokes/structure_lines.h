@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines of one structure, from its surface to the strokes that the ink pass draws (METHOD §4–5,
-// §7).
+// Lines of one structure, from its surface to the strokes that a pen sets (METHOD §4–5, §7).
 #pragma once
 
 #include <span>
@@ -9,8 +8,10 @@
 #include "model/scene/style.h"
 #include "render/lines/hatching.h"
 #include "render/lines/lines.h"
-#include "render/passes/ink/ink_pass.h"
-#include "render/picture/picture_view.h"
+#include "render/raster/pixel_rect.h"
+#include "render/strokes/picture_view.h"
+#include "render/strokes/sectioned_surface.h"
+#include "render/strokes/stroke.h"
 
 namespace sline::render {
 
@@ -19,7 +20,6 @@ struct StructureLines {
   LineSet lines;
   Hatching hatching;
 };
-struct SectionedSurface;
 
 /// True where a structure of that style shows any line.
 bool showsLines(const model::ResolvedStyle& style);
@@ -42,7 +42,7 @@ void cutLines(const SectionedSurface& cut, StructureLines& drawn);
 void joinLines(const model::Surface& surface, const PictureView& view,
                const model::ResolvedStyle& style, LineSet& lines);
 
-/// How contours are looked at in the picture; see InkDraw.
+/// How contours are looked at in the picture; see InkDraw, which has the same.
 struct ContourProbes {
   float probe = 3.0f;
   glm::vec2 reach{1.0f, 4.0f};
@@ -52,18 +52,18 @@ ContourProbes contourProbes(const model::Surface& surface, const PictureView& vi
                             const model::ResolvedStyle& style);
 
 /// The strokes within `area`: lines on the surface, then contours, each farthest first.
-std::vector<passes::InkSegment> strokes(const model::Surface& surface, const PictureView& view,
-                                        const model::ResolvedStyle& style,
-                                        const StructureLines& drawn, const gpu::Rect& area);
+std::vector<Stroke> strokes(const model::Surface& surface, const PictureView& view,
+                            const model::ResolvedStyle& style, const StructureLines& drawn,
+                            const PixelRect& area);
 
 /// Where the contours begin among such strokes.
-std::size_t firstContour(std::span<const passes::InkSegment> strokes);
+std::size_t firstContour(std::span<const Stroke> strokes);
 
 /// The contours within `area` as strokes of one pixel that soften a fill's edge, farthest first.
-std::vector<passes::InkSegment> edges(const model::Surface& surface, const PictureView& view,
-                                      const LineSet& lines, const gpu::Rect& area);
+std::vector<Stroke> edges(const model::Surface& surface, const PictureView& view,
+                          const LineSet& lines, const PixelRect& area);
 
 /// Pixels that a stroke can touch.
-gpu::Rect strokeBounds(const passes::InkSegment& segment);
+PixelRect strokeBounds(const Stroke& segment);
 
 }  // namespace sline::render

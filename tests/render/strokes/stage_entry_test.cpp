@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines enter evenly (METHOD §7): as much is in at any time as that time says, and none stands
 // still.
-#include "render/picture/entrance.h"
+#include "render/strokes/stage_entry.h"
 #include "tests/support/suite.h"
 
 #include <QtTest>
@@ -9,7 +9,7 @@
 
 using namespace sline::render;
 
-class EntranceTest : public QObject {
+class StageEntryTest : public QObject {
   Q_OBJECT
  private slots:
   void meanIsTheTime_data();
@@ -18,13 +18,13 @@ class EntranceTest : public QObject {
   void theFirstAreAhead();
 };
 
-void EntranceTest::meanIsTheTime_data() {
+void StageEntryTest::meanIsTheTime_data() {
   QTest::addColumn<float>("t");
   for (const float t : {0.0f, 0.05f, 0.25f, 0.4f, 0.5f, 0.75f, 0.9f, 1.0f})
     QTest::addRow("T = %g", double(t)) << t;
 }
 
-void EntranceTest::meanIsTheTime() {
+void StageEntryTest::meanIsTheTime() {
   QFETCH(float, t);
   constexpr int ranks = 2000;
   double sum = 0.0;
@@ -33,7 +33,7 @@ void EntranceTest::meanIsTheTime() {
   QVERIFY2(std::abs(sum / ranks - t) < 1e-4, qPrintable(QString::number(sum / ranks)));
 }
 
-void EntranceTest::everyLineGrowsAllTheTime() {
+void StageEntryTest::everyLineGrowsAllTheTime() {
   // At a fifth of the mean rate or more: METHOD's limit for a dead stretch, should all but one rank
   // be hidden.
   constexpr float step = 0.1f;
@@ -48,7 +48,7 @@ void EntranceTest::everyLineGrowsAllTheTime() {
   }
 }
 
-void EntranceTest::theFirstAreAhead() {
+void StageEntryTest::theFirstAreAhead() {
   for (int i = 1; i < 20; ++i) {
     const float t = 0.05f * float(i);
     for (int j = 1; j <= 20; ++j)
@@ -57,5 +57,5 @@ void EntranceTest::theFirstAreAhead() {
   }
 }
 
-SLINE_TEST_WITH_EVENTS(EntranceTest)
-#include "entrance_test.moc"
+SLINE_TEST_WITH_EVENTS(StageEntryTest)
+#include "stage_entry_test.moc"

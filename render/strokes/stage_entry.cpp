@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/picture/entrance.h"
+#include "render/strokes/stage_entry.h"
 
 #include <algorithm>
 #include <array>

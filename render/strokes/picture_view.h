@@ -12,7 +12,7 @@
 
 #include "model/geometry/clusters.h"
 #include "model/scene/camera.h"
-#include "render/gpu/rect.h"
+#include "render/raster/pixel_rect.h"
 
 namespace sline::render {
 
@@ -30,7 +30,7 @@ class PictureView {
   /// The projection matrix' [2][2], [3][2], [2][3] and [3][3].
   const glm::vec4& depthTerms() const { return m_depthTerms; }
   glm::vec2 size() const { return m_size; }
-  gpu::Rect whole() const { return {0, 0, int(m_size.x), int(m_size.y)}; }
+  PixelRect whole() const { return {0, 0, int(m_size.x), int(m_size.y)}; }
   /// λ in pixels: the unit of pens (METHOD §1).
   float outputUnit() const { return m_size.y / 720.0f; }
   /// At the point's depth; 0 behind a perspective camera.
@@ -56,7 +56,7 @@ class PictureView {
     return glm::transpose(glm::mat3(m_view)) * direction;
   }
   /// Pixels that the sphere can touch; the whole picture where it reaches behind the eye.
-  gpu::Rect bounds(const model::Sphere& sphere) const;
+  PixelRect bounds(const model::Sphere& sphere) const;
 
  private:
   model::Camera m_camera;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/picture/image.h"
+#include "render/raster/image.h"
 
 #include <array>
 #include <cassert>

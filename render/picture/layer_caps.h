@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cut faces of a layer as the GPU draws them.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "render/passes/cap/cap_pass.h"
+#include "render/picture/tile_lists.h"
+#include "render/strokes/picture_settings.h"
+#include "render/strokes/picture_view.h"
+#include "render/strokes/sectioned_surface.h"
+
+namespace sline::render {
+
+struct Shown;
+
+/// A cut surface with what the GPU has of its faces.
+struct CappedSurface : SectionedSurface {
+  explicit CappedSurface(SectionedSurface&& cut)
+      : SectionedSurface(std::move(cut)), caps(faces.size()) {}
+  std::vector<std::unique_ptr<passes::CapGeometry>> caps;  ///< of each face, once drawn
+};
+
+void markCaps(const Shown& shown, const PictureView& view, TileMask& mask);
+
+/// One draw per face; makes the geometry where it is not there yet. `area` and `slot` are the
+/// layer's; the sections that clip each face point into `planes`.
+struct CapDraws {
+  std::vector<std::vector<glm::vec4>> planes;
+  std::vector<passes::CapDraw> draws;
+};
+CapDraws capDraws(const Shown& shown, const PictureView& view, Background background,
+                  const PixelRect& area, const PixelRect& slot);
+
+}  // namespace sline::render

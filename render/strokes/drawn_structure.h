@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// What of a structure decides how it looks, besides the camera.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "model/scene/scene.h"
+#include "render/strokes/prepared_surface.h"
+#include "render/strokes/sectioned_surface.h"
+
+namespace sline::render {
+
+struct DrawnStructure {
+  model::NodeId id;
+  model::MeshPtr mesh;
+  model::ResolvedStyle style;
+  PreparedSurface* prepared = nullptr;
+  std::vector<model::Section> sections;         ///< that cut it
+  std::shared_ptr<const SectionedSurface> cut;  ///< by these; null where there are none
+
+  const model::Surface& surface() const { return *prepared->surface; }
+};
+
+}  // namespace sline::render

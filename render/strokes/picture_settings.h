@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a picture is drawn, besides what the scene says.
+#pragma once
+
+#include <functional>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "model/base/result.h"
+#include "model/scene/scene.h"
+#include "render/raster/image.h"
+
+namespace sline::render {
+
+enum class Background { white, paper, dark, transparent };
+
+/// How hatching is made: strokes along curves (ours), or S §3.4 as printed, which is grey and of
+/// one scale: a yardstick for measures.
+enum class HatchingMethod { strokes, asPrinted };
+
+/// What of a picture is drawn; measures look at one part alone.
+struct PictureParts {
+  bool lines = true;  ///< contours, suggestive contours
+  bool hatching = true;
+  bool fills = true;
+  bool operator==(const PictureParts&) const = default;
+};
+
+struct PictureSettings {
+  int width = 1280;
+  int height = 720;
+  Background background = Background::white;
+  HatchingMethod hatching = HatchingMethod::strokes;
+  /// Towards the light that hatching's shadows turn away from, in the camera's frame (right, up,
+  /// back); absent: the scene's own, else from the upper left.
+  std::optional<glm::vec3> light;
+  /// Shading has that light, too, besides the headlight; absent: as the scene says, else not.
+  std::optional<bool> keyLight;
+  PictureParts parts;
+};
+
+/// Draws a picture for those who measure it and need not know by what means.
+using DrawPicture = std::function<Result<Image>(
+    const model::Scene& scene, const model::Camera& camera, const PictureSettings& settings)>;
+
+}  // namespace sline::render

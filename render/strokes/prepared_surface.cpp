@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/strokes/prepared_surface.h"
+
+#include <algorithm>
+
+#include "render/lines/hatching.h"
+
+namespace sline::render {
+
+namespace {
+
+/// One-ring averaging steps of the curvature tensor (METHOD §5). Refinement halves the rings, so
+/// that twice the steps make up for a part of it; four times, for the whole, were seen to wipe out
+/// the folds of a coarse colon.
+int tensorSmoothing(const model::Provenance& provenance) {
+  constexpr int steps = 4;
+  if (provenance.refinementSteps > 0)
+    return steps << std::min(provenance.refinementSteps, 2);
+  return provenance.smoothingSteps > 0 ? steps : 0;
+}
+
+}  // namespace
+
+model::SurfacePtr pictureSurface(const model::MeshPtr& mesh, const model::Provenance& provenance) {
+  return model::prepareSurface(mesh, {.smoothingSteps = tensorSmoothing(provenance)});
+}
+
+void PreparedSurface::needStrokes() {
+  if (!strokes)
+    strokes = std::make_unique<StrokeLayout>(surface, longestHatchStroke / hatchSpacing);
+}
+
+}  // namespace sline::render

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// What sections take away of a structure, and how its cut faces look (METHOD §7).
+#pragma once
+
+#include "render/strokes/drawn_structure.h"
+#include "render/strokes/picture_settings.h"
+#include "render/strokes/picture_view.h"
+
+namespace sline::render {
+
+/// Returns whether one of the planes takes all of the box or sphere away.
+bool takenAway(const DrawnStructure& shown, const model::Box& box);
+bool takenAway(const DrawnStructure& shown, const model::Sphere& sphere);
+
+/// Returns whether the structure has a cut face to fill.
+bool hasCaps(const DrawnStructure& shown);
+/// Returns the pixels that cut faces and their outlines can touch, strokes not included.
+PixelRect sectionArea(const DrawnStructure& shown, const PictureView& view);
+
+/// How far towards the eye (window depth) the outlines of cut faces lie, so that no face of the
+/// same plane covers half of them.
+inline constexpr float outlineLift = 6e-5f;
+
+/// How a cut face looks; see cap.frag.glsl.
+struct CapLook {
+  glm::vec4 colour{0.0f};        ///< premultiplied
+  glm::vec4 strokeColour{0.0f};  ///< premultiplied; alpha 0: no hatching
+  glm::vec4 stripes{0.0f};
+  float strokeHalfWidth = 0.0f;  ///< px
+  glm::vec3 depthPlane{0.0f};
+};
+/// Returns the look of the face of that index in `shown.cut`.
+CapLook capLook(const DrawnStructure& shown, const PictureView& view, Background background,
+                std::size_t face);
+
+}  // namespace sline::render

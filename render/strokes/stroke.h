@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a pen sets: a piece of a line in pixels of the whole picture, y upwards. The ink pass draws
+// it, and vector drawings look what of it can be seen.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+
+namespace sline::render {
+
+enum class StrokeKind : std::uint8_t {
+  surfaceLine,  ///< centred on a line of the surface
+  contour,      ///< outside of a contour
+  hatching      ///< as a surface line, its edge softer or harder
+};
+
+struct Stroke {
+  glm::vec2 a{0.0f};
+  glm::vec2 b{0.0f};
+  float depthA = 0.0f;  ///< window depth, 0 … 1
+  float depthB = 0.0f;
+  float tolerance = 0.0f;  ///< mm that its own surface may lie before it
+  StrokeKind kind = StrokeKind::surfaceLine;
+  float innerShare =
+      1.0f;  ///< of a contour: what of it is left within the surface's own mask, 0 … 1
+  float softness = 1.0f;  ///< of hatching: pixels over which its edge fades
+  glm::vec2 outwardA{0.0f};
+  glm::vec2 outwardB{0.0f};
+  float halfWidthA = 1.0f;  ///< px, at least 0.5
+  float halfWidthB = 1.0f;
+  float opacityA = 1.0f;
+  float opacityB = 1.0f;
+};
+
+}  // namespace sline::render

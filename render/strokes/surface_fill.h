@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a structure's surface is filled, and the colours of ink and ground (METHOD §7).
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "render/strokes/drawn_structure.h"
+#include "render/strokes/picture_settings.h"
+#include "render/strokes/picture_view.h"
+
+namespace sline::render {
+
+/// How the surface's pixels look.
+struct SurfaceFill {
+  enum class Kind { depthOnly, flat, phong };
+  Kind kind = Kind::depthOnly;
+  glm::vec4 wash{0.0f};  ///< premultiplied, under the shading; all there is to a flat fill
+  glm::vec3 colour{1.0f};
+  float shading = 0.0f;   ///< T_P
+  float complete = 0.0f;  ///< clamp01(Γ − 4): mixes the opacity with 1
+  float opacity = 1.0f;   ///< the style's
+  float filigree = 1.0f;  ///< F_c in mm
+  /// Fills enter as light instead of shade: from what faces the eye, where on paper they enter from
+  /// the rim, as S eq. 11 says.
+  bool darkGround = false;
+  bool twoSided = false;  ///< normals turn towards the eye
+};
+
+/// Returns red, green and blue from 0 to 1, encoded as sRGB.
+inline glm::vec3 rgb(const Colour& colour) {
+  return glm::vec3(float(colour.red), float(colour.green), float(colour.blue)) / 255.0f;
+}
+/// Returns the background in sRGB with straight alpha.
+glm::vec4 backgroundColour(Background background);
+/// Returns the pen's colour: the style's own, else black, on a dark background nearly white.
+Colour inkColour(const model::ResolvedStyle& style, Background background);
+
+/// Returns whether a structure hides what is behind and has no lines.
+bool isOpaque(const model::ResolvedStyle& style);
+bool hasFill(const model::ResolvedStyle& style);
+SurfaceFill surfaceFill(const DrawnStructure& shown, const PictureView& view,
+                        Background background);
+
+}  // namespace sline::render
