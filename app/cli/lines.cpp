@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `sline lines`: the line segments and strokes of a mesh for one camera, as JSON.
-#include "render/lines/lines.h"
-
 #include <algorithm>
-#include <array>
 
 #include "app/cli/camera_file.h"
 #include "app/cli/command.h"
@@ -15,10 +12,12 @@
 #include "model/geometry/spatial_order.h"
 #include "render/lines/clipping.h"
 #include "render/lines/cut_faces.h"
+#include "render/lines/line_technique.h"
+#include "render/lines/stages.h"
+#include "render/lines/suggestive_contours.h"
 #include "render/lines/view_scale.h"
 #include "render/lines/visibility.h"
 #include "render/strokes/structure_lines.h"
-#include "render/strokes/transitions.h"
 
 namespace sline::cli {
 
@@ -34,8 +33,14 @@ struct LinesFlags {
   SectionFlags sections;
 };
 
-constexpr std::array<const char*, 5> lineKindNames{"contour", "suggestive", "silhouette", "section",
-                                                   "hatching"};
+/// The techniques, and what else is written: the contours that no surface lies behind, and strokes.
+std::vector<std::string> lineKindNames() {
+  std::vector<std::string> names;
+  for (const render::LineTechnique& technique : render::lineTechniques())
+    names.emplace_back(technique.id);
+  names.insert(names.end(), {"silhouette", "hatching"});
+  return names;
+}
 
 struct LinesOrder {
   model::ImportOptions import;
@@ -97,16 +102,21 @@ class LinesDocument {
     const model::SurfacePtr surface = model::prepareSurface(mesh);
     const model::Bvh bvh(mesh, model::spatialOrder(*mesh));
     render::LineRequest request;
-    request.contours = m_order.wants("contour") || m_order.wants("silhouette");
-    request.suggestive = m_order.wants("suggestive");
+    request.kinds = {};
+    for (const render::LineTechnique& technique : render::lineTechniques())
+      if (m_order.wants(technique.id))
+        request.kinds.add(technique.kind);
+    if (m_order.wants("silhouette"))
+      request.kinds.add(render::LineKind::contour);
     request.thresholds = render::suggestiveThresholds(m_order.gamma);
     request.twoSided = render::needsTwoSides(*surface, m_order.camera);
     render::LineSet lines = render::extractLines(*surface, m_order.camera, request);
-    render::clip(lines.contours, planes);
-    render::clip(lines.suggestive, planes);
+    for (const render::LineTechnique& technique : render::lineTechniques())
+      render::clip(lines[technique.kind], planes);
     const std::vector<render::CutFace> faces = render::cutFaces(*surface, planes);
+    std::vector<render::Segment>& outlines = lines[render::LineKind::section];
     for (const render::CutFace& face : faces)
-      lines.section.insert(lines.section.end(), face.outline.begin(), face.outline.end());
+      outlines.insert(outlines.end(), face.outline.begin(), face.outline.end());
     m_featureSize.push_back(surface->featureSize);
 
     const auto visible = [&](const std::vector<render::Segment>& segments) {
@@ -114,25 +124,22 @@ class LinesDocument {
     };
     if (m_order.wants("hatching"))
       addHatching(surface, bvh, planes, faces);
-    if (m_order.wants("contour"))
-      append("contour", lines.contours, visible(lines.contours));
-    if (m_order.wants("suggestive"))
-      append("suggestive", lines.suggestive, visible(lines.suggestive));
-    if (m_order.wants("section"))
-      append("section", lines.section, visible(lines.section));
+    for (const render::LineTechnique& technique : render::lineTechniques())
+      if (m_order.wants(technique.id))
+        append(technique.id, lines[technique.kind], visible(lines[technique.kind]));
+    const std::vector<render::Segment>& contours = lines[render::LineKind::contour];
     if (m_order.wants("silhouette")) {
       const std::vector<bool> outline =
-          render::silhouetteSegments(*surface, bvh, m_order.camera, lines.contours, faces);
+          render::silhouetteSegments(*surface, bvh, m_order.camera, contours, faces);
       std::vector<render::Segment> segments;
       for (std::size_t i = 0; i < outline.size(); ++i)
         if (outline[i])
-          segments.push_back(lines.contours[i]);
+          segments.push_back(contours[i]);
       append("silhouette", segments, visible(segments));
     }
   }
 
   std::string text() {
-    const render::LineThresholds thresholds = render::suggestiveThresholds(m_order.gamma);
     Json sizes = Json::array();
     for (const float size : m_featureSize)
       sizes.push_back(jsonNumber(size));
@@ -140,10 +147,10 @@ class LinesDocument {
     for (auto& [name, kind] : m_kinds.items()) {
       Json& used = kind["thresholds"];
       used["gamma"] = jsonNumber(m_order.gamma.value());
-      if (name == "suggestive") {
-        used["t_d"] = jsonNumber(thresholds.minimumDerivative);
-        used["theta_c"] = jsonNumber(thresholds.minimumAngle);
-      }
+      for (const render::LineTechnique& technique : render::lineTechniques())
+        if (technique.figures && name == technique.id)
+          for (const auto& [figure, value] : technique.figures(m_order.gamma))
+            used[figure] = jsonNumber(value);
       if (name == "hatching")
         used["t_h"] = jsonNumber(render::transitions(m_order.gamma).hatching);
       used["feature_size_mm"] = featureSize;
@@ -247,9 +254,8 @@ void declareLines(CLI::App& command, LinesFlags& flags) {
       ->type_name("FILE.json");
   command.add_option("--kinds", flags.kinds, "Which lines")
       ->delimiter(',')
-      ->check(CLI::IsMember({lineKindNames[0], lineKindNames[1], lineKindNames[2], lineKindNames[3],
-                             lineKindNames[4]}))
-      ->type_name("contour,suggestive,silhouette,section,hatching")
+      ->check(CLI::IsMember(lineKindNames()))
+      ->type_name(CLI::detail::join(lineKindNames(), ","))
       ->default_str("contour,suggestive");
   command
       .add_option("--gamma", flags.gamma,

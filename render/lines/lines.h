@@ -3,11 +3,12 @@
 // export, the tests and the web page all use these same segments. No OpenGL in here.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <initializer_list>
 #include <vector>
 
-#include "model/base/units.h"
 #include "model/geometry/surface.h"
 #include "model/scene/camera.h"
 
@@ -32,34 +33,51 @@ struct LineThresholds {
   float minimumDerivative = 1.0f;  ///< t_d: Dκr·F² must be above
   float minimumAngle = 0.05f;      ///< θ_c in radians: acos(nv) must be above
 };
-inline constexpr float defaultMinimumDerivative = 1.0f;  ///< t_dmin
-inline constexpr float defaultMinimumAngle = 0.05f;      ///< θ_cmin
 
-/// T_SC of METHOD §7 and the thresholds it gives (S eq. 9).
-LineThresholds suggestiveThresholds(Gamma gamma);
+/// The kinds of lines, in the order in which they are drawn over each other: an index into
+/// `lineTechniques()`.
+enum class LineKind : std::uint8_t { suggestive, contour, section };
+inline constexpr std::size_t lineKindCount = 3;
+
+class LineKinds {
+ public:
+  constexpr LineKinds(std::initializer_list<LineKind> kinds) {
+    for (const LineKind kind : kinds)
+      add(kind);
+  }
+  constexpr void add(LineKind kind) { m_bits |= 1u << unsigned(kind); }
+  constexpr bool has(LineKind kind) const { return ((m_bits >> unsigned(kind)) & 1u) != 0; }
+
+ private:
+  std::uint32_t m_bits = 0;
+};
 
 struct LineRequest {
-  bool contours = true;
-  bool suggestive = true;
-  LineThresholds thresholds;
+  LineKinds kinds{LineKind::contour, LineKind::suggestive};
+  LineThresholds thresholds;  ///< of kinds that have some
   /// Treats the inner side as a surface too (METHOD §1 "seen from behind"): open shells, or a
   /// camera inside a closed one.
   bool twoSided = false;
 };
 
-struct LineSet {
-  std::vector<Segment> contours;
-  std::vector<Segment> suggestive;
-  std::vector<Segment> section;  ///< outlines of cut faces (cut_faces.h), no matter from where seen
+/// The segments of each kind.
+class LineSet {
+ public:
+  std::vector<Segment>& operator[](LineKind kind) { return m_segments[std::size_t(kind)]; }
+  const std::vector<Segment>& operator[](LineKind kind) const {
+    return m_segments[std::size_t(kind)];
+  }
+
+ private:
+  std::array<std::vector<Segment>, lineKindCount> m_segments;
 };
 
-/// Contours: zero crossings of nv (METHOD §4). Suggestive contours: zero crossings of κr with
-/// Dκr·F² > t_d and acos(nv) > θ_c (METHOD §5, DeCarlo et al. 2003). Parallel; the order of
-/// segments depends on the surface alone.
+/// Finds the lines of the wanted kinds, as their techniques say (line_technique.h). Parallel; the
+/// order of segments depends on the surface alone.
 LineSet extractLines(const model::Surface& surface, const model::Camera& camera,
                      const LineRequest& request);
 
-/// True where lines of this surface need both sides: it is open, or the eye is inside its box.
+/// Returns whether lines of this surface need both sides: it is open, or the eye is inside its box.
 bool needsTwoSides(const model::Surface& surface, const model::Camera& camera);
 
 }  // namespace sline::render

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/lines/stages.h"
 #include "render/picture/atlas.h"
-#include "render/strokes/transitions.h"
 
 namespace sline::render {
 

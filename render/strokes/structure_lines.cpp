@@ -9,22 +9,17 @@
 #include "model/base/parallel.h"
 #include "render/lines/chains.h"
 #include "render/lines/clipping.h"
+#include "render/lines/line_technique.h"
+#include "render/lines/stage_entry.h"
+#include "render/lines/stages.h"
 #include "render/lines/view_fields.h"
 #include "render/strokes/section_look.h"
-#include "render/strokes/stage_entry.h"
-#include "render/strokes/transitions.h"
 
 namespace sline::render {
 
 namespace {
 
 constexpr float standardPen = 2.0f;  // λ, METHOD §4
-// Marks shorter than this many λ are specks of a rough surface, which no pen would set.
-constexpr float speckLength = 4.0f;
-constexpr float wholeLineLength = 14.0f;
-// The same around cut faces: all but pores is drawn.
-constexpr float speckOutline = 3.0f;
-constexpr float wholeOutline = 9.0f;
 
 // λ within which a contour of a surface seen along its length may find its far side.
 constexpr float wideStep = 2.5f;
@@ -246,12 +241,12 @@ float penWidth(const model::Surface& surface, const PictureView& view, float pen
 
 LineSet styledLines(const model::Surface& surface, const PictureView& view,
                     const model::ResolvedStyle& style) {
-  return extractLines(
-      surface, view.camera(),
-      {.contours = true,
-       .suggestive = showsLines(style) && transitions(style.gamma).suggestive > 0.0f,
-       .thresholds = {},
-       .twoSided = needsTwoSides(surface, view.camera())});
+  LineRequest request{
+      .kinds = {}, .thresholds = {}, .twoSided = needsTwoSides(surface, view.camera())};
+  for (const LineTechnique& technique : lineTechniques())
+    if (technique.bounds || (showsLines(style) && technique.entered(style.gamma) > 0.0f))
+      request.kinds.add(technique.kind);
+  return extractLines(surface, view.camera(), request);
 }
 
 Hatching styledHatching(StrokeLayout& layout, const PictureView& view,
@@ -266,43 +261,31 @@ Hatching styledHatching(StrokeLayout& layout, const PictureView& view,
 }
 
 void cutLines(const SectionedSurface& cut, StructureLines& drawn) {
-  clip(drawn.lines.contours, cut.planes);
-  clip(drawn.lines.suggestive, cut.planes);
+  for (const LineTechnique& technique : lineTechniques())
+    clip(drawn.lines[technique.kind], cut.planes);
   clip(drawn.hatching, cut.planes);
+  std::vector<Segment>& outlines = drawn.lines[LineKind::section];
   for (const CutFace& face : cut.faces)
-    drawn.lines.section.insert(drawn.lines.section.end(), face.outline.begin(), face.outline.end());
+    outlines.insert(outlines.end(), face.outline.begin(), face.outline.end());
 }
 
 void joinLines(const model::Surface& surface, const PictureView& view,
                const model::ResolvedStyle& style, LineSet& lines) {
-  if (!needsTwoSides(surface, view.camera()))
-    std::erase_if(lines.contours, [](const Segment& s) { return s.concave; });
   const float pixel = view.millimetresPerPixel(surface.boundingSphere.centre);
-  if (!(pixel > 0.0f))
-    return;
-  const auto join = [pixel](std::vector<Segment>& segments, const Chains& chains) {
+  const float unit = view.outputUnit() * pixel;
+  const std::span<const LineTechnique> techniques = lineTechniques();
+  parallelFor(techniques.size(), 1, [&](std::size_t i) {
+    const LineTechnique& technique = techniques[i];
+    std::vector<Segment>& segments = lines[technique.kind];
+    if (technique.rank)
+      technique.rank(segments, surface, view.camera(), technique.entered(style.gamma));
+    if (!(pixel > 0.0f))
+      return;
+    const Chains chains = connectedChains(segments);
+    const Specks& specks = technique.specks;
+    if (specks.whole > 0.0f)
+      fadeShortChains(segments, chains, specks.shortest * unit, specks.whole * unit);
     segments = simplified(segments, chains, simplification * pixel, longestStroke * pixel);
-  };
-  parallelFor(3, 1, [&](std::size_t kind) {
-    if (kind == 0) {
-      const float t = transitions(style.gamma).contours;
-      if (t > 0.0f && t < 1.0f)
-        rankContours(lines.contours, surface, view.camera());
-      join(lines.contours, connectedChains(lines.contours));
-      return;
-    }
-    if (kind == 1) {
-      const Chains chains = connectedChains(lines.section);
-      const float unit = view.outputUnit() * pixel;
-      fadeShortChains(lines.section, chains, speckOutline * unit, wholeOutline * unit);
-      join(lines.section, chains);
-      return;
-    }
-    rankSuggestive(lines.suggestive);
-    const Chains chains = connectedChains(lines.suggestive);
-    const float unit = view.outputUnit() * pixel;
-    fadeShortChains(lines.suggestive, chains, speckLength * unit, wholeLineLength * unit);
-    join(lines.suggestive, chains);
   });
 }
 
@@ -320,27 +303,42 @@ std::vector<Stroke> strokes(const model::Surface& surface, const PictureView& vi
                             const model::ResolvedStyle& style, const StructureLines& drawn,
                             const PixelRect& area) {
   StrokeMaker maker(surface, view, area);
-  const LineSet& lines = drawn.lines;
   const Transitions t = transitions(style.gamma);
-  const float width = penWidth(surface, view, style.penWeight) * t.lines;
-  for (const Segment& s : lines.contours)
-    maker.contour(s, width, t.lines, t.contours);
-  for (const Segment& s : lines.suggestive)
-    maker.surfaceLine(s, width, t.lines, t.suggestive);
+  const float pen = penWidth(surface, view, style.penWeight);
+  const auto set = [&](const LineTechnique& technique) {
+    const float entered = technique.entered(style.gamma);
+    for (const Segment& s : drawn.lines[technique.kind])
+      switch (technique.pen) {
+        case LinePen::outside:
+          maker.contour(s, pen * t.lines, t.lines, entered);
+          break;
+        case LinePen::centred:
+          maker.surfaceLine(s, pen * t.lines, t.lines, entered);
+          break;
+        case LinePen::cutEdge:
+          // What is cut stays outlined where other lines leave: half as wide.
+          maker.outline(s, pen * (0.5f + 0.5f * t.lines), style.penWeight > 0.0f ? 1.0f : 0.0f);
+          break;
+      }
+  };
+  for (const LineTechnique& technique : lineTechniques())
+    if (technique.pen != LinePen::cutEdge)
+      set(technique);
   for (const HatchStroke& s : drawn.hatching.strokes)
     maker.hatching(std::span(drawn.hatching.points).subspan(s.first, s.count), t.lines, t.lines);
-  // What is cut stays outlined where other lines leave: half as wide.
-  const float outline = penWidth(surface, view, style.penWeight) * (0.5f + 0.5f * t.lines);
-  for (const Segment& s : lines.section)
-    maker.outline(s, outline, style.penWeight > 0.0f ? 1.0f : 0.0f);
+  for (const LineTechnique& technique : lineTechniques())
+    if (technique.pen == LinePen::cutEdge)
+      set(technique);
   return maker.take();
 }
 
 std::vector<Stroke> edges(const model::Surface& surface, const PictureView& view,
                           const LineSet& lines, const PixelRect& area) {
   StrokeMaker maker(surface, view, area);
-  for (const Segment& s : lines.contours)
-    maker.contour(s, 1.0f, 1.0f, 1.0f);
+  for (const LineTechnique& technique : lineTechniques())
+    if (technique.bounds)
+      for (const Segment& s : lines[technique.kind])
+        maker.contour(s, 1.0f, 1.0f, 1.0f);
   return maker.take();
 }
 

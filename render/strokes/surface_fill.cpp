@@ -2,7 +2,7 @@
 #include "render/strokes/surface_fill.h"
 
 #include "render/lines/lines.h"
-#include "render/strokes/transitions.h"
+#include "render/lines/stages.h"
 
 namespace sline::render {
 

@@ -8,10 +8,11 @@
 
 #include "model/base/parallel.h"
 #include "model/scene/visible_structures.h"
+#include "render/lines/line_technique.h"
+#include "render/lines/stages.h"
 #include "render/strokes/coverage.h"
 #include "render/strokes/structure_lines.h"
 #include "render/strokes/surface_fill.h"
-#include "render/strokes/transitions.h"
 #include "render/vectors/fill_shapes.h"
 #include "render/vectors/paint_order.h"
 #include "render/vectors/pen_shapes.h"
@@ -238,7 +239,7 @@ class Drawing {
     const float ink = transitions(style.gamma).lines;
     const Colour colour = inkColour(style, m_settings.background);
     StructureLines one;
-    const auto add = [&](LineKind kind, float opacity) {
+    const auto add = [&](const char* kind, float opacity) {
       const StrokeScene scene{.stack = stack,
                               .own = layers[index],
                               .ownIndex = index,
@@ -254,16 +255,19 @@ class Drawing {
       if (std::vector<VectorShape> shapes = pen.take(); !shapes.empty())
         structure.lines.push_back({kind, opacity, std::move(shapes)});
     };
-    if (ink > 0.0f && style.penWeight > 0.0f) {
+    const bool pens = ink > 0.0f && style.penWeight > 0.0f;
+    if (pens) {
       one.hatching = std::move(work.lines.hatching);
-      add(LineKind::hatching, ink);
-      one.lines.suggestive = std::move(work.lines.lines.suggestive);
-      add(LineKind::suggestive, ink);
-      one.lines.contours = std::move(work.lines.lines.contours);
-      add(LineKind::contour, ink);
+      add("Hatching", ink);
     }
-    one.lines.section = std::move(work.lines.lines.section);
-    add(LineKind::section, 1.0f);
+    for (const LineTechnique& technique : lineTechniques()) {
+      // What is cut stays outlined where other lines leave.
+      const bool stays = technique.pen == LinePen::cutEdge;
+      if (!pens && !stays)
+        continue;
+      one.lines[technique.kind] = std::move(work.lines.lines[technique.kind]);
+      add(technique.layer, stays ? 1.0f : ink);
+    }
     return structure;
   }
 

@@ -25,11 +25,9 @@ struct VectorShape {
   float penWidth = 0.0f;  ///< mm; 0: filled
 };
 
-enum class LineKind { hatching, suggestive, contour, section };
-
 /// What a pen draws of a structure, kind by kind.
 struct VectorLines {
-  LineKind kind = LineKind::contour;
+  const char* kind = "";            ///< "Hatching", or a technique's layer
   float opacity = 1.0f;             ///< of all of them together
   std::vector<VectorShape> shapes;  ///< of one colour but where veiled
 };

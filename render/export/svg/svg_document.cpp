@@ -16,12 +16,6 @@ namespace sline::render {
 
 namespace {
 
-std::string_view nameOf(LineKind kind) {
-  constexpr std::array<std::string_view, 4> names{"Hatching", "Suggestive contours", "Contours",
-                                                  "Cut outlines"};
-  return names[std::size_t(kind)];
-}
-
 /// Where a structure or group of lines stands among its siblings.
 struct Branch {
   std::vector<const VectorStructure*> structures;  ///< at or below it
@@ -169,7 +163,7 @@ class Document {
 
   void addStructure(const VectorStructure& structure) {
     for (const VectorLines& lines : structure.lines) {
-      m_text += "<g inkscape:label=\"" + std::string(render::nameOf(lines.kind)) + "\"" +
+      m_text += "<g inkscape:label=\"" + std::string(lines.kind) + "\"" +
                 opacityAttribute(lines.opacity) + ">\n";
       for (const VectorShape& shape : lines.shapes)
         addPath(shape, false);

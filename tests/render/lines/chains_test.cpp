@@ -20,9 +20,9 @@ class ChainsTest : public QObject {
     const model::Camera camera{
         .projection = model::Projection::orthographic, .eye = {0.7f, 0.3f, 80}, .up = {0, 1, 0}};
     const auto lines = render::extractLines(*surface, camera, {});
-    const render::Chains chains = render::connectedChains(lines.contours);
+    const render::Chains chains = render::connectedChains(lines[render::LineKind::contour]);
     QCOMPARE(chains.count(), std::size_t(2));
-    const auto lengths = render::chainLengths(chains, lines.contours);
+    const auto lengths = render::chainLengths(chains, lines[render::LineKind::contour]);
     const float inner = std::min(lengths[0], lengths[1]);
     const float outer = std::max(lengths[0], lengths[1]);
     QVERIFY(std::abs(inner - float(2 * M_PI * 7)) < 0.2f);
@@ -33,14 +33,14 @@ class ChainsTest : public QObject {
     const auto surface = model::prepareSurface(test::torus(10, 3, 400, 160));
     const model::Camera camera{.projection = model::Projection::orthographic, .eye = {14, -72, 28}};
     const auto lines = render::extractLines(*surface, camera, {});
-    QVERIFY(lines.suggestive.size() > 50);
-    QVERIFY(render::connectedChains(lines.suggestive).count() <= 4);
+    QVERIFY(lines[render::LineKind::suggestive].size() > 50);
+    QVERIFY(render::connectedChains(lines[render::LineKind::suggestive]).count() <= 4);
   }
 
   void everySegmentIsDrawnOnceInOrder() {
     const auto surface = model::prepareSurface(test::torus(10, 3, 100, 40));
     const model::Camera camera{.projection = model::Projection::orthographic, .eye = {14, -72, 28}};
-    const auto lines = render::extractLines(*surface, camera, {}).contours;
+    const auto lines = render::extractLines(*surface, camera, {})[render::LineKind::contour];
     const render::Chains chains = render::connectedChains(lines);
     std::vector<int> seen(lines.size());
     for (std::size_t chain = 0; chain < chains.count(); ++chain)
@@ -72,7 +72,7 @@ class ChainsTest : public QObject {
     const auto surface = model::prepareSurface(test::torus(10, 3, 1200, 200));
     const model::Camera camera{
         .projection = model::Projection::orthographic, .eye = {0.7f, 0.3f, 80}, .up = {0, 1, 0}};
-    const auto lines = render::extractLines(*surface, camera, {}).contours;
+    const auto lines = render::extractLines(*surface, camera, {})[render::LineKind::contour];
     const auto chains = render::connectedChains(lines);
     const auto fewer = render::simplified(lines, chains, 0.01f, 2.0f);
     QVERIFY(fewer.size() * 5 < lines.size());

@@ -116,17 +116,19 @@ void CutFacesTest::linesStayOnTheKeptSide() {
   QFETCH(Planes, planes);
   const model::SurfacePtr ring = model::prepareSurface(test::torus(40.0f, 14.0f, 180, 80));
   LineSet lines = extractLines(*ring, lookingFrom({100, -300, 200}), {});
-  const std::size_t before = lines.contours.size();
-  clip(lines.contours, planes);
-  clip(lines.suggestive, planes);
-  QVERIFY(!lines.contours.empty() && lines.contours.size() < before);
+  const std::size_t before = lines[LineKind::contour].size();
+  clip(lines[LineKind::contour], planes);
+  clip(lines[LineKind::suggestive], planes);
+  QVERIFY(!lines[LineKind::contour].empty() && lines[LineKind::contour].size() < before);
   for (const CutFace& face : cutFaces(*ring, planes)) {
     QVERIFY(!face.outline.empty());
     for (const Segment& s : face.outline)
       QVERIFY(std::abs(face.plane.distance(s.a)) < 1e-3);
-    lines.section.insert(lines.section.end(), face.outline.begin(), face.outline.end());
+    lines[LineKind::section].insert(lines[LineKind::section].end(), face.outline.begin(),
+                                    face.outline.end());
   }
-  for (const auto* kind : {&lines.contours, &lines.suggestive, &lines.section})
+  for (const auto* kind :
+       {&lines[LineKind::contour], &lines[LineKind::suggestive], &lines[LineKind::section]})
     for (const Segment& s : *kind)
       for (const Plane& cut : planes) {
         QVERIFY(cut.distance(s.a) < 1e-3);
@@ -218,7 +220,7 @@ void CutFacesTest::whatIsTakenAwayHidesNothing() {
   const model::Bvh bvh(mesh, model::spatialOrder(*mesh));
   const model::Camera camera = lookingFrom({0, -400, 30});
   const Plane cut = plane({0, -1, 0}, 0);
-  std::vector<Segment> contours = extractLines(*ring, camera, {}).contours;
+  std::vector<Segment> contours = extractLines(*ring, camera, {})[LineKind::contour];
   clip(contours, std::span(&cut, 1));
   const std::vector<CutFace> faces = cutFaces(*ring, std::span(&cut, 1));
   const auto visible = visibleSegments(*ring, bvh, camera, contours, faces);
@@ -229,7 +231,7 @@ void CutFacesTest::whatIsTakenAwayHidesNothing() {
   QVERIFY(count(visible) > count(before) + 20);
   // Nothing that the cut face itself covers is seen.
   const Plane other = plane({0, 1, 0}, 0);
-  std::vector<Segment> behind = extractLines(*ring, camera, {}).contours;
+  std::vector<Segment> behind = extractLines(*ring, camera, {})[LineKind::contour];
   clip(behind, std::span(&other, 1));
   const auto faces2 = cutFaces(*ring, std::span(&other, 1));
   QCOMPARE(count(visibleSegments(*ring, bvh, camera, behind, faces2)),

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "render/lines/suggestive_contours.h"
 #include "render/lines/view_fields.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
@@ -89,7 +90,7 @@ class LinesTest : public QObject {
     const float radius = perspective ? r * std::sqrt(1.0f - r * r / d / d) : r;
     const auto lines = render::extractLines(*surface, camera, request(2));
     double length = 0.0;
-    for (const render::Segment& s : lines.contours) {
+    for (const render::Segment& s : lines[render::LineKind::contour]) {
       for (const glm::vec3& p : {s.a, s.b}) {
         QVERIFY(std::abs(glm::dot(p, slanted) - plane) < 1e-3f * r);
         QVERIFY(std::abs(glm::length(p - plane * slanted) - radius) < 1e-3f * r);
@@ -98,14 +99,14 @@ class LinesTest : public QObject {
       QVERIFY(!s.concave);
     }
     QVERIFY(std::abs(length / (2.0 * M_PI * double(radius)) - 1.0) < 1e-3);
-    QVERIFY(lines.suggestive.empty());
+    QVERIFY(lines[render::LineKind::suggestive].empty());
   }
 
   void torusContours() {
     const auto surface = model::prepareSurface(test::torus(10, 3, 300, 120));
     const auto lines = render::extractLines(*surface, orthographic(slanted), request(2));
     const auto nv = [](test::Torus::Point p) { return torus.nv(p, glm::dvec3(slanted)); };
-    for (const render::Segment& s : lines.contours) {
+    for (const render::Segment& s : lines[render::LineKind::contour]) {
       QVERIFY(distanceToZero(nv, torus.at(glm::dvec3(s.a))) < 0.01);
       // κr < 0 on a contour: the side that the torus itself always hides.
       const double k = torus.radialCurvature(torus.at(glm::dvec3(middle(s))), glm::dvec3(slanted));
@@ -118,7 +119,7 @@ class LinesTest : public QObject {
       const double radial = double(slanted.x) * std::cos(u) + double(slanted.y) * std::sin(u);
       for (const double turn : {0.0, M_PI}) {
         const test::Torus::Point p{u, std::atan2(-radial, double(slanted.z)) + turn};
-        QVERIFY(nearAny(lines.contours, torus.position(p), 0.25));
+        QVERIFY(nearAny(lines[render::LineKind::contour], torus.position(p), 0.25));
       }
     }
   }
@@ -132,8 +133,8 @@ class LinesTest : public QObject {
     const auto strength = [&](test::Torus::Point p) {
       return f2 * torus.radialCurvatureDerivative(p, d);
     };
-    QVERIFY(lines.suggestive.size() > 80);
-    for (const render::Segment& s : lines.suggestive) {
+    QVERIFY(lines[render::LineKind::suggestive].size() > 80);
+    for (const render::Segment& s : lines[render::LineKind::suggestive]) {
       const auto p = torus.at(glm::dvec3(middle(s)));
       QVERIFY(distanceToZero(kr, p) < 0.03);
       QVERIFY(torus.nv(p, d) > -0.01);
@@ -151,7 +152,7 @@ class LinesTest : public QObject {
             strength(a) < 1.5)
           continue;
         ++expected;
-        QVERIFY(nearAny(lines.suggestive, torus.position(a), 0.25));
+        QVERIFY(nearAny(lines[render::LineKind::suggestive], torus.position(a), 0.25));
       }
     QVERIFY(expected > 50);
   }
@@ -161,14 +162,14 @@ class LinesTest : public QObject {
     const auto surface = model::prepareSurface(test::torus(10, 3, 300, 120));
     const auto lines = render::extractLines(*surface, orthographic(slanted), request(2));
     int ends = 0;
-    for (const render::Segment& s : lines.suggestive)
+    for (const render::Segment& s : lines[render::LineKind::suggestive])
       for (const glm::vec3& p : {s.a, s.b}) {
         const auto at = torus.at(glm::dvec3(p));
         if (std::abs(torus.nv(at, glm::dvec3(slanted))) > 1e-3)
           continue;
         ++ends;
         double nearest = 1e9;
-        for (const render::Segment& c : lines.contours)
+        for (const render::Segment& c : lines[render::LineKind::contour])
           nearest =
               std::min({nearest, double(glm::distance(c.a, p)), double(glm::distance(c.b, p))});
         QVERIFY(nearest < double(surface->meanEdge));
@@ -181,7 +182,7 @@ class LinesTest : public QObject {
     const auto surface = model::prepareSurface(test::torus(10, 3, 100, 40));
     const auto lines = render::extractLines(*surface, orthographic(slanted), request(2));
     std::map<std::array<float, 3>, int> ends;
-    for (const render::Segment& s : lines.contours)
+    for (const render::Segment& s : lines[render::LineKind::contour])
       for (const glm::vec3& p : {s.a, s.b})
         ++ends[{p.x, p.y, p.z}];
     for (const auto& [point, count] : ends)
@@ -193,10 +194,10 @@ class LinesTest : public QObject {
     std::size_t last = 0;
     for (const float gamma : {1.0f, 1.25f, 1.5f, 1.75f, 2.0f}) {
       const auto lines = render::extractLines(*surface, orthographic(slanted), request(gamma));
-      QVERIFY(lines.suggestive.size() >= last);
+      QVERIFY(lines[render::LineKind::suggestive].size() >= last);
       if (gamma == 1.0f)
-        QCOMPARE(lines.suggestive.size(), std::size_t(0));
-      last = lines.suggestive.size();
+        QCOMPARE(lines[render::LineKind::suggestive].size(), std::size_t(0));
+      last = lines[render::LineKind::suggestive].size();
     }
     QVERIFY(last > 0);
   }
@@ -208,8 +209,11 @@ class LinesTest : public QObject {
     const glm::vec3 flipped(-slanted.x, slanted.y, slanted.z);
     const auto one = render::extractLines(*a, orthographic(slanted), request(2));
     const auto other = render::extractLines(*b, orthographic(flipped), request(2));
-    compare(sorted(one.contours, 1, 1), sorted(other.contours, -1, 1), 2e-4f);
-    QVERIFY(std::abs(double(one.suggestive.size()) / double(other.suggestive.size()) - 1.0) < 0.01);
+    compare(sorted(one[render::LineKind::contour], 1, 1),
+            sorted(other[render::LineKind::contour], -1, 1), 2e-4f);
+    QVERIFY(std::abs(double(one[render::LineKind::suggestive].size()) /
+                         double(other[render::LineKind::suggestive].size()) -
+                     1.0) < 0.01);
   }
 
   // From millimetres to metres: every threshold is made dimensionless with F.
@@ -221,8 +225,10 @@ class LinesTest : public QObject {
     const auto one = render::extractLines(*a, camera, request(2));
     camera.eye /= 1024.0f;
     const auto other = render::extractLines(*b, camera, request(2));
-    compare(sorted(one.contours, 1, 1024), sorted(other.contours, 1, 1), 1e-7f);
-    compare(sorted(one.suggestive, 1, 1024), sorted(other.suggestive, 1, 1), 1e-5f);
+    compare(sorted(one[render::LineKind::contour], 1, 1024),
+            sorted(other[render::LineKind::contour], 1, 1), 1e-7f);
+    compare(sorted(one[render::LineKind::suggestive], 1, 1024),
+            sorted(other[render::LineKind::suggestive], 1, 1), 1e-5f);
   }
 
   // The inner side of an open half tube shows the same lines as the outer one of its negative.
@@ -243,9 +249,12 @@ class LinesTest : public QObject {
             .value());
     const auto negative =
         render::extractLines(*model::prepareSurface(inside), orthographic(below), both);
-    QVERIFY(twoSides.suggestive.size() >= oneSide.suggestive.size());
-    QCOMPARE(twoSides.contours.size(), negative.contours.size());
-    QCOMPARE(twoSides.suggestive.size(), negative.suggestive.size());
+    QVERIFY(twoSides[render::LineKind::suggestive].size() >=
+            oneSide[render::LineKind::suggestive].size());
+    QCOMPARE(twoSides[render::LineKind::contour].size(),
+             negative[render::LineKind::contour].size());
+    QCOMPARE(twoSides[render::LineKind::suggestive].size(),
+             negative[render::LineKind::suggestive].size());
   }
 
   void cameraInsideAClosedSurfaceSeesItsInnerSide() {

@@ -27,8 +27,10 @@ Seen see(const model::MeshPtr& mesh, const model::Camera& camera) {
   const auto surface = model::prepareSurface(mesh);
   const model::Bvh bvh(mesh, model::spatialOrder(*mesh));
   Seen seen{render::extractLines(*surface, camera, {}), {}, {}};
-  seen.visible = render::visibleSegments(*surface, bvh, camera, seen.lines.contours);
-  seen.silhouette = render::silhouetteSegments(*surface, bvh, camera, seen.lines.contours);
+  seen.visible =
+      render::visibleSegments(*surface, bvh, camera, seen.lines[render::LineKind::contour]);
+  seen.silhouette =
+      render::silhouetteSegments(*surface, bvh, camera, seen.lines[render::LineKind::contour]);
   return seen;
 }
 }  // namespace
@@ -38,7 +40,7 @@ class VisibilityTest : public QObject {
  private slots:
   void allOfASphereIsSeen() {
     const Seen seen = see(test::sphere(5, 4), along({1, -2, 0.5f}));
-    for (std::size_t i = 0; i < seen.lines.contours.size(); ++i) {
+    for (std::size_t i = 0; i < seen.lines[render::LineKind::contour].size(); ++i) {
       QVERIFY(seen.visible[i]);
       QVERIFY(seen.silhouette[i]);
     }
@@ -48,8 +50,9 @@ class VisibilityTest : public QObject {
   void torusEdgeOnHidesItsHole() {
     const Seen seen = see(test::torus(10, 3, 200, 80), along({0, -1, 0.02f}));
     int hidden = 0;
-    for (std::size_t i = 0; i < seen.lines.contours.size(); ++i) {
-      const glm::vec3 p = 0.5f * (seen.lines.contours[i].a + seen.lines.contours[i].b);
+    for (std::size_t i = 0; i < seen.lines[render::LineKind::contour].size(); ++i) {
+      const glm::vec3 p = 0.5f * (seen.lines[render::LineKind::contour][i].a +
+                                  seen.lines[render::LineKind::contour][i].b);
       const float ring = std::hypot(p.x, p.y);
       if (ring > 9.0f)
         continue;  // the outer side, or the top and bottom where both meet
@@ -62,7 +65,7 @@ class VisibilityTest : public QObject {
   // From above everything is in sight, and the hole's rim is silhouette too.
   void torusFromAboveShowsItsHole() {
     const Seen seen = see(test::torus(10, 3, 200, 80), along({0.01f, 0, 1}));
-    for (std::size_t i = 0; i < seen.lines.contours.size(); ++i) {
+    for (std::size_t i = 0; i < seen.lines[render::LineKind::contour].size(); ++i) {
       QVERIFY(seen.visible[i]);
       QVERIFY(seen.silhouette[i]);
     }
@@ -72,10 +75,10 @@ class VisibilityTest : public QObject {
   void innerContoursAreNoSilhouette() {
     const Seen seen = see(test::torus(10, 3, 200, 80), along({0, -1, 0.35f}));
     int inner = 0;
-    for (std::size_t i = 0; i < seen.lines.contours.size(); ++i)
+    for (std::size_t i = 0; i < seen.lines[render::LineKind::contour].size(); ++i)
       inner += seen.visible[i] && !seen.silhouette[i];
     QVERIFY(inner > 20);
-    QVERIFY(std::size_t(inner) < seen.lines.contours.size() / 2);
+    QVERIFY(std::size_t(inner) < seen.lines[render::LineKind::contour].size() / 2);
   }
 };
 

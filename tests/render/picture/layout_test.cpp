@@ -3,11 +3,11 @@
 #include <QtTest>
 #include <random>
 
+#include "render/lines/stages.h"
 #include "render/picture/shelf_packer.h"
 #include "render/picture/tile_lists.h"
 #include "render/raster/image.h"
 #include "render/strokes/picture_view.h"
-#include "render/strokes/transitions.h"
 #include "tests/support/suite.h"
 
 using namespace sline;

@@ -101,18 +101,21 @@ std::vector<glm::vec2> seenByRays(const std::vector<model::MeshPtr>& meshes,
     const auto surface = model::prepareSurface(meshes[i]);
     const render::LineSet lines = render::extractLines(*surface, eye, {});
     const std::vector<bool> visible =
-        render::visibleSegments(*surface, *trees[i], eye, lines.contours);
-    for (std::size_t k = 0; k < lines.contours.size(); ++k) {
-      const glm::vec3 p = 0.5f * (lines.contours[k].a + lines.contours[k].b);
+        render::visibleSegments(*surface, *trees[i], eye, lines[render::LineKind::contour]);
+    for (std::size_t k = 0; k < lines[render::LineKind::contour].size(); ++k) {
+      const glm::vec3 p =
+          0.5f * (lines[render::LineKind::contour][k].a + lines[render::LineKind::contour][k].b);
       bool free = visible[k];
       for (std::size_t other = 0; hides && other < meshes.size(); ++other)
         free =
             free && (other == i || !trees[other]->blocked({.origin = p, .direction = frame.back}));
-      const glm::vec3 along = lines.contours[k].b - lines.contours[k].a;
+      const glm::vec3 along =
+          lines[render::LineKind::contour][k].b - lines[render::LineKind::contour][k].a;
       const float perMm = page.y / eye.heightMm;
       const int pieces = 1 + int(perMm * glm::length(along) / outputUnit);
       for (int piece = 0; free && piece < pieces; ++piece) {
-        const glm::vec3 q = lines.contours[k].a + (float(piece) + 0.5f) / float(pieces) * along;
+        const glm::vec3 q =
+            lines[render::LineKind::contour][k].a + (float(piece) + 0.5f) / float(pieces) * along;
         seen.push_back(0.5f * page +
                        perMm * glm::vec2(glm::dot(q, frame.right), -glm::dot(q, frame.up)));
       }
@@ -236,7 +239,7 @@ class HiddenLinesTest : public QObject {
     int outlines = 0;
     for (const render::VectorStructure& structure : drawing.structures)
       for (const render::VectorLines& lines : structure.lines)
-        outlines += lines.kind == render::LineKind::section;
+        outlines += QByteArray(lines.kind) == "Cut outlines";
     QCOMPARE(outlines, 2);
   }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines enter evenly (METHOD §7): as much is in at any time as that time says, and none stands
 // still.
-#include "render/strokes/stage_entry.h"
+#include "render/lines/stage_entry.h"
 #include "tests/support/suite.h"
 
 #include <QtTest>

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/lines/line_technique.h"
+
+#include <array>
+
+#include "render/lines/contours.h"
+#include "render/lines/stages.h"
+#include "render/lines/suggestive_contours.h"
+
+namespace sline::render {
+
+namespace {
+
+constexpr std::array techniques{
+    LineTechnique{.kind = LineKind::suggestive,
+                  .id = "suggestive",
+                  .layer = "Suggestive contours",
+                  .pen = LinePen::centred,
+                  // Specks of a rough surface are no marks that a pen would set.
+                  .specks = {.shortest = 4.0f, .whole = 14.0f},
+                  .entered = [](Gamma gamma) { return transitions(gamma).suggestive; },
+                  .mayPass = suggestiveContoursMayPass,
+                  .extract = extractSuggestiveContours,
+                  .rank = rankSuggestiveContours,
+                  .figures = suggestiveFigures},
+    LineTechnique{.kind = LineKind::contour,
+                  .id = "contour",
+                  .layer = "Contours",
+                  .pen = LinePen::outside,
+                  .bounds = true,
+                  .entered = [](Gamma gamma) { return transitions(gamma).contours; },
+                  .mayPass = contoursMayPass,
+                  .extract = extractContours,
+                  .rank = rankContours},
+    LineTechnique{.kind = LineKind::section,
+                  .id = "section",
+                  .layer = "Cut outlines",
+                  .pen = LinePen::cutEdge,
+                  // All but pores is drawn.
+                  .specks = {.shortest = 3.0f, .whole = 9.0f},
+                  .entered = [](Gamma) { return 1.0f; }}};
+
+static_assert(techniques.size() == lineKindCount);
+
+}  // namespace
+
+std::span<const LineTechnique> lineTechniques() {
+  return techniques;
+}
+
+}  // namespace sline::render

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/lines/suggestive_contours.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "render/lines/stage_entry.h"
+
+namespace sline::render {
+
+namespace {
+
+/// Returns the least T_SC whose thresholds (S eq. 9) hold for Dκr·F² and nv.
+float entry(float derivative, float nv) {
+  constexpr float rightAngle = 1.57079632679f;
+  const float byDerivative = 2.0f - derivative / defaultMinimumDerivative;
+  const float byAngle =
+      (rightAngle - std::acos(std::clamp(nv, 0.0f, 1.0f))) / (rightAngle - defaultMinimumAngle);
+  return std::clamp(std::max(byDerivative, byAngle), 0.0f, 1.0f);
+}
+
+/// Where a line may end, with everything that decides whether it passes there.
+struct End {
+  glm::vec3 position;
+  glm::vec3 normal;
+  float nv;
+  float derivative;  ///< Dκr·F² as seen from outside
+};
+
+/// The lines of one cluster.
+class ClusterLines {
+ public:
+  ClusterLines(const ClusterWalk& walk, const LineRequest& request)
+      : m_walk(walk), m_request(request) {
+    std::fill_n(m_known.begin(), walk.cluster().vertexCount, false);
+  }
+
+  void add(std::uint32_t triangle, std::vector<Segment>& out) {
+    const ClusterWalk::Local& local = m_walk.local(triangle);
+    const std::size_t odd = ClusterWalk::oddCorner(local, m_walk.bending());
+    if (odd == 3)
+      return;
+    const auto [lowest, highest] = std::minmax(
+        {m_walk.facing()[local[0]], m_walk.facing()[local[1]], m_walk.facing()[local[2]]});
+    const bool front = highest > 0.0f;
+    const bool back = m_request.twoSided && lowest < 0.0f;
+    if (!front && !back)
+      return;
+    // What holds at no corner holds nowhere between them.
+    float strongest = -std::numeric_limits<float>::infinity();
+    for (const std::uint8_t corner : local) {
+      const float d = derivativeAt(corner);
+      strongest = std::max(strongest, m_request.twoSided ? std::abs(d) : d);
+    }
+    if (!(strongest > m_request.thresholds.minimumDerivative))
+      return;
+    const std::array<Crossing, 2> on = m_walk.ends(
+        local, odd, [this](std::uint8_t vertex) { return m_walk.radialCurvatureAt(vertex); });
+    const std::array<End, 2> ends{endAt(on[0]), endAt(on[1])};
+    if (front)
+      addClipped(ends, 1.0f, triangle, out);
+    if (back)
+      addClipped(ends, -1.0f, triangle, out);
+  }
+
+ private:
+  /// Dκr·F² at a vertex of the cluster; computed where a line comes near, once a cluster.
+  float derivativeAt(std::uint8_t local) {
+    if (m_known[local])
+      return m_derivative[local];
+    m_known[local] = true;
+    const model::Surface& surface = m_walk.surface();
+    const std::uint32_t v = m_walk.vertex(local);
+    const glm::vec3 toEye = directionTo(m_walk.eye(), surface.mesh->positions()[v]);
+    const glm::vec2 w = viewInPrincipalFrame(surface.normals[v], surface.curvature.e1[v], toEye);
+    return m_derivative[local] =
+               surface.featureSize * surface.featureSize *
+               radialCurvatureDerivative(surface.curvature.k[v], surface.curvature.derivative[v], w,
+                                         m_walk.nvAt(local));
+  }
+
+  End endAt(const Crossing& at) {
+    return {at.position, at.normal, at.nv, at.mix(derivativeAt(at.a), derivativeAt(at.b))};
+  }
+
+  /// Cuts the line to where all conditions of METHOD §5 hold on one side of the surface: `side` 1
+  /// seen from outside, −1 from within (n and the derivative change sign).
+  void addClipped(const std::array<End, 2>& c, float side, std::uint32_t triangle,
+                  std::vector<Segment>& out) const {
+    const float cosine = std::cos(m_request.thresholds.minimumAngle);
+    const auto excess = [&](const End& x) {
+      return side * x.derivative - m_request.thresholds.minimumDerivative;
+    };
+    float low = 0.0f;
+    float high = 1.0f;
+    const auto keepPositive = [&](float atA, float atB) {
+      if (atA <= 0.0f && atB <= 0.0f)
+        high = -1.0f;
+      else if (atA <= 0.0f)
+        low = std::max(low, zeroBetween(atA, atB));
+      else if (atB <= 0.0f)
+        high = std::min(high, zeroBetween(atA, atB));
+    };
+    keepPositive(side * c[0].nv, side * c[1].nv);
+    keepPositive(cosine - side * c[0].nv, cosine - side * c[1].nv);
+    keepPositive(excess(c[0]), excess(c[1]));
+    if (!(low < high))
+      return;
+    // At t = 1 exactly y, so that a line's segments share their ends to the last bit.
+    const auto mix = [](const auto& x, const auto& y, float t) {
+      return t >= 1.0f ? y : x + t * (y - x);
+    };
+    const auto opacity = [&](float t) {
+      // From 0 at the threshold to 1 at twice it: the ends fade out instead of popping (METHOD §5).
+      const float t_d = std::max(m_request.thresholds.minimumDerivative, 1e-6f);
+      return std::clamp(mix(excess(c[0]), excess(c[1]), t) / t_d, 0.0f, 1.0f);
+    };
+    out.push_back({.a = mix(c[0].position, c[1].position, low),
+                   .b = mix(c[0].position, c[1].position, high),
+                   .normalA = side * glm::normalize(mix(c[0].normal, c[1].normal, low)),
+                   .normalB = side * glm::normalize(mix(c[0].normal, c[1].normal, high)),
+                   .opacityA = opacity(low),
+                   .opacityB = opacity(high),
+                   .entryA = entry(side * mix(c[0].derivative, c[1].derivative, low),
+                                   side * mix(c[0].nv, c[1].nv, low)),
+                   .entryB = entry(side * mix(c[0].derivative, c[1].derivative, high),
+                                   side * mix(c[0].nv, c[1].nv, high)),
+                   .triangle = m_walk.triangle(triangle)});
+  }
+
+  const ClusterWalk& m_walk;
+  const LineRequest& m_request;
+  ClusterWalk::Field m_derivative;
+  std::array<bool, model::Clusters::maximumVertices + 1> m_known;
+};
+
+}  // namespace
+
+LineThresholds suggestiveThresholds(Gamma gamma) {
+  const float t = std::clamp(gamma.value() - 1.0f, 0.0f, 1.0f);
+  constexpr float rightAngle = 1.57079632679f;
+  return {.minimumDerivative = (1.0f - t) * defaultMinimumDerivative + defaultMinimumDerivative,
+          .minimumAngle = rightAngle - (rightAngle - defaultMinimumAngle) * t};
+}
+
+LineFigures suggestiveFigures(Gamma gamma) {
+  const LineThresholds thresholds = suggestiveThresholds(gamma);
+  return {{"t_d", thresholds.minimumDerivative}, {"theta_c", thresholds.minimumAngle}};
+}
+
+bool suggestiveContoursMayPass(const model::Cluster& cluster, model::Facing) {
+  // Strictly convex or concave everywhere: κr keeps its sign from every eye.
+  return !(cluster.lowestCurvature > 0.0f) && !(cluster.highestCurvature < 0.0f);
+}
+
+void extractSuggestiveContours(const ClusterWalk& walk, const LineRequest& request,
+                               std::vector<Segment>& segments) {
+  ClusterLines lines(walk, request);
+  for (std::uint32_t i = 0; i < walk.cluster().triangleCount; ++i)
+    lines.add(i, segments);
+}
+
+void rankSuggestiveContours(std::vector<Segment>& segments, const model::Surface&,
+                            const model::Camera&, float) {
+  replaceByRank(segments, [](const Segment&) { return true; });
+}
+
+}  // namespace sline::render
