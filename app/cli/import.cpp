@@ -6,8 +6,8 @@
 #include "app/cli/targets.h"
 #include "app/cli/thumbnail.h"
 #include "model/files/scene_file.h"
-#include "model/import/kept_scans.h"
-#include "model/import/plan.h"
+#include "model/import/plan/kept_scans.h"
+#include "model/import/plan/plan.h"
 
 namespace sline::cli {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/cli/json_values.h"
-#include "model/import/plan.h"
+#include "model/import/plan/plan.h"
 
 namespace sline::cli {
 

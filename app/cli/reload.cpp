@@ -5,7 +5,7 @@
 #include "app/cli/command.h"
 #include "app/cli/thumbnail.h"
 #include "model/files/scene_file.h"
-#include "model/import/reload.h"
+#include "model/import/plan/reload.h"
 
 namespace sline::cli {
 

@@ -8,7 +8,7 @@
 #include "app/cli/progress.h"
 #include "model/base/result.h"
 #include "model/files/scene_file.h"
-#include "model/import/import.h"
+#include "model/import/plan/import.h"
 
 namespace sline::cli {
 

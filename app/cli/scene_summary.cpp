@@ -9,7 +9,7 @@
 
 #include "app/cli/names.h"
 #include "model/geometry/topology.h"
-#include "model/import/kept_scans.h"
+#include "model/import/plan/kept_scans.h"
 #include "model/scene/markup.h"
 
 namespace sline::cli {

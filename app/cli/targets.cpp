@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "model/files/scene_file.h"
-#include "model/import/fiducials.h"
-#include "model/import/file_kinds.h"
+#include "model/import/kinds/file_kinds.h"
+#include "model/import/slicer/fiducials.h"
 #include "render/export/formats/export_formats.h"
 
 namespace sline::cli {

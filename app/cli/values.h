@@ -9,7 +9,7 @@
 
 #include "model/base/result.h"
 #include "model/base/units.h"
-#include "model/import/import.h"
+#include "model/import/plan/import.h"
 #include "model/scene/style.h"
 #include "render/export/order/export_order.h"
 #include "render/strokes/picture_settings.h"

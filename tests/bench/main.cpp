@@ -12,7 +12,7 @@
 #include <map>
 
 #include "model/edit/look.h"
-#include "model/import/import.h"
+#include "model/import/plan/import.h"
 #include "render/gpu/headless/context.h"
 #include "render/picture/picture.h"
 #include "render/vectors/vector_drawing.h"

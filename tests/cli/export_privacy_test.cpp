@@ -10,7 +10,7 @@
 #include <filesystem>
 
 #include "model/files/scene_file.h"
-#include "model/import/import.h"
+#include "model/import/plan/import.h"
 #include "render/export/formats/export_formats.h"
 #include "tests/cli/sline_process.h"
 #include "tests/model/import/dicom/written_dicom.h"

@@ -13,11 +13,11 @@
 #include "model/files/scene_json.h"
 #include "model/files/scene_migration.h"
 #include "model/import/dicom/dicom.h"
-#include "model/import/fiducials.h"
-#include "model/import/file_kinds.h"
-#include "model/import/import.h"
-#include "model/import/slicer_bundle.h"
-#include "model/import/slicer_scene.h"
+#include "model/import/kinds/file_kinds.h"
+#include "model/import/plan/import.h"
+#include "model/import/slicer/bundle.h"
+#include "model/import/slicer/fiducials.h"
+#include "model/import/slicer/mrml_scene.h"
 #include "tests/fuzz/input_folder.h"
 
 namespace sline::fuzz {

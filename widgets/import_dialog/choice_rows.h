@@ -6,7 +6,7 @@
 #include <QString>
 #include <vector>
 
-#include "model/import/plan.h"
+#include "model/import/plan/plan.h"
 #include "widgets/form/choice_of.h"
 
 namespace sline::widgets {

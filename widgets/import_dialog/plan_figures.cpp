@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "model/import/laterality.h"
-#include "model/import/read_inputs.h"
+#include "model/import/naming/laterality.h"
+#include "model/import/plan/read_inputs.h"
 #include "widgets/import_dialog/scan_slices.h"
 
 namespace sline::widgets {

@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "model/import/plan.h"
+#include "model/import/plan/plan.h"
 
 namespace sline::widgets {
 

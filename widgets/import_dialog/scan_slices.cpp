@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "model/import/kept_scans.h"
+#include "model/import/plan/kept_scans.h"
 
 namespace sline::widgets {
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/import/reload.h"
+#include "model/import/plan/reload.h"
 #include "widgets/session/document_file.h"
 
 namespace sline::widgets {

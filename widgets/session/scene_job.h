@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "model/base/result.h"
-#include "model/import/import.h"
+#include "model/import/plan/import.h"
 #include "widgets/session/document.h"
 
 namespace sline::widgets {

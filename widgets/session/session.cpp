@@ -7,8 +7,8 @@
 
 #include "model/edit/annotations.h"
 #include "model/edit/look.h"
-#include "model/import/file_kinds.h"
-#include "model/import/scene_inputs.h"
+#include "model/import/kinds/file_kinds.h"
+#include "model/import/plan/scene_inputs.h"
 
 namespace sline::widgets {
 

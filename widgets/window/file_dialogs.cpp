@@ -7,7 +7,7 @@
 #include <QPushButton>
 
 #include "model/files/scene_file.h"
-#include "model/import/file_kinds.h"
+#include "model/import/kinds/file_kinds.h"
 #include "widgets/text/tr.h"
 
 namespace sline::widgets {

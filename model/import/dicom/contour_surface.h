@@ -3,8 +3,8 @@
 #pragma once
 
 #include "model/import/dicom/contour_stack.h"
-#include "model/import/raw_mesh.h"
-#include "model/import/read_options.h"
+#include "model/import/source/raw_mesh.h"
+#include "model/import/source/read_options.h"
 
 namespace sline::model {
 

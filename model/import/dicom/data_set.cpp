@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "model/import/dicom/character_sets.h"
-#include "model/import/readers/values.h"
+#include "model/import/source/values.h"
 
 namespace sline::model {
 

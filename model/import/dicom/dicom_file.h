@@ -11,7 +11,7 @@
 
 #include "model/import/dicom/data_set.h"
 #include "model/import/readers/dicom_kind.h"
-#include "model/import/readers/source.h"
+#include "model/import/source/source.h"
 
 class DcmDataset;
 

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <memory>
 
-#include "model/import/readers/values.h"
+#include "model/import/source/values.h"
 
 namespace sline::model {
 

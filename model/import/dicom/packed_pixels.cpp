@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "model/import/readers/values.h"
+#include "model/import/source/values.h"
 
 namespace sline::model {
 

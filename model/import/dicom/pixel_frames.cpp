@@ -13,7 +13,7 @@
 
 #include "model/import/dicom/jpeg_2000.h"
 #include "model/import/dicom/packed_pixels.h"
-#include "model/import/readers/values.h"
+#include "model/import/source/values.h"
 
 namespace sline::model {
 

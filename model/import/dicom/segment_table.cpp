@@ -4,7 +4,7 @@
 #include <glm/mat3x3.hpp>
 #include <utility>
 
-#include "model/import/readers/colour_of_light.h"
+#include "model/import/source/colour_of_light.h"
 
 namespace sline::model {
 

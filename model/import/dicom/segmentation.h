@@ -4,8 +4,8 @@
 #pragma once
 
 #include "model/import/dicom/dicom_file.h"
-#include "model/import/read_options.h"
-#include "model/import/volumes/label_volume.h"
+#include "model/import/source/read_options.h"
+#include "model/import/volumes/formats/label_volume.h"
 
 namespace sline::model {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "model/import/dicom/dicom_file.h"
-#include "model/import/read_options.h"
+#include "model/import/source/read_options.h"
 
 namespace sline::model {
 

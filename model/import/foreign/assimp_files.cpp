@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "model/import/readers/file_in_folder.h"
+#include "model/import/source/file_in_folder.h"
 
 namespace sline::model {
 

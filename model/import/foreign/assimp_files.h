@@ -4,7 +4,7 @@
 
 #include <assimp/IOSystem.hpp>
 
-#include "model/import/readers/source.h"
+#include "model/import/source/source.h"
 
 namespace sline::model {
 

@@ -11,11 +11,11 @@
 #include <set>
 #include <span>
 
-#include "model/import/readers/colour_of_light.h"
-#include "model/import/readers/polygon.h"
-#include "model/import/readers/surface_assembly.h"
-#include "model/import/readers/values.h"
-#include "model/import/readers/welder.h"
+#include "model/import/source/colour_of_light.h"
+#include "model/import/source/polygon.h"
+#include "model/import/source/surface_assembly.h"
+#include "model/import/source/values.h"
+#include "model/import/source/welder.h"
 
 namespace sline::model {
 

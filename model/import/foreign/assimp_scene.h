@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/import/foreign/assimp_convention.h"
-#include "model/import/readers/source.h"
+#include "model/import/source/source.h"
 
 namespace sline::model {
 

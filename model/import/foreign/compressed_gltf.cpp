@@ -9,7 +9,7 @@
 #include <new>
 
 #include "model/import/foreign/foreign.h"
-#include "model/import/readers/gltf_decoders.h"
+#include "model/import/readers/gltf/gltf_decoders.h"
 
 namespace sline::model {
 

@@ -13,8 +13,8 @@
 #include <new>
 
 #include "model/import/foreign/foreign.h"
-#include "model/import/readers/surface_assembly.h"
-#include "model/import/readers/vtk_messages.h"
+#include "model/import/readers/vtk/vtk_messages.h"
+#include "model/import/source/surface_assembly.h"
 
 namespace sline::model {
 

@@ -6,7 +6,7 @@
 
 #include "model/import/molecules/assemblies.h"
 #include "model/import/molecules/entry_files.h"
-#include "model/import/readers/text_cursor.h"
+#include "model/import/source/text_cursor.h"
 
 namespace sline::model {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "model/import/molecules/lattice_mesh.h"
 #include "model/import/molecules/molecule.h"
+#include "model/import/molecules/surface/lattice_mesh.h"
 
 namespace sline::model {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "model/import/readers/text_cursor.h"
+#include "model/import/source/text_cursor.h"
 
 namespace sline::model {
 

@@ -4,7 +4,7 @@
 
 #include "model/base/result.h"
 #include "model/import/molecules/molecule.h"
-#include "model/import/readers/source.h"
+#include "model/import/source/source.h"
 
 namespace sline::model {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "model/base/result.h"
-#include "model/import/readers/source.h"
+#include "model/import/source/source.h"
 
 namespace sline::model {
 

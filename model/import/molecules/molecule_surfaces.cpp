@@ -7,7 +7,7 @@
 #include <map>
 
 #include "model/import/molecules/ball_and_stick.h"
-#include "model/import/molecules/excluded_surface.h"
+#include "model/import/molecules/surface/excluded_surface.h"
 
 namespace sline::model {
 

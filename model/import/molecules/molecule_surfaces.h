@@ -6,7 +6,7 @@
 #include <string>
 
 #include "model/import/molecules/molecule.h"
-#include "model/import/raw_mesh.h"
+#include "model/import/source/raw_mesh.h"
 
 namespace sline::model {
 

@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "model/import/raw_mesh.h"
+#include "model/import/source/raw_mesh.h"
 
 namespace sline::model {
 

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/import/molecules/backbone.h"
+#include "model/import/source/backbone.h"
 
 namespace sline::model {
 

@@ -11,8 +11,8 @@
 
 #include "model/import/readers/cortical_name.h"
 #include "model/import/readers/readers.h"
-#include "model/import/readers/surface_assembly.h"
-#include "model/import/readers/text_cursor.h"
+#include "model/import/source/surface_assembly.h"
+#include "model/import/source/text_cursor.h"
 
 namespace sline::model {
 

@@ -4,13 +4,13 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
-#include "model/import/readers/base64.h"
 #include "model/import/readers/cortical_name.h"
-#include "model/import/readers/packed_bytes.h"
 #include "model/import/readers/readers.h"
-#include "model/import/readers/surface_assembly.h"
-#include "model/import/readers/text_cursor.h"
-#include "model/import/readers/xml_tags.h"
+#include "model/import/source/base64.h"
+#include "model/import/source/packed_bytes.h"
+#include "model/import/source/surface_assembly.h"
+#include "model/import/source/text_cursor.h"
+#include "model/import/source/xml_tags.h"
 
 namespace sline::model {
 

@@ -2,8 +2,8 @@
 // Geomview OFF as text, with the prefixes ST, C and N (texture coordinates, colours and normals are
 // skipped). One vertex or face a line; # begins a comment.
 #include "model/import/readers/readers.h"
-#include "model/import/readers/surface_assembly.h"
-#include "model/import/readers/text_cursor.h"
+#include "model/import/source/surface_assembly.h"
+#include "model/import/source/text_cursor.h"
 
 namespace sline::model {
 

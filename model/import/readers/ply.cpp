@@ -3,7 +3,7 @@
 // order and type of their properties; other elements are stepped over.
 #include "model/import/readers/ply_header.h"
 #include "model/import/readers/readers.h"
-#include "model/import/readers/surface_assembly.h"
+#include "model/import/source/surface_assembly.h"
 
 namespace sline::model {
 

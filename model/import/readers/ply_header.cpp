@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/import/readers/ply_header.h"
 
-#include "model/import/readers/text_cursor.h"
+#include "model/import/source/text_cursor.h"
 
 namespace sline::model {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "model/import/readers/source.h"
-#include "model/import/readers/values.h"
+#include "model/import/source/source.h"
+#include "model/import/source/values.h"
 
 namespace sline::model {
 

@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-#include "model/import/raw_mesh.h"
+#include "model/import/source/raw_mesh.h"
 
 namespace sline::model {
 
@@ -15,11 +15,6 @@ Result<RawMeshes> readObj(const std::filesystem::path& file, const ReadLimits& l
 Result<RawMeshes> readStl(const std::filesystem::path& file, const ReadLimits& limits);
 Result<RawMeshes> readPly(const std::filesystem::path& file, const ReadLimits& limits);
 Result<RawMeshes> readOff(const std::filesystem::path& file, const ReadLimits& limits);
-Result<RawMeshes> readLegacyVtk(const std::filesystem::path& file, const ReadLimits& limits);
-Result<RawMeshes> readVtp(const std::filesystem::path& file, const ReadLimits& limits);
-Result<RawMeshes> readGltf(const std::filesystem::path& file, const ReadLimits& limits);
-/// VRML97 and X3D, in XML or in the classic encoding.
-Result<RawMeshes> readX3d(const std::filesystem::path& file, const ReadLimits& limits);
 Result<RawMeshes> readThreeDs(const std::filesystem::path& file, const ReadLimits& limits);
 Result<RawMeshes> readThreeMf(const std::filesystem::path& file, const ReadLimits& limits);
 Result<RawMeshes> readGifti(const std::filesystem::path& file, const ReadLimits& limits);

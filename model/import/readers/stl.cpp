@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // STL, text and binary. Corners of bit-equal coordinates become one vertex.
 #include "model/import/readers/readers.h"
-#include "model/import/readers/surface_assembly.h"
-#include "model/import/readers/text_cursor.h"
-#include "model/import/readers/welder.h"
+#include "model/import/source/surface_assembly.h"
+#include "model/import/source/text_cursor.h"
+#include "model/import/source/welder.h"
 
 namespace sline::model {
 

@@ -9,8 +9,8 @@
 #include <map>
 
 #include "model/import/readers/readers.h"
-#include "model/import/readers/surface_assembly.h"
-#include "model/import/readers/values.h"
+#include "model/import/source/surface_assembly.h"
+#include "model/import/source/values.h"
 
 namespace sline::model {
 

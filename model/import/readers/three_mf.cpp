@@ -10,10 +10,10 @@
 #include <new>
 
 #include "model/import/readers/readers.h"
-#include "model/import/readers/surface_assembly.h"
-#include "model/import/readers/text_cursor.h"
 #include "model/import/readers/three_mf_document.h"
-#include "model/import/readers/values.h"
+#include "model/import/source/surface_assembly.h"
+#include "model/import/source/text_cursor.h"
+#include "model/import/source/values.h"
 
 namespace sline::model {
 

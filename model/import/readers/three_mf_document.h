@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "model/files/zip_archive.h"
-#include "model/import/readers/source.h"
+#include "model/import/source/source.h"
 
 namespace sline::model {
 

@@ -4,8 +4,8 @@
 
 #include <functional>
 
+#include "model/import/volumes/formats/voxel_stream.h"
 #include "model/import/volumes/grey_volume.h"
-#include "model/import/volumes/voxel_stream.h"
 
 namespace sline::model {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "model/import/raw_mesh.h"
+#include "model/import/source/raw_mesh.h"
 
 namespace sline::model {
 

@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "model/import/volumes/label_volume.h"
+#include "model/import/volumes/formats/label_volume.h"
 
 namespace sline::model {
 

@@ -6,10 +6,10 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "model/import/raw_mesh.h"
-#include "model/import/read_options.h"
+#include "model/import/source/raw_mesh.h"
+#include "model/import/source/read_options.h"
+#include "model/import/volumes/formats/label_volume.h"
 #include "model/import/volumes/label_sheets.h"
-#include "model/import/volumes/label_volume.h"
 #include "model/import/volumes/surface_net.h"
 
 namespace sline::model {

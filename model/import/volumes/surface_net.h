@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/import/volumes/label_volume.h"
+#include "model/import/volumes/formats/label_volume.h"
 
 namespace sline::model {
 

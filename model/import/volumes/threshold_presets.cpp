@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "model/import/readers/text_cursor.h"
+#include "model/import/source/text_cursor.h"
 
 namespace sline::model {
 

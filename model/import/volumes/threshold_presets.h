@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "model/import/read_options.h"
+#include "model/import/source/read_options.h"
 #include "model/import/volumes/grey_histogram.h"
 #include "model/import/volumes/grey_volume.h"
 

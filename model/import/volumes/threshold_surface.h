@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "model/import/raw_mesh.h"
-#include "model/import/read_options.h"
+#include "model/import/source/raw_mesh.h"
+#include "model/import/source/read_options.h"
 #include "model/import/volumes/grey_volume.h"
 
 namespace sline::model {

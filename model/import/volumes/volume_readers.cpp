@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <sstream>
 
-#include "model/import/readers/text_cursor.h"
+#include "model/import/source/text_cursor.h"
+#include "model/import/volumes/formats/volume_file.h"
 #include "model/import/volumes/grey_decoder.h"
 #include "model/import/volumes/threshold_presets.h"
-#include "model/import/volumes/volume_file.h"
 #include "model/import/volumes/voxel_decoder.h"
 
 namespace sline::model {

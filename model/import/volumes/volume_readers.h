@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "model/import/read_options.h"
+#include "model/import/source/read_options.h"
+#include "model/import/volumes/formats/label_volume.h"
 #include "model/import/volumes/grey_volume.h"
-#include "model/import/volumes/label_volume.h"
 
 namespace sline::model {
 

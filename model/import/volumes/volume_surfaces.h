@@ -4,9 +4,9 @@
 
 #include <filesystem>
 
-#include "model/import/raw_mesh.h"
-#include "model/import/read_options.h"
-#include "model/import/volumes/label_volume.h"
+#include "model/import/source/raw_mesh.h"
+#include "model/import/source/read_options.h"
+#include "model/import/volumes/formats/label_volume.h"
 
 namespace sline::model {
 

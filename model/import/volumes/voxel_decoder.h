@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "model/import/volumes/label_volume.h"
-#include "model/import/volumes/voxel_stream.h"
+#include "model/import/volumes/formats/label_volume.h"
+#include "model/import/volumes/formats/voxel_stream.h"
 
 namespace sline::model {
 

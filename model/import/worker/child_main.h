@@ -6,8 +6,8 @@
 #include <span>
 #include <string_view>
 
-#include "model/import/raw_mesh.h"
-#include "model/import/read_options.h"
+#include "model/import/source/raw_mesh.h"
+#include "model/import/source/read_options.h"
 
 namespace sline::model {
 

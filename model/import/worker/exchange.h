@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "model/base/result.h"
-#include "model/import/raw_mesh.h"
-#include "model/import/read_options.h"
+#include "model/import/source/raw_mesh.h"
+#include "model/import/source/read_options.h"
 
 namespace sline::model {
 

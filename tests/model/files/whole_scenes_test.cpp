@@ -6,7 +6,7 @@
 
 #include "model/demo/demo.h"
 #include "model/files/scene_file.h"
-#include "model/import/import.h"
+#include "model/import/plan/import.h"
 #include "tests/model/files/sample_scene.h"
 #include "tests/support/suite.h"
 

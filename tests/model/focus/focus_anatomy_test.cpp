@@ -5,7 +5,7 @@
 #include <map>
 
 #include "model/focus/context.h"
-#include "model/import/import.h"
+#include "model/import/plan/import.h"
 #include "tests/support/suite.h"
 
 namespace sline::model {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "model/geometry/mesh.h"
-#include "model/import/import.h"
+#include "model/import/plan/import.h"
 
 namespace sline::test {
 

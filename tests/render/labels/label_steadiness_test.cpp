@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "model/demo/demo.h"
-#include "model/import/import.h"
+#include "model/import/plan/import.h"
 #include "render/labels/anchors.h"
 #include "render/labels/best_place.h"
 #include "tests/support/suite.h"

@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-#include "model/import/import.h"
+#include "model/import/plan/import.h"
 #include "render/gpu/headless/context.h"
 #include "render/measures/ramp.h"
 #include "render/measures/steadiness.h"

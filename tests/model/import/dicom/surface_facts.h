@@ -5,8 +5,8 @@
 #include <QByteArray>
 #include <QTemporaryDir>
 
-#include "model/import/raw_mesh.h"
-#include "model/import/read_options.h"
+#include "model/import/source/raw_mesh.h"
+#include "model/import/source/read_options.h"
 
 namespace sline::test {
 

@@ -2,7 +2,7 @@
 // Files that are cut short, broken, of other kinds, or real.
 #include <QtTest>
 
-#include "model/import/file_kinds.h"
+#include "model/import/kinds/file_kinds.h"
 #include "tests/model/import/dicom/surface_facts.h"
 #include "tests/model/import/dicom/written_dicom.h"
 #include "tests/support/suite.h"

@@ -5,9 +5,9 @@
 
 #include "model/files/scene_file.h"
 #include "model/files/zip_archive.h"
-#include "model/import/import.h"
-#include "model/import/plan.h"
-#include "model/import/read_inputs.h"
+#include "model/import/plan/import.h"
+#include "model/import/plan/plan.h"
+#include "model/import/plan/read_inputs.h"
 #include "tests/model/import/dicom/surface_facts.h"
 #include "tests/model/import/dicom/written_images.h"
 #include "tests/support/suite.h"

@@ -8,10 +8,13 @@
 #include <QtTest>
 #include <algorithm>
 
-#include "model/import/file_kinds.h"
 #include "model/import/foreign/foreign.h"
-#include "model/import/readers/gltf_decoders.h"
+#include "model/import/kinds/file_kinds.h"
+#include "model/import/readers/gltf/gltf.h"
+#include "model/import/readers/gltf/gltf_decoders.h"
 #include "model/import/readers/readers.h"
+#include "model/import/readers/vtk/vtk_readers.h"
+#include "model/import/readers/x3d/x3d.h"
 #include "tests/model/import/foreign/written_scenes.h"
 #include "tests/model/import/readers/mesh_files.h"
 #include "tests/model/import/worker/spoiled_copies.h"

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <assimp/IOStream.hpp>
 
-#include "model/import/file_kinds.h"
 #include "model/import/foreign/assimp_files.h"
-#include "model/import/import.h"
+#include "model/import/kinds/file_kinds.h"
+#include "model/import/plan/import.h"
 #include "tests/model/import/foreign/written_scenes.h"
 #include "tests/model/import/readers/mesh_files.h"
 #include "tests/support/suite.h"

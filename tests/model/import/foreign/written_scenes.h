@@ -8,7 +8,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
-#include "model/import/raw_mesh.h"
+#include "model/import/source/raw_mesh.h"
 
 namespace sline::test {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "model/import/molecules/entry_files.h"
-#include "model/import/molecules/lattice_mesh.h"
+#include "model/import/molecules/surface/lattice_mesh.h"
 
 namespace sline::test {
 

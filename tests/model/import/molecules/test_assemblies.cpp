@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "model/import/import.h"
 #include "model/import/molecules/assemblies.h"
+#include "model/import/plan/import.h"
 #include "tests/model/import/molecules/entry_files.h"
 #include "tests/model/import/readers/mesh_files.h"
 #include "tests/support/suite.h"

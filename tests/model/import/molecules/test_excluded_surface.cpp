@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "model/import/molecules/excluded_surface.h"
+#include "model/import/molecules/surface/excluded_surface.h"
 #include "tests/model/import/molecules/entry_files.h"
 #include "tests/support/suite.h"
 

@@ -8,8 +8,8 @@
 #include <glm/matrix.hpp>
 #include <set>
 
-#include "model/import/import.h"
 #include "model/import/molecules/molecule_surfaces.h"
+#include "model/import/plan/import.h"
 #include "tests/model/import/molecules/entry_files.h"
 #include "tests/support/suite.h"
 

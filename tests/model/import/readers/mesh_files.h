@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "model/import/file_kinds.h"
+#include "model/import/kinds/file_kinds.h"
 
 namespace sline::test {
 

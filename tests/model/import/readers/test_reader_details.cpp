@@ -9,11 +9,11 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "model/import/readers/base64.h"
-#include "model/import/readers/polygon.h"
-#include "model/import/readers/source.h"
-#include "model/import/readers/surface_assembly.h"
-#include "model/import/readers/text_cursor.h"
+#include "model/import/source/base64.h"
+#include "model/import/source/polygon.h"
+#include "model/import/source/source.h"
+#include "model/import/source/surface_assembly.h"
+#include "model/import/source/text_cursor.h"
 #include "tests/model/import/readers/mesh_files.h"
 #include "tests/support/suite.h"
 

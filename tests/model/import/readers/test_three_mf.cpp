@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/files/zip_archive.h"
-#include "model/import/import.h"
+#include "model/import/plan/import.h"
 #include "tests/model/import/readers/mesh_files.h"
 #include "tests/support/suite.h"
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <glm/matrix.hpp>
 
-#include "model/import/import.h"
-#include "model/import/volumes/free_surfer_labels.h"
+#include "model/import/plan/import.h"
+#include "model/import/volumes/formats/free_surfer_labels.h"
 #include "tests/model/import/readers/mesh_files.h"
 #include "tests/model/import/volumes/written_brain.h"
 #include "tests/model/import/written_meshes.h"

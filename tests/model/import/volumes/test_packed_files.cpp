@@ -3,7 +3,7 @@
 #include <QtTest>
 #include <array>
 
-#include "model/import/import.h"
+#include "model/import/plan/import.h"
 #include "tests/model/import/readers/mesh_files.h"
 #include "tests/model/import/volumes/written_volumes.h"
 #include "tests/model/import/written_meshes.h"

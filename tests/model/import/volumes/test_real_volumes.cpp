@@ -10,9 +10,9 @@
 #include <glm/geometric.hpp>
 #include <map>
 
-#include "model/import/file_kinds.h"
-#include "model/import/import.h"
-#include "model/import/names.h"
+#include "model/import/kinds/file_kinds.h"
+#include "model/import/naming/names.h"
+#include "model/import/plan/import.h"
 #include "model/import/volumes/volume_readers.h"
 #include "tests/model/import/volumes/written_volumes.h"
 #include "tests/model/import/written_meshes.h"

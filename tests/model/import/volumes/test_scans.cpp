@@ -10,9 +10,9 @@
 
 #include "model/files/scene_file.h"
 #include "model/files/scene_json.h"
-#include "model/import/kept_scans.h"
-#include "model/import/plan.h"
-#include "model/import/reload.h"
+#include "model/import/plan/kept_scans.h"
+#include "model/import/plan/plan.h"
+#include "model/import/plan/reload.h"
 #include "model/import/volumes/threshold_presets.h"
 #include "model/import/volumes/volume_readers.h"
 #include "model/import/volumes/volume_surfaces.h"

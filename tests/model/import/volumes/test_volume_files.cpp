@@ -6,7 +6,7 @@
 #include <array>
 #include <glm/geometric.hpp>
 
-#include "model/import/import.h"
+#include "model/import/plan/import.h"
 #include "tests/model/import/readers/mesh_files.h"
 #include "tests/model/import/volumes/written_volumes.h"
 #include "tests/model/import/written_meshes.h"

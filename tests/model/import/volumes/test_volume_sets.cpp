@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <set>
 
-#include "model/import/import.h"
+#include "model/import/plan/import.h"
 #include "tests/model/import/volumes/written_volumes.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/suite.h"

@@ -9,7 +9,7 @@
 #include <glm/mat4x4.hpp>
 #include <vector>
 
-#include "model/import/volumes/label_volume.h"
+#include "model/import/volumes/formats/label_volume.h"
 
 namespace sline::test {
 

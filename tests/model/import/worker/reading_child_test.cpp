@@ -4,7 +4,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "model/import/import.h"
+#include "model/import/plan/import.h"
 #include "model/import/worker/exchange.h"
 #include "model/import/worker/reading_child.h"
 #include "tests/model/import/written_meshes.h"

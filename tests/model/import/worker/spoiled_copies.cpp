@@ -6,7 +6,7 @@
 #include <QtTest>
 #include <algorithm>
 
-#include "model/import/file_kinds.h"
+#include "model/import/kinds/file_kinds.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/mutator.h"
 

@@ -12,7 +12,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "model/demo/pelvis.h"
-#include "model/import/import.h"
+#include "model/import/plan/import.h"
 #include "render/export/gltf/gltf_document.h"
 #include "render/export/gltf/gltf_file.h"
 #include "tests/support/shapes.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "model/edit/look.h"
-#include "model/import/import.h"
+#include "model/import/plan/import.h"
 #include "tests/render/export/pixels/ordered_scene.h"
 #include "tests/support/suite.h"
 

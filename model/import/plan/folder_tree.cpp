@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/import/plan/folder_tree.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "model/import/naming/names.h"
+#include "model/import/naming/part_of_table.h"
+
+namespace sline::model {
+
+namespace {
+
+using Path = std::vector<std::string>;
+
+/// One group to be: its members are parts (by index) and groups below it.
+struct Branch {
+  std::string name;
+  Style style;
+  std::vector<Branch> groups;
+  std::vector<std::size_t> parts;
+  /// Source and group in its scene that this one is.
+  std::optional<std::pair<std::size_t, std::size_t>> origin = std::nullopt;
+
+  Branch& child(const std::string& childName) {
+    const auto found = std::find_if(groups.begin(), groups.end(),
+                                    [&](const Branch& b) { return b.name == childName; });
+    if (found != groups.end())
+      return *found;
+    groups.push_back({childName, {}, {}, {}});
+    return groups.back();
+  }
+};
+
+/// Leaves out groups that hold nothing, or nothing but one group.
+void prune(Branch& branch) {
+  for (Branch& group : branch.groups)
+    prune(group);
+  std::erase_if(branch.groups, [](const Branch& b) { return b.groups.empty() && b.parts.empty(); });
+  for (Branch& group : branch.groups)
+    while (group.parts.empty() && group.groups.size() == 1) {
+      Branch only = std::move(group.groups.front());
+      group = std::move(only);
+    }
+}
+
+/// The same for the top: one group around everything is no group.
+void pruneTop(Branch& top) {
+  prune(top);
+  while (top.parts.empty() && top.groups.size() == 1) {
+    Branch only = std::move(top.groups.front());
+    top.groups = std::move(only.groups);
+    top.parts = std::move(only.parts);
+  }
+}
+
+std::size_t groupCount(const Branch& branch) {
+  std::size_t count = 0;
+  for (const Branch& group : branch.groups)
+    count += 1 + groupCount(group);
+  return count;
+}
+
+std::string folderName(const std::filesystem::path& folder) {
+  const std::filesystem::path whole = std::filesystem::absolute(folder).lexically_normal();
+  // "pelvis/" has an empty last step.
+  const bool slash = whole.filename().empty();
+  return readableName((slash ? whole.parent_path() : whole).filename().string());
+}
+
+class Builder {
+ public:
+  Builder(std::vector<Part> parts, const Sources& sources, const AnatomyTable& table)
+      : m_parts(std::move(parts)), m_sources(sources), m_table(table) {}
+
+  BuiltScene build() {
+    nameParts();
+    m_built.nodesOfFile.resize(m_sources.files.size());
+    std::vector<Branch> tops;
+    for (std::size_t i = 0; i < m_sources.sources.size(); ++i)
+      if (Branch top = branchOf(i); !top.groups.empty() || !top.parts.empty())
+        tops.push_back(std::move(top));
+    for (const Branch& top : tops) {
+      const bool wrap =
+          tops.size() > 1 && !top.name.empty() && (top.groups.size() + top.parts.size() > 1);
+      add(top, rootId, wrap);
+    }
+    return std::move(m_built);
+  }
+
+ private:
+  void nameParts() {
+    std::vector<std::string> names;
+    for (const Part& part : m_parts)
+      names.push_back(part.name.empty() ? "structure" : part.name);
+    makeUnique(names);
+    for (std::size_t i = 0; i < m_parts.size(); ++i)
+      m_parts[i].name = names[i];
+  }
+
+  const SourceFile& fileOf(std::size_t part) const { return m_sources.files[m_parts[part].file]; }
+
+  Branch branchOf(std::size_t index) const {
+    const ImportSource& source = m_sources.sources[index];
+    std::vector<std::size_t> members;
+    std::vector<std::size_t> molecules;
+    for (std::size_t i = 0; i < m_parts.size(); ++i)
+      if (fileOf(i).source == index)
+        (m_parts[i].raw.molecule ? molecules : members).push_back(i);
+    if (source.kind == ImportSource::Kind::slicer)
+      return slicerBranch(index, members);
+    Branch top = source.kind == ImportSource::Kind::folder ? folderBranch(source, members)
+                                                           : byFileGroupsOrNames(members);
+    if (source.kind == ImportSource::Kind::folder)
+      top.name = folderName(source.path);
+    // Folders of medical images are named after patients; the scene is not to know them.
+    if (const auto kept =
+            std::find_if(members.begin(), members.end(),
+                         [&](std::size_t part) { return !m_parts[part].raw.origin.empty(); });
+        kept != members.end())
+      top.name = m_parts[*kept].raw.origin;
+    addMolecules(molecules, top);
+    return top;
+  }
+
+  /// Each entry has a group of its own, and in it those that its reader made.
+  void addMolecules(const std::vector<std::size_t>& members, Branch& top) const {
+    std::vector<Branch> entries;
+    const Backbone* last = nullptr;
+    for (const std::size_t part : members) {
+      const RawMesh& raw = m_parts[part].raw;
+      if (raw.molecule->backbone.get() != last)
+        entries.emplace_back();
+      last = raw.molecule->backbone.get();
+      Branch* at = &entries.back();
+      for (std::size_t i = 0; i < raw.groups.size(); ++i)
+        if (i > 0)
+          at = &at->child(raw.groups[i]);
+        else
+          at->name = raw.groups[i];
+      at->parts.push_back(part);
+    }
+    std::vector<std::string> names;
+    names.reserve(entries.size());
+    for (const Branch& entry : entries)
+      names.push_back(entry.name);
+    makeUnique(names);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      entries[i].name = names[i];
+      top.groups.push_back(std::move(entries[i]));
+    }
+  }
+
+  Branch slicerBranch(std::size_t index, const std::vector<std::size_t>& members) const {
+    const ImportSource& source = m_sources.sources[index];
+    const std::vector<SlicerGroup>& groups = source.scene->groups;
+    std::vector<Branch> branches;
+    branches.reserve(groups.size());
+    for (const SlicerGroup& group : groups)
+      branches.push_back({group.name, group.style, {}, {}, std::pair(index, branches.size())});
+    Branch top;
+    top.name = readableName(source.path.stem().string());
+    for (const std::size_t part : members) {
+      const auto group = source.scene->models[*fileOf(part).model].group;
+      (group ? branches[*group] : top).parts.push_back(part);
+    }
+    // Parents come first, so that going backwards every group is whole when it is handed up.
+    for (std::size_t i = groups.size(); i-- > 0;) {
+      if (branches[i].groups.empty() && branches[i].parts.empty())
+        continue;
+      Branch& parent = groups[i].parent ? branches[*groups[i].parent] : top;
+      parent.groups.insert(parent.groups.begin(), std::move(branches[i]));
+    }
+    return top;
+  }
+
+  template <class PathOf>
+  Branch byPaths(const std::vector<std::size_t>& members, const PathOf& pathOf) const {
+    Branch top;
+    for (const std::size_t part : members) {
+      Branch* at = &top;
+      for (const std::string& step : pathOf(part))
+        at = &at->child(step);
+      at->parts.push_back(part);
+    }
+    return top;
+  }
+
+  Branch folderBranch(const ImportSource& source, const std::vector<std::size_t>& members) const {
+    Branch byFolders = byPaths(members, [&](std::size_t part) {
+      Path path;
+      for (const std::string& folder : fileOf(part).folders)
+        path.push_back(readableName(folder));
+      return path;
+    });
+    pruneTop(byFolders);
+    if (!byFolders.groups.empty())
+      return byFolders;
+    std::vector<std::string> files;
+    files.reserve(members.size());
+    for (const std::size_t part : members)
+      files.push_back(fileOf(part).file.filename().string());
+    const std::filesystem::path folder =
+        members.empty() ? source.path : fileOf(members.front()).file.parent_path();
+    if (const auto paths = readPartOfTable(folder, files)) {
+      Branch byTable = byPaths(members, [&](std::size_t part) {
+        const auto found = paths->find(fileOf(part).file.filename().string());
+        return found == paths->end() ? Path() : found->second;
+      });
+      for (Branch& group : byTable.groups)
+        if (const auto match = m_table.match(group.name))
+          group.style.colour = match->colour;
+      pruneTop(byTable);
+      dissolveSmall(byTable);
+      if (!byTable.groups.empty())
+        return byTable;
+    }
+    return byFileGroupsOrNames(members);
+  }
+
+  Branch byFileGroupsOrNames(const std::vector<std::size_t>& members) const {
+    Branch inFile = byPaths(members, [&](std::size_t part) {
+      Path path;
+      for (const std::string& group : m_parts[part].raw.groups)
+        path.push_back(nameInFile(group));
+      return path;
+    });
+    pruneTop(inFile);
+    dissolveSmall(inFile);
+    if (groupCount(inFile) >= 2 && 5 * inFile.parts.size() <= members.size())
+      return inFile;
+    return byNames(members);
+  }
+
+  /// Groups of one structure are no help where nobody asked for them.
+  void dissolveSmall(Branch& top) const {
+    for (Branch& group : top.groups) {
+      dissolveSmall(group);
+      if (group.groups.empty() && group.parts.size() == 1) {
+        top.parts.push_back(group.parts.front());
+        group.parts.clear();
+      }
+    }
+    std::erase_if(top.groups, [](const Branch& b) { return b.groups.empty() && b.parts.empty(); });
+    std::sort(top.parts.begin(), top.parts.end());
+  }
+
+  Branch byNames(const std::vector<std::size_t>& members) const {
+    Branch top;
+    for (const AnatomySystem& system : m_table.systems())
+      top.groups.push_back({system.title, {.colour = system.colour}, {}, {}});
+    top.groups.push_back({"Other structures", {}, {}, {}});
+    for (const std::size_t part : members) {
+      const auto match = m_table.match(m_parts[part].name);
+      top.groups[match ? match->system : m_table.systems().size()].parts.push_back(part);
+    }
+    dissolveSmall(top);
+    if (members.size() < 4 || top.groups.size() + top.parts.size() < 2 ||
+        (top.groups.size() == 1 && top.groups.front().style.colour == std::nullopt)) {
+      top.groups.clear();
+      top.parts = members;
+    }
+    return top;
+  }
+
+  void add(const Branch& branch, NodeId parent, bool asGroup) {
+    if (asGroup)
+      parent = m_built.scene.append({.parent = parent, .name = branch.name, .style = branch.style});
+    if (branch.origin)
+      m_built.groups[*branch.origin] = parent;
+    for (const Branch& group : branch.groups)
+      add(group, parent, true);
+    for (const std::size_t part : branch.parts)
+      addPart(m_parts[part], parent);
+  }
+
+  void addPart(Part& part, NodeId parent) {
+    const SourceFile& file = m_sources.files[part.file];
+    Node node;
+    node.parent = parent;
+    node.name = part.name;
+    node.provenance = part.provenance;
+    node.mesh = std::move(part.mesh);
+    if (file.model) {
+      const SlicerModel& model = m_sources.sources[file.source].scene->models[*file.model];
+      node.style = model.style;
+      if (model.segments)
+        node.style.colour = part.raw.colour ? part.raw.colour : colourOf(part);
+    } else {
+      node.style.colour = colourOf(part);
+      const Node* group = m_built.scene.find(parent);
+      if (group && group->style.colour && node.style.colour == group->style.colour)
+        node.style.colour.reset();
+      if (part.raw.opacity && part.raw.opacity->value() < 1.0f)
+        node.style.opacity = part.raw.opacity;
+      node.style.visible = part.raw.visible;
+    }
+    const NodeId id = m_built.scene.append(std::move(node));
+    m_built.nodesOfFile[part.file].push_back(id);
+    m_built.numbers[id] = part.number;
+  }
+
+  /// The table knows best; a colour in the file counts where the name is unknown and the colour is
+  /// one that somebody chose rather than a program's grey.
+  std::optional<Colour> colourOf(const Part& part) const {
+    if (part.raw.molecule)
+      return part.raw.colour;
+    if (const auto match = m_table.match(part.name))
+      return match->colour;
+    if (!part.raw.colour)
+      return std::nullopt;
+    const Colour c = *part.raw.colour;
+    const int high = std::max({c.red, c.green, c.blue});
+    const int low = std::min({c.red, c.green, c.blue});
+    return high - low > 24 ? std::optional(c) : std::nullopt;
+  }
+
+  std::vector<Part> m_parts;
+  const Sources& m_sources;
+  const AnatomyTable& m_table;
+  BuiltScene m_built;
+};
+
+}  // namespace
+
+BuiltScene buildScene(std::vector<Part> parts, const Sources& sources, const AnatomyTable& table) {
+  return Builder(std::move(parts), sources, table).build();
+}
+
+}  // namespace sline::model

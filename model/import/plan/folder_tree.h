@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts → scene: the tree of groups, names that differ, colours.
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "model/import/naming/anatomy_names.h"
+#include "model/import/plan/parts.h"
+
+namespace sline::model {
+
+struct BuiltScene {
+  Scene scene;
+  std::map<std::pair<std::size_t, std::size_t>, NodeId> groups;  ///< by source and group in it
+  std::vector<std::vector<NodeId>> nodesOfFile;                  ///< as Sources::files
+  std::map<NodeId, std::size_t> numbers;                         ///< Part::number of each structure
+};
+
+/// A scene keeps its own groups. A folder's groups are its sub-folders, else those of a part-of
+/// table, else the systems of the body by the structures' names; loose files are grouped like the
+/// latter, or by the groups inside them. Groups that hold one group only are left out.
+BuiltScene buildScene(std::vector<Part> parts, const Sources& sources, const AnatomyTable& table);
+
+}  // namespace sline::model

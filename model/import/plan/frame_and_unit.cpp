@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/import/plan/frame_and_unit.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+
+#include "model/import/naming/anatomy_names.h"
+#include "model/import/naming/laterality.h"
+
+namespace sline::model {
+
+namespace {
+
+Box boxOf(const std::vector<glm::vec3>& positions) {
+  Box box;
+  for (const glm::vec3& p : positions)
+    box.add(p);
+  return box;
+}
+
+class FrameDecision {
+ public:
+  FrameDecision(std::vector<Part>& parts, const Sources& sources, const ImportOptions& options)
+      : m_parts(parts), m_sources(sources), m_options(options) {}
+
+  void run(ImportReport& report) {
+    const FrameVote vote = voteOf([&](const Part& part) { return isSilent(part); });
+    const std::optional<Frame> voted = vote.winner();
+    report.frame = voted.value_or(Frame::lps);
+    report.frameReason = voted ? vote.text() : "no header and no left/right names: LPS assumed";
+    bool silent = false;
+    for (Part& part : m_parts) {
+      silent = silent || isSilent(part);
+      decide(part, report);
+    }
+    if (!silent && !m_parts.empty()) {
+      report.frame = m_parts.front().frame;
+      report.frameReason = m_parts.front().provenance.frameReason;
+    }
+    warnOfContradiction(report);
+  }
+
+ private:
+  const SlicerModel* modelOf(const Part& part) const {
+    const SourceFile& file = m_sources.files[part.file];
+    return file.model ? &m_sources.sources[file.source].scene->models[*file.model] : nullptr;
+  }
+  bool isChosen(const Part& part) const { return m_options.frame || part.choice.frame; }
+  bool isSilent(const Part& part) const {
+    return !isChosen(part) && !part.raw.frame && !modelOf(part);
+  }
+
+  void decide(Part& part, const ImportReport& report) const {
+    std::string& reason = part.provenance.frameReason;
+    const SlicerModel* model = modelOf(part);
+    if (part.choice.frame || m_options.frame) {
+      part.frame = part.choice.frame ? *part.choice.frame : *m_options.frame;
+      reason = "chosen by the user";
+    } else if (part.raw.frame) {
+      part.frame = *part.raw.frame;
+      reason = (part.raw.molecule || part.raw.yUp ? "" : "header: ") + part.raw.frameReason;
+    } else if (model) {
+      part.frame = model->frame;
+      reason = model->frameReason;
+    } else {
+      part.frame = report.frame;
+      reason = report.frameReason;
+    }
+  }
+
+  template <class Wanted>
+  FrameVote voteOf(const Wanted& wanted) const {
+    std::vector<NamedPlace> places;
+    for (const Part& part : m_parts)
+      if (wanted(part))
+        places.push_back({part.name, boxOf(part.raw.positions).centre().x});
+    return voteOnFrame(places);
+  }
+
+  /// Left and right must never be swapped silently: where names clearly say otherwise than the
+  /// header, the user is told.
+  void warnOfContradiction(ImportReport& report) const {
+    if (m_options.frame)
+      return;
+    for (const Frame frame : {Frame::lps, Frame::ras}) {
+      const FrameVote vote = voteOf([&](const Part& part) {
+        return part.frame == frame && !isSilent(part) && !isChosen(part);
+      });
+      const int against = frame == Frame::lps ? vote.ras : vote.lps;
+      const int agree = frame == Frame::lps ? vote.lps : vote.ras;
+      if (against >= 2 && against > 3 * agree)
+        report.warnings.push_back(
+            {"",
+             std::to_string(against) + " of " + std::to_string(against + agree) +
+                 " left/right names contradict the frame " + frameName(frame) +
+                 " that the files give; if left and right are swapped, choose the other frame"});
+    }
+  }
+
+  std::vector<Part>& m_parts;
+  const Sources& m_sources;
+  const ImportOptions& m_options;
+};
+
+/// How long a part's unit is, from what its file says, and where it says so.
+void ownUnit(Part& part, const ImportOptions& options, bool ofSlicer) {
+  std::string& reason = part.provenance.unitReason;
+  part.unit = part.frame == Frame::file ? 1.0f : part.raw.millimetresPerUnit;
+  if (part.frame == Frame::file) {
+    const bool told = !part.raw.unitReason.empty() && part.raw.millimetresPerUnit == 1.0f;
+    reason = told ? part.raw.unitReason : "coordinates left as they are";
+  } else if (part.choice.unit || options.unit) {
+    part.unit = part.choice.unit ? *part.choice.unit : *options.unit;
+    reason = "chosen by the user";
+  } else if (!part.raw.unitReason.empty()) {
+    reason = part.raw.unitReason;
+  } else {
+    reason = ofSlicer ? "scene of Slicer: millimetres" : "no unit in the file: millimetres assumed";
+  }
+}
+
+}  // namespace
+
+void decideFrames(std::vector<Part>& parts, const Sources& sources, const ImportOptions& options,
+                  ImportReport& report) {
+  FrameDecision(parts, sources, options).run(report);
+  if (options.frame) {
+    report.frame = *options.frame;
+    report.frameReason = "chosen by the user";
+  }
+}
+
+void decideUnits(std::vector<Part>& parts, const Sources& sources, const ImportOptions& options,
+                 ImportReport& report) {
+  constexpr float smallestScene = 3.0f;
+  const AnatomyTable table;
+  Box box;
+  bool anatomical = false;
+  const auto ofSlicer = [&](const Part& part) {
+    return sources.files[part.file].model.has_value();
+  };
+  const auto unitless = [&](const Part& part) {
+    return !options.unit && !part.choice.unit && part.raw.unitReason.empty() &&
+           part.frame != Frame::file && !ofSlicer(part);
+  };
+  for (Part& part : parts) {
+    ownUnit(part, options, ofSlicer(part));
+    if (!unitless(part))
+      continue;
+    box.add(boxOf(part.raw.positions));
+    anatomical = anatomical || table.match(part.name).has_value();
+  }
+  if (box.empty() || !anatomical)
+    return;
+  const glm::vec3 size = box.size();
+  const float extent = std::max({size.x, size.y, size.z});
+  if (!(extent < smallestScene))
+    return;
+  const std::string found =
+      "everything together is only " + std::to_string(extent) + " units large";
+  for (Part& part : parts)
+    if (unitless(part)) {
+      part.unit = 1000.0f;
+      part.provenance.unitReason = found + ": metres";
+    }
+  report.warnings.push_back({"", found + "; the unit was taken as the metre (times 1000)"});
+}
+
+}  // namespace sline::model

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/import/plan/kept_scans.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <sstream>
+
+#include "model/import/volumes/grey_volume.h"
+
+namespace sline::model {
+
+namespace {
+
+/// Which frame and unit was decided for the coordinates its file speaks in.
+struct Reading {
+  std::optional<Frame> frame;
+  double unit = 1.0;
+};
+
+Reading readingOf(const ReadScan& scan, const std::vector<Part>& parts,
+                  const ImportOptions& options) {
+  const auto made = std::find_if(parts.begin(), parts.end(), [&](const Part& part) {
+    return part.file == scan.file && part.raw.threshold;
+  });
+  if (made != parts.end())
+    return {made->frame, double(made->provenance.mmPerUnit)};
+  return {options.frame ? options.frame : scan.raw.volume->frame,
+          double(options.unit.value_or(1.0f))};
+}
+
+/// The file's own coordinates are its LPS turned back to its frame; what was decided leads on.
+glm::dmat4 placeOf(const GreyVolume& volume, const Reading& reading) {
+  const bool spoken = volume.frame == Frame::ras;
+  const bool meant = reading.frame == Frame::ras;
+  const double turn = spoken == meant ? 1.0 : -1.0;
+  glm::dmat4 place = volume.toLps;
+  for (int column = 0; column < 4; ++column) {
+    place[column].x *= turn * reading.unit;
+    place[column].y *= turn * reading.unit;
+    place[column].z *= reading.unit;
+  }
+  return place;
+}
+
+std::string textOf(const std::string& name, const glm::ivec3& size, const glm::dvec3& side) {
+  const double bytes = 2.0 * double(size.x) * double(size.y) * double(size.z);
+  std::ostringstream text;
+  text << name << ", " << size.x << " × " << size.y << " × " << size.z << " voxels of ";
+  text.precision(3);
+  text << side.x << " × " << side.y << " × " << side.z << " mm, ";
+  text.precision(6);
+  text << std::max(0.1, std::round(bytes / 1e5) / 10.0) << " MB unpacked";
+  return text.str();
+}
+
+}  // namespace
+
+std::vector<Scan> keptScans(const std::vector<ReadScan>& scans, const std::vector<Part>& parts,
+                            const ImportOptions& options, ImportReport& report) {
+  std::vector<Scan> kept;
+  for (const ReadScan& read : scans) {
+    const GreyVolume& volume = *read.raw.volume;
+    Scan scan{.name = volume.name,
+              .file = read.raw.file,
+              .size = volume.size,
+              .toLps = placeOf(volume, readingOf(read, parts, options)),
+              .slope = volume.slope,
+              .intercept = volume.intercept,
+              .hounsfield = volume.hounsfield};
+    // The numbers are those of what was read, which stays as long as they do.
+    scan.voxels = VoxelsPtr(read.raw.volume, &volume.voxels);
+    if (const std::string fault = scanFault(scan); !fault.empty()) {
+      report.warnings.push_back({read.raw.file, "the scan cannot be kept: " + fault});
+      continue;
+    }
+    kept.push_back(std::move(scan));
+  }
+  return kept;
+}
+
+std::string scanText(const Scan& scan) {
+  return textOf(scan.name, scan.size, scan.spacing());
+}
+
+std::string scanText(const GreyVolume& volume) {
+  const glm::dvec3 side(glm::length(glm::dvec3(volume.toLps[0])),
+                        glm::length(glm::dvec3(volume.toLps[1])),
+                        glm::length(glm::dvec3(volume.toLps[2])));
+  return textOf(volume.name, volume.size, side);
+}
+
+}  // namespace sline::model

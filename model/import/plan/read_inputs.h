@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+// What inputs hold before anything is decided about it, kept so that other decisions need no second
+// reading.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "model/import/plan/parts.h"
+#include "model/import/plan/sources.h"
+
+namespace sline::model {
+
+struct ReadInputs {
+  std::vector<std::filesystem::path> inputs;
+  ImportOptions options;  ///< limits, repair and smoothing as they were when it was read
+  Sources sources;
+  std::vector<Part> parts;              ///< in their files' coordinates, by Part::number
+  std::vector<ReadScan> scans;          ///< all there are, kept or not
+  std::vector<ImportWarning> warnings;  ///< of reading the surfaces
+  std::vector<std::string> notes;
+  std::optional<Imported> scenes;  ///< of scene files among the inputs
+
+  /// Whether it is what reading with these would give; smoothing apart, which only some readers do,
+  /// and thresholds.
+  bool holdsFor(std::span<const std::filesystem::path> others, const ImportOptions& with) const;
+};
+
+/// The error is that of importInputs.
+Result<ReadInputs> readInputs(std::span<const std::filesystem::path> inputs,
+                              const ImportOptions& options, const ImportProgress& progress);
+
+/// What was read with other thresholds: scans are in memory and are not read again.
+Result<ReadInputs> withThresholds(const ReadInputs& read, const std::vector<Threshold>& thresholds,
+                                  const ImportProgress& progress);
+
+/// Reads those parts again whose readers smooth and are asked to smooth otherwise than `read` was.
+/// A surface that its file no longer holds is left out, with a warning.
+void readAsSmoothed(std::vector<Part>& parts, const ReadInputs& read, const Smoothing& smoothing,
+                    ProgressMeter& meter, std::vector<ImportWarning>& warnings);
+
+}  // namespace sline::model

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/import/plan/reload.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "model/files/fingerprint.h"
+#include "model/geometry/nearest_point.h"
+#include "model/import/kinds/file_kinds.h"
+#include "model/import/plan/parts.h"
+#include "model/meshing/repair.h"
+#include "model/meshing/simplification.h"
+#include "model/meshing/windowed_sinc.h"
+
+namespace sline::model {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Fate = ReloadedFile::Fate;
+
+/// Files below a folder that are looked at: a search in a whole disk ends.
+constexpr std::size_t mostFiles = 200'000;
+
+/// The files that have one of the names, by name.
+std::map<std::string, std::set<fs::path>> filesNamed(const std::set<std::string>& names,
+                                                     std::span<const fs::path> places,
+                                                     std::vector<ImportWarning>& warnings) {
+  std::map<std::string, std::set<fs::path>> found;
+  const auto look = [&](const fs::path& file) {
+    std::error_code fault;
+    const std::string name = file.filename().string();
+    if (names.contains(name) && fs::is_regular_file(file, fault))
+      found[name].insert(fs::weakly_canonical(file, fault));
+  };
+  for (const fs::path& place : places) {
+    std::error_code fault;
+    if (!fs::is_directory(place, fault)) {
+      look(place);
+      continue;
+    }
+    std::size_t count = 0;
+    fs::recursive_directory_iterator entry(place, fs::directory_options::skip_permission_denied,
+                                           fault);
+    for (const fs::recursive_directory_iterator end; !fault && entry != end && count < mostFiles;
+         entry.increment(fault), ++count)
+      look(entry->path());
+    if (fault || count == mostFiles)
+      warnings.push_back(
+          {place.string(), "the folder was not searched to its end: " +
+                               (fault ? fault.message() : std::string("it holds too many files"))});
+  }
+  return found;
+}
+
+/// The structures that came from one state of one file.
+struct Origin {
+  std::string file;
+  Fingerprint fingerprint;
+  std::vector<std::size_t> nodes;  ///< in Scene::nodes
+};
+
+std::vector<Origin> originsOf(const Scene& scene) {
+  std::vector<Origin> origins;
+  for (std::size_t i = 0; i < scene.nodes().size(); ++i) {
+    const Node& node = scene.nodes()[i];
+    const Provenance& from = node.provenance;
+    if (node.isGroup() || from.file.empty() || !from.fingerprint)
+      continue;
+    const auto known = std::find_if(origins.begin(), origins.end(), [&](const Origin& o) {
+      return o.file == from.file && o.fingerprint == *from.fingerprint;
+    });
+    if (known != origins.end())
+      known->nodes.push_back(i);
+    else
+      origins.push_back({from.file, *from.fingerprint, {i}});
+  }
+  std::stable_sort(origins.begin(), origins.end(),
+                   [](const Origin& a, const Origin& b) { return a.file < b.file; });
+  return origins;
+}
+
+/// Which of the file's surfaces that is.
+std::optional<std::size_t> partNamed(const std::vector<std::string>& parts,
+                                     const std::string& wanted) {
+  if (wanted.empty())
+    return parts.size() == 1 ? std::optional<std::size_t>(0) : std::nullopt;
+  const auto found = std::find(parts.begin(), parts.end(), wanted);
+  if (found == parts.end())
+    return std::nullopt;
+  return std::size_t(found - parts.begin());
+}
+
+/// A file as it is now.
+struct FileNow {
+  Fingerprint fingerprint;
+  const std::vector<RawMesh>& meshes;
+  std::vector<std::string> parts;  ///< the names of the meshes
+};
+
+/// Takes as many triangles away as before, no farther than it was seen to go then.
+MeshPtr decimatedAgain(MeshPtr mesh, Provenance& as, const ReadOptions& options) {
+  if (as.decimatedFrom == 0 || !(as.decimationMm > 0.0f))
+    return mesh;
+  const int before = int(mesh->triangleCount());
+  Simplified fewer = simplified(mesh, as.decimationMm, options.goesOn);
+  as.decimatedFrom = fewer.mesh == mesh ? 0 : before;
+  as.decimationMm = fewer.mesh == mesh ? 0.0f : fewer.error;
+  return std::move(fewer.mesh);
+}
+
+/// The same that import did to the surface before.
+Result<MeshPtr> brought(RawMesh raw, Provenance& as, const ReadOptions& options) {
+  if (raw.molecule)
+    return Error{.reason = "a molecule may have been laid over another one; import both again"};
+  as.repairedFaces = repair(raw.positions, raw.triangles).faces();
+  if (raw.triangles.empty())
+    return Error{.reason = "it has no face with area any more"};
+  float displacement = raw.displacement;
+  if (!raw.smooth) {
+    // So many steps are those of the automatic mode, which looks for the grid of a label map.
+    const bool automatic = as.smoothingSteps == SincFilter().iterations;
+    const VoxelGrid grid =
+        automatic ? commonGrids(std::array{measureSurface(raw.positions, raw.triangles)}).front()
+                  : VoxelGrid();
+    const Smoothed smoothed =
+        smooth(raw.positions, raw.triangles, grid, {Smoothing::Mode::steps, as.smoothingSteps}, 0);
+    // Without a grid the automatic mode refines alone.
+    const Smoothed refined =
+        smooth(raw.positions, raw.triangles, {}, {Smoothing::Mode::automatic}, as.refinementSteps);
+    as.refinementSteps = refined.refinementSteps;
+    displacement = smoothed.displacement + refined.displacement;
+  }
+  as.displacementMm = displacement * as.mmPerUnit;
+  Result<MeshPtr> mesh = placedMesh(std::move(raw), as);
+  if (!mesh)
+    return mesh;
+  return decimatedAgain(std::move(*mesh), as, options);
+}
+
+class Reloader {
+ public:
+  Reloader(const Scene& scene, const ReadOptions& options)
+      : m_options(options), m_nodes(scene.nodes()) {
+    m_result.scene = scene;
+  }
+
+  Reloaded run(std::span<const fs::path> places) {
+    const std::vector<Origin> origins = originsOf(m_result.scene);
+    std::set<std::string> names;
+    for (const Origin& origin : origins)
+      names.insert(origin.file);
+    const auto found = filesNamed(names, places, m_result.warnings);
+    for (const Origin& origin : origins) {
+      const auto candidates = found.find(origin.file);
+      if (candidates == found.end())
+        tell(origin, Fate::absent, "no file of this name was found");
+      else if (m_options.goesOn())
+        look(origin, candidates->second, origins);
+    }
+    m_result.changed = !m_result.meshes.empty();
+    if (m_result.changed)
+      m_result.scene = withNewMeshes(m_result.scene, m_result.meshes);
+    return std::move(m_result);
+  }
+
+ private:
+  void tell(const Origin& origin, Fate fate, std::string reason = {}) {
+    ReloadedFile line{origin.file, fate, std::move(reason), {}};
+    for (const std::size_t i : origin.nodes)
+      line.structures.push_back(m_nodes[i].id);
+    m_result.files.push_back(std::move(line));
+  }
+
+  void look(const Origin& origin, const std::set<fs::path>& files,
+            const std::vector<Origin>& origins) {
+    std::vector<std::pair<fs::path, Fingerprint>> changed;
+    for (const fs::path& file : files) {
+      const Result<Fingerprint> now = fingerprintOfFile(file);
+      if (!now)
+        return tell(origin, Fate::failed, now.error().reason);
+      if (*now == origin.fingerprint)
+        return tell(origin, Fate::unchanged);
+      // What another structure of the same file name came from is not meant.
+      const bool another = std::any_of(origins.begin(), origins.end(), [&](const Origin& o) {
+        return o.file == origin.file && o.fingerprint == *now;
+      });
+      if (!another)
+        changed.emplace_back(file, *now);
+    }
+    if (changed.empty())
+      return tell(origin, Fate::absent, "only files that other structures came from were found");
+    const auto rivals = std::count_if(origins.begin(), origins.end(),
+                                      [&](const Origin& o) { return o.file == origin.file; });
+    if (changed.size() > 1 || rivals > 1)
+      return tell(origin, Fate::failed,
+                  changed.size() > 1
+                      ? "there are " + std::to_string(changed.size()) +
+                            " files of this name; name the folder of the one that is meant"
+                      : "structures from several files of this name are in the scene");
+    read(origin, changed.front().first, changed.front().second);
+  }
+
+  /// How readers that smooth what they read were told to: nothing moved where they were not to.
+  Smoothing readersSmoothing(const Origin& origin) const {
+    float moved = 0.0f;
+    int steps = 0;
+    for (const std::size_t i : origin.nodes) {
+      moved = std::max(moved, m_nodes[i].provenance.displacementMm);
+      steps = std::max(steps, m_nodes[i].provenance.smoothingSteps);
+    }
+    if (moved == 0.0f)
+      return {Smoothing::Mode::off};
+    return steps > 0 ? Smoothing{Smoothing::Mode::steps, steps} : Smoothing{};
+  }
+
+  /// What was made of a scan is made of it again.
+  std::vector<Threshold> thresholdsOf(const Origin& origin) const {
+    std::vector<Threshold> thresholds;
+    for (const std::size_t i : origin.nodes)
+      if (const auto& range = m_nodes[i].provenance.intensities)
+        thresholds.push_back({m_nodes[i].provenance.part, range->low, range->high});
+    return thresholds;
+  }
+
+  void read(const Origin& origin, const fs::path& file, const Fingerprint& now) {
+    ReadOptions options = m_options;
+    options.smoothing = readersSmoothing(origin);
+    options.thresholds = thresholdsOf(origin);
+    Result<RawMeshes> read = readSurfaces(file, options);
+    if (!read) {
+      Error error = read.error();
+      error.file.clear();
+      return tell(origin, Fate::failed, error.text());
+    }
+    for (ImportWarning& warning : read->warnings)
+      m_result.warnings.push_back({origin.file, std::move(warning.reason)});
+    const FileNow contents{now, read->meshes, partNames(read->meshes)};
+    const std::vector<std::string>& parts = contents.parts;
+    std::vector<bool> taken(parts.size(), false);
+    for (const std::size_t i : origin.nodes)
+      replace(i, origin, contents, taken);
+    std::string others;
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      if (!taken[k])
+        others += (others.empty() ? "" : ", ") + parts[k];
+    if (!others.empty())
+      m_result.warnings.push_back(
+          {origin.file, "no structure of the scene came from these of its surfaces: " + others});
+  }
+
+  void replace(std::size_t index, const Origin& origin, const FileNow& file,
+               std::vector<bool>& taken) {
+    const Node& node = m_nodes[index];
+    const Origin alone{origin.file, origin.fingerprint, {index}};
+    const std::string& wanted = node.provenance.part;
+    const std::optional<std::size_t> k = partNamed(file.parts, wanted);
+    if (!k)
+      return tell(alone, Fate::failed,
+                  wanted.empty() ? "it holds " + std::to_string(file.parts.size()) +
+                                       " surfaces now, and it is not known which is meant"
+                                 : "it holds no surface \"" + wanted + "\" any more");
+    taken[*k] = true;
+    Provenance as = node.provenance;
+    as.fingerprint = file.fingerprint;
+    Result<MeshPtr> mesh = brought(file.meshes[*k], as, m_options);
+    if (!mesh)
+      return tell(alone, Fate::failed, mesh.error().reason);
+    m_result.meshes.push_back({node.id, node.mesh, std::move(*mesh), std::move(as)});
+    tell(alone, Fate::replaced);
+  }
+
+  const ReadOptions& m_options;
+  const std::vector<Node>& m_nodes;
+  Reloaded m_result;
+};
+
+}  // namespace
+
+Scene withNewMeshes(const Scene& scene, std::span<const NewMesh> meshes) {
+  std::map<NodeId, const NewMesh*> changes;
+  for (const NewMesh& change : meshes)
+    if (const Node* node = scene.find(change.structure); node && node->mesh == change.before)
+      changes[change.structure] = &change;
+  std::vector<Node> nodes = scene.nodes();
+  for (Node& node : nodes)
+    if (const auto found = changes.find(node.id); found != changes.end()) {
+      node.mesh = found->second->mesh;
+      node.provenance = found->second->provenance;
+    }
+  std::vector<Annotation> annotations = scene.annotations();
+  for (Annotation& annotation : annotations)
+    for (Anchor& anchor : annotation.anchors) {
+      const auto* point = std::get_if<SurfacePoint>(&anchor);
+      const auto place = scene.placeOf(anchor);
+      const auto found = point ? changes.find(point->structure) : changes.end();
+      if (!place || found == changes.end())
+        continue;
+      if (const auto nearest = nearestPoint(*found->second->mesh, *place))
+        anchor = SurfacePoint{point->structure, nearest->triangle, nearest->weights};
+    }
+  Scene after = scene;
+  after.setNodes(std::move(nodes));
+  after.setAnnotations(std::move(annotations));
+  return after;
+}
+
+Reloaded reload(const Scene& scene, std::span<const fs::path> places, const ReadOptions& options) {
+  return Reloader(scene, options).run(places);
+}
+
+}  // namespace sline::model

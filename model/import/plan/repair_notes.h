@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// Repairs without loss are told in one line, so that warnings are left to what a person can act on.
+#pragma once
+
+#include <span>
+
+#include "model/import/plan/parts.h"
+
+namespace sline::model {
+
+RepairNotes repairNotes(std::span<const Part> parts, const Sources& sources);
+
+}  // namespace sline::model

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/import/plan/scene_inputs.h"
+
+#include <algorithm>
+
+#include "model/files/scene_file.h"
+
+namespace sline::model {
+
+namespace {
+
+/// What decided the frame when its first structure was imported.
+std::string frameReasonOf(const Scene& scene) {
+  const auto& nodes = scene.nodes();
+  const auto found = std::find_if(nodes.begin(), nodes.end(), [](const Node& node) {
+    return !node.provenance.frameReason.empty();
+  });
+  return found == nodes.end() ? "scene file" : found->provenance.frameReason;
+}
+
+/// Sections get fresh ids in the scene; those of a view keep theirs, which are its own.
+Section moved(Section section, const NewIds& ids) {
+  const auto scope = ids.find(section.scope);
+  section.scope = scope == ids.end() ? rootId : scope->second;
+  return section;
+}
+
+/// On what is not in the scene: nothing, as with a scope.
+NodeId movedId(NodeId id, const NewIds& ids) {
+  const auto found = ids.find(id);
+  return found == ids.end() ? NodeId{} : found->second;
+}
+
+Annotation moved(Annotation annotation, const NewIds& ids) {
+  for (Anchor& anchor : annotation.anchors)
+    if (auto* point = std::get_if<SurfacePoint>(&anchor))
+      point->structure = movedId(point->structure, ids);
+  return annotation;
+}
+
+View moved(View view, const NewIds& ids, const std::map<AnnotationId, AnnotationId>& noteIds) {
+  if (view.sections)
+    for (Section& section : *view.sections)
+      section = moved(section, ids);
+  if (view.looks) {
+    for (Look& look : *view.looks)
+      look.node = movedId(look.node, ids);
+    std::erase_if(*view.looks, [](const Look& look) { return look.node == rootId; });
+  }
+  if (view.annotations) {
+    std::vector<AnnotationId> shown;
+    for (const AnnotationId old : *view.annotations)
+      if (const auto found = noteIds.find(old); found != noteIds.end())
+        shown.push_back(found->second);
+    view.annotations = std::move(shown);
+  }
+  return view;
+}
+
+}  // namespace
+
+void warnOfOptions(const ImportOptions& options, std::vector<ImportWarning>& warnings) {
+  if (options.frame || options.unit)
+    warnings.push_back({"",
+                        "a scene file is in millimetres of the patient's frame; the frame and "
+                        "the unit that were chosen do not apply to it"});
+  if (options.decimateMm > 0.0f)
+    warnings.push_back({"",
+                        "surfaces of a scene file keep their triangles; only what is imported "
+                        "is decimated"});
+}
+
+NewIds append(Scene& to, const Scene& added) {
+  NewIds ids{{rootId, rootId}};
+  // All at once: to append them one by one would look through the whole scene for each.
+  std::vector<Node> nodes = to.nodes();
+  for (Node node : added.nodes()) {
+    const NodeId old = node.id;
+    node.parent = ids.at(node.parent);
+    if (ids.size() == 1) {
+      node.id = to.append(node);
+    } else {
+      node.id = {nodes.back().id.value + 1};
+    }
+    ids[old] = node.id;
+    nodes.push_back(std::move(node));
+  }
+  to.setNodes(std::move(nodes));
+  for (const Section& section : added.sections())
+    to.appendSection(moved(section, ids));
+  std::map<AnnotationId, AnnotationId> noteIds;
+  for (const Annotation& annotation : added.annotations())
+    noteIds[annotation.id] = to.appendAnnotation(moved(annotation, ids));
+  std::vector<View> views = to.views();
+  for (const View& view : added.views())
+    views.push_back(moved(view, ids, noteIds));
+  to.setViews(std::move(views));
+  std::vector<Scan> scans = to.scans();
+  scans.insert(scans.end(), added.scans().begin(), added.scans().end());
+  to.setScans(std::move(scans));
+  if (!to.keyLight())
+    to.setKeyLight(added.keyLight());
+  if (to.unread().empty())
+    to.setUnread(added.unread());
+  return ids;
+}
+
+NewIds append(Imported& to, Imported added) {
+  NewIds ids = append(to.scene, added.scene);
+  const auto take = [](auto& all, auto& more) {
+    std::move(more.begin(), more.end(), std::back_inserter(all));
+  };
+  take(to.report.warnings, added.report.warnings);
+  take(to.report.notes, added.report.notes);
+  take(to.report.repairs.surfaces, added.report.repairs.surfaces);
+  // Scene files come first and repair nothing, so at most one has something to say.
+  to.report.repairs.summary += added.report.repairs.summary;
+  take(to.others, added.others);
+  return ids;
+}
+
+Result<Imported> openScenes(std::span<const std::filesystem::path> files,
+                            const ImportOptions& options) {
+  Imported all;
+  for (const std::filesystem::path& file : files) {
+    Result<SceneDocument> document = readSceneFile(file);
+    if (!document.ok())
+      return document.error();
+    Imported one{.scene = std::move(document->scene), .others = std::move(document->others)};
+    if (const std::string warning = document->warning(); !warning.empty())
+      one.report.warnings.push_back({file.string(), warning});
+    if (&file == &files.front())
+      all = std::move(one);  // alone it keeps its ids
+    else
+      append(all, std::move(one));
+  }
+  all.report.frameReason = frameReasonOf(all.scene);
+  warnOfOptions(options, all.report.warnings);
+  return all;
+}
+
+}  // namespace sline::model

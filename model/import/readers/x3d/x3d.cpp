@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: Apache-2.0
+// VRML97 and X3D: every shape made of polygons or triangles becomes a surface, where its transforms
+// put it. Prototypes, scripts, other files and what is drawn by lines, points or pictures are left
+// out.
+#include "model/import/readers/x3d/x3d.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+#include <set>
+
+#include "model/import/readers/x3d/x3d_document.h"
+#include "model/import/source/surface_assembly.h"
+#include "model/import/source/text_cursor.h"
+
+namespace sline::model {
+
+namespace {
+
+constexpr std::size_t mostX3dVisits = 100'000;
+/// What shapes that are used again may make of a file beyond its own size.
+constexpr std::uint64_t freeX3dBytes = std::uint64_t(64) << 20;
+constexpr std::uint64_t x3dBytesPerByte = 16;
+
+/// A node that is waiting to be visited and what it inherits.
+struct X3dVisit {
+  const X3dNode* node = nullptr;
+  std::size_t depth = 0;
+  std::vector<std::string> groups;
+  glm::dmat4 toScene{1.0};
+  bool only = false;  ///< the one shape among its group's nodes
+};
+
+/// All numbers of a field, parted by blanks, commas and comments; it ends at what is none.
+std::vector<double> numbersIn(std::string_view field) {
+  std::string plain(field);
+  bool comment = false;
+  for (char& c : plain) {
+    comment = (comment || c == '#') && !TextCursor::isLineEnd(c);
+    if (comment || c == ',')
+      c = ' ';
+  }
+  std::vector<double> numbers;
+  TextCursor cursor(plain);
+  for (double value = 0.0; cursor.skipSpace(), cursor.number(value);)
+    numbers.push_back(value);
+  return numbers;
+}
+
+/// The field as so many numbers, else what stands there when it is absent.
+template <std::size_t n>
+std::array<double, n> fixedNumbers(const X3dNode& node, std::string_view key,
+                                   const std::array<double, n>& otherwise) {
+  const std::vector<double> numbers = numbersIn(node.field(key));
+  std::array<double, n> values = otherwise;
+  if (numbers.size() == n)
+    std::copy(numbers.begin(), numbers.end(), values.begin());
+  return values;
+}
+
+glm::dmat4 rotationOf(const std::array<double, 4>& r) {
+  const glm::dvec3 axis(r[0], r[1], r[2]);
+  return glm::length(axis) > 0.0 ? glm::rotate(glm::dmat4(1.0), r[3], glm::normalize(axis))
+                                 : glm::dmat4(1.0);
+}
+
+/// ISO/IEC 19775-1 §10.4.4: translation · centre · rotation · scale in its own axes · −centre.
+glm::dmat4 transformOf(const X3dNode& node) {
+  const auto vector = [&](std::string_view key, double otherwise) {
+    const auto v = fixedNumbers<3>(node, key, {otherwise, otherwise, otherwise});
+    return glm::dvec3(v[0], v[1], v[2]);
+  };
+  const glm::dvec3 centre = vector("center", 0.0);
+  const glm::dmat4 turned = rotationOf(fixedNumbers<4>(node, "scaleOrientation", {0, 0, 1, 0}));
+  glm::dmat4 matrix = glm::translate(glm::dmat4(1.0), vector("translation", 0.0) + centre);
+  matrix *= rotationOf(fixedNumbers<4>(node, "rotation", {0, 0, 1, 0})) * turned;
+  matrix = glm::scale(matrix, vector("scale", 1.0)) * glm::transpose(turned);
+  return glm::translate(matrix, -centre);
+}
+
+const X3dNode* childOf(const X3dNode& node, std::initializer_list<std::string_view> types) {
+  for (const X3dNode* child : node.nodes)
+    if (std::find(types.begin(), types.end(), child->type) != types.end())
+      return child;
+  return nullptr;
+}
+
+bool isFalse(std::string_view text) {
+  return equalsIgnoringCase(text, "false");
+}
+
+/// How the corners of a geometry make faces.
+enum class CornerRuns { polygons, triangles, quads, strips, fans };
+struct X3dGeometry {
+  std::string_view type;
+  CornerRuns runs;
+  std::string_view corners;  ///< the field with indices; empty: all points in turn
+  std::string_view counts;   ///< the field that says how many of them make a strip or fan
+};
+constexpr std::array<X3dGeometry, 9> x3dGeometries{
+    {{"IndexedFaceSet", CornerRuns::polygons, "coordIndex", ""},
+     {"IndexedTriangleSet", CornerRuns::triangles, "index", ""},
+     {"IndexedQuadSet", CornerRuns::quads, "index", ""},
+     {"IndexedTriangleStripSet", CornerRuns::strips, "index", ""},
+     {"IndexedTriangleFanSet", CornerRuns::fans, "index", ""},
+     {"TriangleSet", CornerRuns::triangles, "", ""},
+     {"QuadSet", CornerRuns::quads, "", ""},
+     {"TriangleStripSet", CornerRuns::strips, "", "stripCount"},
+     {"TriangleFanSet", CornerRuns::fans, "", "fanCount"}}};
+
+/// Corners in runs that −1 ends.
+std::vector<std::uint32_t> cornersOf(const X3dNode& node, const X3dGeometry& kind,
+                                     std::size_t points) {
+  std::vector<std::uint32_t> corners;
+  if (!kind.corners.empty()) {
+    // What is no index becomes one beyond all points, which is told when faces are judged.
+    for (const double value : numbersIn(node.field(kind.corners)))
+      corners.push_back(value == -1.0                           ? noVertex
+                        : value >= 0.0 && value < noVertex - 1u ? std::uint32_t(value)
+                                                                : noVertex - 1u);
+    return corners;
+  }
+  std::vector<double> counts = kind.counts.empty() ? std::vector<double>{double(points)}
+                                                   : numbersIn(node.field(kind.counts));
+  std::size_t at = 0;
+  for (const double count : counts) {
+    for (double i = 0.0; i < count && at < points; ++i)
+      corners.push_back(std::uint32_t(at++));
+    corners.push_back(noVertex);
+  }
+  return corners;
+}
+
+void addRun(std::span<const std::uint32_t> run, CornerRuns runs, FaceList& faces,
+            const char* place) {
+  const auto face = [&](std::initializer_list<std::uint32_t> corners) {
+    for (const std::uint32_t corner : corners)
+      faces.add(corner, place);
+    faces.close();
+  };
+  if (runs == CornerRuns::strips) {
+    addStrip(run, faces, place);
+  } else if (runs == CornerRuns::fans) {
+    for (std::size_t i = 2; i < run.size(); ++i)
+      face({run[0], run[i - 1], run[i]});
+  } else {
+    const std::size_t step = runs == CornerRuns::triangles ? 3
+                             : runs == CornerRuns::quads   ? 4
+                                                           : std::max<std::size_t>(1, run.size());
+    for (std::size_t i = 0; i + step <= run.size() && !run.empty(); i += step) {
+      for (const std::uint32_t corner : run.subspan(i, step))
+        faces.add(corner, place);
+      faces.close();
+    }
+  }
+}
+
+FaceList facesIn(const X3dNode& node, const X3dGeometry& kind, std::size_t points) {
+  const std::vector<std::uint32_t> corners = cornersOf(node, kind, points);
+  FaceList faces;
+  for (std::size_t begin = 0; begin < corners.size();) {
+    const auto end =
+        std::size_t(std::find(corners.begin() + std::ptrdiff_t(begin), corners.end(), noVertex) -
+                    corners.begin());
+    addRun(std::span(corners).subspan(begin, end - begin), kind.runs, faces, node.place);
+    begin = end + 1;
+  }
+  return faces;
+}
+
+class X3dReader {
+ public:
+  X3dReader(const Source& source, const X3dDocument& document)
+      : m_source(source),
+        m_document(document),
+        m_budget(freeX3dBytes + x3dBytesPerByte * source.size()) {}
+
+  Result<RawMeshes> read() {
+    if (m_document.prototypes)
+      warnOnce("prototypes are left out");
+    std::vector<X3dVisit> waiting;
+    pushAll(m_document.scene, {}, waiting);
+    while (!waiting.empty()) {
+      const X3dVisit visit = std::move(waiting.back());
+      waiting.pop_back();
+      if (const Status done = visitNode(visit, waiting); !done)
+        return done.error();
+    }
+    if (m_result.meshes.empty())
+      return m_source.whole(m_result.warnings.empty()
+                                ? "holds no shapes"
+                                : "holds no surface: " + m_result.warnings.front().reason,
+                            "Export the mesh again, as polygons or triangles");
+    return std::move(m_result);
+  }
+
+ private:
+  /// The first one is visited first.
+  void pushAll(std::span<const X3dNode* const> nodes, const X3dVisit& parent,
+               std::vector<X3dVisit>& waiting) {
+    const auto shapes = std::count_if(nodes.begin(), nodes.end(),
+                                      [](const X3dNode* node) { return node->type == "Shape"; });
+    for (std::size_t i = nodes.size(); i > 0; --i)
+      waiting.push_back(
+          {nodes[i - 1], parent.depth + 1, parent.groups, parent.toScene, shapes == 1});
+  }
+
+  Status visitNode(const X3dVisit& visit, std::vector<X3dVisit>& waiting) {
+    static const std::set<std::string_view> grouping{
+        "Transform", "Group",       "StaticGroup",  "Anchor",   "Billboard",
+        "Collision", "CADAssembly", "CADPart",      "CADLayer", "CADFace",
+        "Switch",    "LOD",         "HAnimHumanoid"};
+    const X3dNode& node = *visit.node;
+    if (node.type == "Shape")
+      return addShape(visit);
+    if (node.type == "Inline")
+      warnOnce("Inline refers to other files, which are not read");
+    if (!grouping.contains(node.type))
+      return Unit{};
+    std::uint64_t bytes = 128;
+    for (const std::string& group : visit.groups)
+      bytes += sizeof(std::string) + group.size();
+    if (visit.depth > deepestX3dNode || ++m_visits > mostX3dVisits ||
+        !granted(bytes * (node.nodes.size() + 1)))
+      return tooMany(node);
+    X3dVisit inside = visit;
+    if (!node.name.empty())
+      inside.groups.emplace_back(node.name);
+    if (node.type == "Transform")
+      inside.toScene *= transformOf(node);
+    if (!isFinite(inside.toScene))
+      return m_source.atLine(node.place, "its transform is not finite");
+    std::span<const X3dNode* const> nodes(node.nodes);
+    if (node.type == "Switch") {
+      const double choice = fixedNumbers<1>(node, "whichChoice", {-1.0})[0];
+      const bool chosen = choice >= 0.0 && choice < double(nodes.size());
+      nodes = chosen ? nodes.subspan(std::size_t(choice), 1) : nodes.first(0);
+    } else if (node.type == "LOD") {
+      nodes = nodes.first(std::min<std::size_t>(1, nodes.size()));
+    }
+    pushAll(nodes, inside, waiting);
+    return Unit{};
+  }
+
+  Error tooMany(const X3dNode& node) const {
+    return m_source.atLine(node.place,
+                           "the scene repeats its parts far beyond the file's size, or in a circle",
+                           "Reduce the number of instances");
+  }
+
+  bool granted(std::uint64_t bytes) {
+    if (bytes > m_budget)
+      return false;
+    m_budget -= bytes;
+    return true;
+  }
+
+  void warnOnce(const std::string& reason) {
+    if (m_said.insert(reason).second)
+      m_result.warnings.push_back(m_source.warning(reason));
+  }
+
+  Status addShape(const X3dVisit& visit) {
+    const X3dNode& shape = *visit.node;
+    for (const X3dNode* child : shape.nodes) {
+      if (child->type == "Appearance" || child->type.starts_with("Metadata"))
+        continue;
+      const auto kind =
+          std::find_if(x3dGeometries.begin(), x3dGeometries.end(),
+                       [&](const X3dGeometry& known) { return known.type == child->type; });
+      if (kind == x3dGeometries.end())
+        warnOnce("shapes of kind " + inQuotes(child->type) + " are left out");
+      else if (const Status added = addGeometry(*child, *kind, visit); !added)
+        return added.error();
+    }
+    return Unit{};
+  }
+
+  Status addGeometry(const X3dNode& node, const X3dGeometry& kind, const X3dVisit& visit) {
+    const X3dNode* coordinates = childOf(node, {"Coordinate", "CoordinateDouble"});
+    const std::string_view text = coordinates ? coordinates->field("point") : std::string_view();
+    if (!granted(8 * std::uint64_t(text.size()) + 512))
+      return tooMany(node);
+    const std::vector<double> numbers = numbersIn(text);
+    std::vector<glm::vec3> positions(numbers.size() / 3);
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      const glm::dvec4 p =
+          visit.toScene * glm::dvec4(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2], 1.0);
+      positions[i] = {narrowed(p.x), narrowed(p.y), narrowed(p.z)};
+    }
+    RawMesh mesh = opened(visit);
+    const FaceList faces = facesIn(node, kind, positions.size());
+    CutTally tally;
+    cutFaces({faces, 0, faces.size()}, positions, mesh.triangles, tally);
+    if (const Status judged = judge(m_source, faces, tally, BadFaces::areErrors, m_result.warnings);
+        !judged)
+      return judged.error();
+    std::vector<std::uint32_t> scratch;
+    keepUsed(positions, scratch, mesh);
+    // A mirroring transform turns surfaces inside out; its triangles turn with it.
+    if (isFalse(node.field("ccw")) != (glm::determinant(glm::dmat3(visit.toScene)) < 0.0))
+      for (Triangle& t : mesh.triangles)
+        std::swap(t[1], t[2]);
+    return finish(m_source, std::move(mesh), m_result);
+  }
+
+  /// Named like its group where it is the only shape there.
+  RawMesh opened(const X3dVisit& visit) const {
+    RawMesh mesh;
+    mesh.groups = visit.groups;
+    const bool likeGroup = !mesh.groups.empty() && (visit.only || visit.node->name.empty());
+    mesh.name = likeGroup ? mesh.groups.back() : std::string(visit.node->name);
+    if (likeGroup && visit.only)
+      mesh.groups.pop_back();
+    mesh.yUp = true;
+    if (m_document.metresPerUnit && *m_document.metresPerUnit > 0.0 &&
+        *m_document.metresPerUnit < 1e9) {
+      mesh.millimetresPerUnit = float(1000.0 * *m_document.metresPerUnit);
+      mesh.unitReason = "X3D: unit of length";
+    }
+    const X3dNode* appearance = childOf(*visit.node, {"Appearance"});
+    const X3dNode* material =
+        appearance ? childOf(*appearance, {"Material", "TwoSidedMaterial"}) : nullptr;
+    if (!material)
+      return mesh;
+    const auto colour = fixedNumbers<3>(*material, "diffuseColor", {0.8, 0.8, 0.8});
+    const auto channel = [&](std::size_t i) {
+      return std::uint8_t(std::lround(255.0 * (colour[i] > 0.0 ? std::min(colour[i], 1.0) : 0.0)));
+    };
+    mesh.colour = Colour{channel(0), channel(1), channel(2)};
+    const double opacity = 1.0 - fixedNumbers<1>(*material, "transparency", {0.0})[0];
+    if (opacity > 0.0 && opacity < 1.0)
+      mesh.opacity = Opacity::clamped(float(opacity));
+    return mesh;
+  }
+
+  const Source& m_source;
+  const X3dDocument& m_document;
+  std::uint64_t m_budget;
+  std::size_t m_visits = 0;
+  RawMeshes m_result;
+  std::set<std::string> m_said;
+};
+
+}  // namespace
+
+Result<RawMeshes> readX3d(const std::filesystem::path& file, const ReadLimits& limits) {
+  const Result<Source> source = Source::read(file, limits);
+  if (!source)
+    return source.error();
+  const std::string_view text = source->text();
+  if (text.starts_with("#VRML V1"))
+    return source->whole("is VRML 1.0, of which only 2.0 (VRML97) is read",
+                         "Export it as VRML97 or X3D");
+  const bool classic = text.starts_with("#VRML") || text.starts_with("#X3D");
+  const std::size_t first = text.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+  if (!classic && (first == std::string_view::npos || text[first] != '<'))
+    return source->whole("begins neither with #VRML V2.0 nor with #X3D nor as XML");
+  const Result<X3dDocument> document = classic ? parseX3dClassic(*source) : parseX3dXml(*source);
+  if (!document)
+    return document.error();
+  return X3dReader(*source, *document).read();
+}
+
+}  // namespace sline::model

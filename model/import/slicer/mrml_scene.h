@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// 3D Slicer's scene file (.mrml, XML; Slicer 3, 4 and 5): which models it shows, where their files
+// are, their colours, places and hierarchy; its points and rulers; its camera and saved views.
+#pragma once
+
+#include <filesystem>
+#include <glm/mat4x4.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/import/slicer/fiducials.h"
+#include "model/import/source/raw_mesh.h"
+#include "model/scene/camera.h"
+#include "model/scene/style.h"
+
+namespace sline::model {
+
+struct SlicerGroup {
+  std::string id;  ///< of its node in the scene
+  std::string name;
+  std::optional<std::size_t> parent;  ///< index of an earlier group
+  Style style;
+};
+
+struct SlicerModel {
+  std::string id;
+  std::string name;
+  std::filesystem::path file;  ///< exists
+  std::optional<std::size_t> group;
+  Style style;
+  std::optional<glm::dmat4> toWorld;  ///< RAS → RAS, millimetres; parents' transforms included
+  Frame frame = Frame::ras;           ///< of the file, unless the file's own header says another
+  std::string frameReason;
+  bool segments = false;  ///< of a segmentation: its surfaces have names and colours of their own
+};
+
+/// A saved view, or with the camera alone what the scene was last seen from.
+struct SlicerView {
+  std::string name;
+  Camera camera;                ///< LPS, millimetres
+  std::vector<Style> groups;    ///< one for each of the scene's groups
+  std::vector<Style> models;    ///< likewise; empty with `groups`: it leaves them as they are
+  std::vector<bool> fiducials;  ///< which of the scene's fiducials are shown; likewise
+};
+
+struct SlicerScene {
+  std::vector<SlicerGroup> groups;  ///< parents first
+  std::vector<SlicerModel> models;  ///< in the scene's order
+  std::vector<Fiducial> fiducials;
+  std::vector<std::string> fiducialIds;  ///< of the node that each of them is of
+  std::vector<SlicerView> views;
+  std::size_t named = 0;  ///< models and segmentations with a file, whether or not it is there
+  std::vector<ImportWarning> warnings;
+};
+
+/// Broken XML or a file that is no scene is an error; models whose file is absent, lies outside the
+/// scene's folder or hangs on a cycle of references are left out or untransformed, with a warning.
+Result<SlicerScene> readSlicerScene(const std::filesystem::path& file, const ReadLimits& limits);
+
+}  // namespace sline::model

@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "model/import/source/file_in_folder.h"
+#include "model/import/source/text_cursor.h"
+#include "model/import/volumes/formats/nrrd_header.h"
+#include "model/import/volumes/formats/volume_file.h"
+
+namespace sline::model {
+
+namespace {
+
+constexpr const char* threeAxes = "Export a volume with three axes in space";
+
+std::optional<ScalarType> nrrdType(std::string_view name) {
+  struct Row {
+    ScalarType type;
+    std::initializer_list<std::string_view> names;
+  };
+  static const Row rows[] = {
+      {ScalarType::int8, {"signed char", "int8", "int8_t"}},
+      {ScalarType::uint8, {"uchar", "unsigned char", "uint8", "uint8_t"}},
+      {ScalarType::int16,
+       {"short", "short int", "signed short", "signed short int", "int16", "int16_t"}},
+      {ScalarType::uint16,
+       {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}},
+      {ScalarType::int32, {"int", "signed int", "int32", "int32_t"}},
+      {ScalarType::uint32, {"uint", "unsigned int", "uint32", "uint32_t"}},
+      {ScalarType::int64,
+       {"longlong", "long long", "long long int", "signed long long", "signed long long int",
+        "int64", "int64_t"}},
+      {ScalarType::uint64,
+       {"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}},
+      {ScalarType::float32, {"float"}},
+      {ScalarType::float64, {"double"}}};
+  for (const Row& row : rows)
+    for (const std::string_view known : row.names)
+      if (equalsIgnoringCase(name, known))
+        return row.type;
+  return std::nullopt;
+}
+
+std::vector<std::string_view> wordsOf(std::string_view text) {
+  std::vector<std::string_view> words;
+  TextCursor at(text);
+  for (at.skipSpace(); !at.atEnd(); at.skipSpace())
+    words.push_back(at.word());
+  return words;
+}
+
+/// What the space's name says: how its axes map to LPS, and what it is called.
+struct Space {
+  glm::dvec3 toLps{1.0};
+  std::optional<Frame> frame;
+};
+
+Result<Space> spaceOf(const Source& source, const NrrdHeader& header) {
+  const std::string_view name = header.field("space");
+  struct Row {
+    std::string_view name;
+    std::string_view brief;
+    Space space;
+  };
+  const Row rows[] = {{"left-posterior-superior", "lps", {{1.0, 1.0, 1.0}, Frame::lps}},
+                      {"right-anterior-superior", "ras", {{-1.0, -1.0, 1.0}, Frame::ras}},
+                      {"left-anterior-superior", "las", {{1.0, -1.0, 1.0}, Frame::lps}},
+                      {"", "", {{1.0, 1.0, 1.0}, std::nullopt}},
+                      {"scanner-xyz", "", {{1.0, 1.0, 1.0}, std::nullopt}},
+                      {"3d-right-handed", "", {{1.0, 1.0, 1.0}, std::nullopt}}};
+  for (const Row& row : rows)
+    if (equalsIgnoringCase(name, row.name) ||
+        (!name.empty() && equalsIgnoringCase(name, row.brief)))
+      return row.space;
+  return source.at("field space",
+                   "its space " + inQuotes(name) + " does not say how it lies in the patient",
+                   "Export it in the space left-posterior-superior");
+}
+
+/// Millimetres per unit of the space; 0 where the unit is not known.
+double unitOf(const NrrdHeader& header) {
+  const std::string_view units = header.field("space units");
+  struct Row {
+    std::string_view name;
+    double millimetres;
+  };
+  for (const Row& row : {Row{"\"mm\"", 1.0}, Row{"\"cm\"", 10.0}, Row{"\"m\"", 1000.0},
+                         Row{"\"um\"", 0.001}, Row{"\"µm\"", 0.001}, Row{"\"microns\"", 0.001}})
+    if (units.starts_with(row.name))
+      return row.millimetres;
+  return 0.0;
+}
+
+/// 3D Slicer: Segment7_Name, _LabelValue, _Layer and _Color ("0.5 0.7 0.1").
+LabelNames segmentsOf(const NrrdHeader& header, bool layered, std::size_t layer) {
+  LabelNames names;
+  for (std::size_t i = 0; i < 65'536; ++i) {
+    const std::string segment = "Segment" + std::to_string(i) + "_";
+    const std::string_view name = header.key(segment + "Name");
+    const std::string_view id = header.key(segment + "ID");
+    if (name.empty() && id.empty())
+      break;
+    std::int64_t value = 1;
+    TextCursor(header.key(segment + "LabelValue")).integer(value);
+    // Before there were layers, each segment had one of its own.
+    std::int64_t its = layered ? std::int64_t(i) : 0;
+    TextCursor(header.key(segment + "Layer")).integer(its);
+    if (its != std::int64_t(layer))
+      continue;
+    Label label{value, std::string(name.empty() ? id : name), {}, {}};
+    TextCursor at(header.key(segment + "Color"));
+    std::array<float, 3> channels{-1.0f, -1.0f, -1.0f};
+    for (float& channel : channels) {
+      at.skipSpace();
+      at.number(channel);
+    }
+    if (std::all_of(channels.begin(), channels.end(),
+                    [](float c) { return c >= 0.0f && c <= 1.0f; }))
+      label.colour = Colour{std::uint8_t(std::lround(255.0f * channels[0])),
+                            std::uint8_t(std::lround(255.0f * channels[1])),
+                            std::uint8_t(std::lround(255.0f * channels[2]))};
+    names.insert_or_assign(value, std::move(label));
+  }
+  return names;
+}
+
+class NrrdReader {
+ public:
+  NrrdReader(const Source& source, NrrdHeader header, const ReadOptions& options)
+      : m_source(source), m_header(std::move(header)), m_options(options) {}
+
+  Result<VolumeFile> read() {
+    if (const Status status = readAxes(); !status)
+      return status.error();
+    if (const Status status = readPlace(); !status)
+      return status.error();
+    if (const Status status = readType(); !status)
+      return status.error();
+    if (const Status status = findData(); !status)
+      return status.error();
+    const bool segments =
+        !m_header.key("Segment0_LabelValue").empty() || !m_header.key("Segment0_Name").empty();
+    m_file.names = [header = std::move(m_header), segments, layered = m_file.layout.layers > 1,
+                    file = m_source.file(),
+                    limits = m_options.limits](const LabelVolume&, std::size_t layer) {
+      std::string from;
+      return segments ? segmentsOf(header, layered, layer) : labelsBeside(file, limits, from);
+    };
+    return std::move(m_file);
+  }
+
+ private:
+  /// Sizes; which axis counts layers, if one does.
+  Status readAxes() {
+    std::int64_t dimension = 0;
+    TextCursor(m_header.field("dimension")).integer(dimension);
+    TextCursor at(m_header.field("sizes"));
+    for (at.skipSpace(); !at.atEnd(); at.skipSpace()) {
+      std::int64_t size = 0;
+      if (!at.integer(size) || size < 1 || m_sizes.size() > 16)
+        return m_source.at("field sizes",
+                           "is no list of sizes: " + inQuotes(m_header.field("sizes")));
+      m_sizes.push_back(size);
+    }
+    if (m_sizes.empty() || std::int64_t(m_sizes.size()) != dimension)
+      return m_source.at("field sizes", "there are " + std::to_string(m_sizes.size()) +
+                                            " sizes for the dimension " +
+                                            std::to_string(dimension));
+    m_directions = nrrdVectors(m_header.field("space directions"));
+    if (!m_directions.empty() && m_directions.size() != m_sizes.size())
+      return m_source.at("field space directions", "there is not one vector for each axis");
+    if (m_sizes.size() < 3)
+      return m_source.at("field dimension",
+                         "has " + std::to_string(m_sizes.size()) +
+                             (m_sizes.size() == 1 ? " axis" : " axes") + ", a volume needs three",
+                         threeAxes);
+    std::vector<std::size_t> spatial;
+    const std::vector<std::string_view> kinds = wordsOf(m_header.field("kinds"));
+    for (std::size_t i = 0; i < m_sizes.size(); ++i)
+      if (isSpatial(i, kinds))
+        spatial.push_back(i);
+    const bool contiguous =
+        spatial.size() == 3 && spatial[2] - spatial[0] == 2 && m_sizes.size() <= 4;
+    if (!contiguous)
+      return m_source.at("field sizes",
+                         "has " + std::to_string(m_sizes.size()) + " axes, of which " +
+                             std::to_string(spatial.size()) + " lie in space",
+                         threeAxes);
+    m_first = spatial[0];
+    m_file.layout.size = {m_sizes[m_first], m_sizes[m_first + 1], m_sizes[m_first + 2]};
+    if (m_sizes.size() == 4) {
+      const std::size_t other = m_first == 0 ? 3 : 0;
+      m_file.layout.layers = m_sizes[other];
+      m_file.layout.interleaved = other == 0;
+      if (other < kinds.size() && kinds[other] != "list" && kinds[other] != "???" &&
+          kinds[other] != "none" && m_file.layout.layers > 1)
+        return m_source.at("field kinds",
+                           "holds " + inQuotes(kinds[other]) +
+                               " in each voxel, which is neither label nor intensity",
+                           "Export a volume with one number per voxel");
+    }
+    return Unit{};
+  }
+
+  bool isSpatial(std::size_t axis, const std::vector<std::string_view>& kinds) const {
+    if (!m_directions.empty())
+      return m_directions[axis].has_value();
+    if (m_sizes.size() == 3)
+      return true;
+    return axis < kinds.size() && (kinds[axis] == "domain" || kinds[axis] == "space");
+  }
+
+  Status readPlace() {
+    const Result<Space> space = spaceOf(m_source, m_header);
+    if (!space)
+      return space.error();
+    glm::dmat4& place = m_file.toLps;
+    if (m_directions.empty()) {
+      TextCursor at(m_header.field("spacings"));
+      double spacing = 0.0;
+      for (std::size_t i = 0; i < m_first + 3; ++i) {
+        at.skipSpace();
+        const bool given = at.number(spacing) && std::isfinite(spacing) && spacing != 0.0;
+        if (i >= m_first) {
+          const int axis = int(i - m_first);
+          place[axis][axis] = given ? spacing : 1.0;
+        }
+      }
+    } else {
+      for (int i = 0; i < 3; ++i)
+        place[i] = glm::dvec4(*m_directions[m_first + std::size_t(i)], 0.0);
+    }
+    const auto origin = nrrdVectors(m_header.field("space origin"));
+    if (origin.size() == 1 && origin.front())
+      place[3] = glm::dvec4(*origin.front(), 1.0);
+    const double unit = unitOf(m_header);
+    for (int column = 0; column < 4; ++column)
+      for (int row = 0; row < 3; ++row)
+        place[column][row] *= space->toLps[row] * (unit > 0.0 ? unit : 1.0);
+    m_file.frame = space->frame;
+    m_file.frameReason = "space: " + std::string(m_header.field("space"));
+    m_file.unitReason = unit > 0.0 ? "header: space units" : "volumes are in millimetres";
+    return Unit{};
+  }
+
+  Status readType() {
+    const std::string_view name = m_header.field("type");
+    const std::optional<ScalarType> type = nrrdType(name);
+    if (!type)
+      return m_source.at("field type", "its type " + inQuotes(name) + " is not one of numbers",
+                         "Export it as unsigned short");
+    m_file.layout.type = *type;
+    const std::string_view encoding = m_header.field("encoding");
+    const auto is = [&](std::initializer_list<std::string_view> names) {
+      return std::any_of(names.begin(), names.end(), [&](std::string_view known) {
+        return equalsIgnoringCase(encoding, known);
+      });
+    };
+    if (is({"gzip", "gz"}))
+      m_file.stored.packing = Packing::deflated;
+    else if (is({"bzip2", "bz2"}))
+      m_file.stored.packing = Packing::bzip2;
+    else if (is({"hex"}))
+      m_file.stored.packing = Packing::hex;
+    else if (is({"txt", "text", "ascii"}))
+      m_file.stored.text = true;
+    else if (!is({"raw"}))
+      return m_source.at("field encoding",
+                         "its encoding " + inQuotes(encoding) + " is not supported",
+                         "Export it raw or with gzip");
+    const std::string_view endian = m_header.field("endian");
+    if (equalsIgnoringCase(endian, "big"))
+      m_file.layout.order = std::endian::big;
+    else if (!equalsIgnoringCase(endian, "little") && sizeOf(*type) > 1 && !m_file.stored.text)
+      m_file.warnings.push_back(
+          m_source.warning("does not say in which order its bytes are; taken as little-endian"));
+    return Unit{};
+  }
+
+  Status findData() {
+    m_file.stored.file = m_source.file();
+    m_file.stored.bytes = m_header.data;
+    if (const std::string_view name = m_header.field("data file"); !name.empty()) {
+      if (Status status = openData(name); !status)
+        return status;
+      m_file.stored.file = m_file.sources.back()->file();
+      m_file.stored.bytes = m_file.sources.back()->text();
+    }
+    std::int64_t lines = 0;
+    TextCursor(m_header.field("line skip")).integer(lines);
+    TextCursor at(m_file.stored.bytes);
+    for (; lines > 0 && !at.atEnd(); --lines)
+      at.skipLine();
+    m_file.stored.bytes = {at.at(), std::size_t(at.end() - at.at())};
+    if (const std::string_view text = m_header.field("byte skip"); !text.empty()) {
+      std::int64_t bytes = 0;
+      if (!TextCursor(text).integer(bytes) || bytes < -1)
+        return m_source.at("field byte skip",
+                           inQuotes(text) + " is neither a number of bytes nor -1",
+                           "Write how many bytes come before the voxels");
+      m_file.stored.fromTheEnd = bytes == -1;
+      m_file.stored.skip = std::uint64_t(std::max<std::int64_t>(bytes, 0));
+    }
+    skipNiftiHeader();
+    return Unit{};
+  }
+
+  Status openData(std::string_view name) {
+    if (name.starts_with("LIST") || name.find('%') != std::string_view::npos)
+      return m_source.at("field data file", "its voxels are in several files, which are not read",
+                         "Export it as one file");
+    const std::optional<std::filesystem::path> file = fileInFolder(m_source.file(), name);
+    if (!file)
+      return m_source.at("field data file",
+                         "refers to " + inQuotes(name) + ", which is outside the header's folder",
+                         "Put the data beside the header and name only the file");
+    Result<Source> data = Source::readStored(*file, m_options.limits);
+    if (!data)
+      return data.error();
+    m_file.sources.push_back(std::make_shared<const Source>(std::move(*data)));
+    return Unit{};
+  }
+
+  /// A header may be laid over a NIfTI file; unless it says how much comes before the voxels, its
+  /// first voxels would be the NIfTI header.
+  void skipNiftiHeader() {
+    constexpr std::size_t magic = 344;
+    if (m_file.sources.empty() || m_file.stored.fromTheEnd || m_file.stored.skip > 0 ||
+        m_file.stored.text ||
+        !unpackedBytesHave(m_file.stored, magic, std::string_view("n+1\0", 4)))
+      return;
+    m_file.stored.fromTheEnd = true;
+    m_file.warnings.push_back(m_source.warning(
+        "its data file is a NIfTI volume, of which the header was passed over; open " +
+        inQuotes(std::filesystem::path(m_file.sources.back()->file()).filename().string()) +
+        " itself to have its own directions"));
+  }
+
+  const Source& m_source;
+  NrrdHeader m_header;
+  const ReadOptions& m_options;
+  std::vector<std::int64_t> m_sizes;
+  std::vector<std::optional<glm::dvec3>> m_directions;  ///< of all axes, or none
+  std::size_t m_first = 0;                              ///< axis in space
+  VolumeFile m_file;
+};
+
+}  // namespace
+
+Result<VolumeFile> openNrrd(const std::filesystem::path& file, const ReadOptions& options) {
+  Result<Source> source = Source::readStored(file, options.limits);
+  if (!source)
+    return source.error();
+  const auto kept = std::make_shared<const Source>(std::move(*source));
+  Result<NrrdHeader> header = nrrdHeader(*kept);
+  if (!header)
+    return header.error();
+  Result<VolumeFile> volume = NrrdReader(*kept, std::move(*header), options).read();
+  if (volume)
+    volume->sources.push_back(kept);
+  return volume;
+}
+
+}  // namespace sline::model

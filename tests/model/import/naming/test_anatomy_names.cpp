@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <QtTest>
+
+#include "model/import/naming/anatomy_names.h"
+#include "tests/support/suite.h"
+
+using namespace sline;
+using namespace sline::model;
+
+class AnatomyNamesTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void tableIsWhole();
+  void systems_data();
+  void systems();
+  void brokenRowsAreLeftOut();
+  void edits();
+};
+
+void AnatomyNamesTest::tableIsWhole() {
+  const AnatomyTable table;
+  QVERIFY(table.patternCount() >= 200);
+  QCOMPARE(table.badRows(), std::size_t(0));
+}
+
+void AnatomyNamesTest::systems_data() {
+  QTest::addColumn<QString>("system");
+  const std::pair<const char*, const char*> rows[] = {
+      {"hepatic artery proper", "artery"},
+      {"right_hepatic_artery", "artery"},
+      {"celiac trunk", "artery"},
+      {"aorta", "artery"},
+      {"iliac_artery_left", "artery"},
+      {"left renal vein", "vein"},
+      {"inferior vena cava", "vein"},
+      {"iliac_vena_right", "vein"},
+      {"tributary of middle hepatic vein", "vein"},
+      {"portal vein and superior mesenteric vein", "portal"},
+      {"splenic vein", "portal"},
+      {"caudate lobe branch of left portal vein", "portal"},
+      {"left sciatic nerve", "nerve"},
+      {"lumbar plexus", "nerve"},
+      {"liver", "digestive"},
+      {"caudate lobe of liver", "digestive"},
+      {"hepatovenous segment VIII", "digestive"},
+      {"stomach and duodenum", "digestive"},
+      {"colon and ileum", "digestive"},
+      {"rectum", "digestive"},
+      {"pancreas", "digestive"},
+      {"gallbladder", "bile"},
+      {"common bile duct", "bile"},
+      {"left duct of caudate lobe of liver", "bile"},
+      {"spleen", "lymph"},
+      {"axillary lymph node", "lymph"},
+      {"right kidney", "urinary"},
+      {"left renal pelvis", "urinary"},
+      {"urinary_bladder_neck_smooth_muscle", "urinary"},
+      {"ureter L", "urinary"},
+      {"Pelvis", "bone"},
+      {"right hip bone", "bone"},
+      {"Rib6", "bone"},
+      {"Thoracic12", "bone"},
+      {"vertebrae_L3", "bone"},
+      {"Sacrum-L5-IntervertebralDisc", "joint"},
+      {"intervertebral disk of fifth lumbar vertebra", "joint"},
+      {"right psoas muscle", "muscle"},
+      {"left external oblique muscle", "muscle"},
+      {"gluteus_maximus_left", "muscle"},
+      {"left obturator internus", "muscle"},
+      {"right iliococcygeus", "muscle"},
+      {"left coccygeus", "muscle"},
+      {"levator ani", "muscle"},
+      {"rectus abdominis muscle", "muscle"},
+      {"prostate", "genital"},
+      {"left seminal vesicle", "genital"},
+      {"right deferent duct", "genital"},
+      {"left adrenal gland", "gland"},
+      {"trachea", "respiratory"},
+      {"left ventricle", "heart"},
+      {"spinal cord", "brain"},
+      {"skin", "surface"},
+      {"kidney_cyst_left", "lesion"},
+      {"liver tumour", "lesion"},
+      {"body", "surface"},
+      {"body of pancreas", "digestive"},
+      {"foo bar", ""},
+      {"", ""},
+  };
+  for (const auto& [name, system] : rows)
+    QTest::newRow(name) << system;
+}
+
+void AnatomyNamesTest::systems() {
+  QFETCH(QString, system);
+  const AnatomyTable table;
+  const auto match = table.match(QTest::currentDataTag());
+  QCOMPARE(match ? QString::fromStdString(table.systems()[match->system].id) : QString(), system);
+}
+
+void AnatomyNamesTest::brokenRowsAreLeftOut() {
+  const AnatomyTable table(
+      "a\tAs\t#ff0000\nb\tBs\tred\n",
+      "# comment\nx\ta\t\t0\nx y\ta\t#00ff00\t0\nz\tnone\t\t0\nw\ta\t\t7\nv\ta\n");
+  QCOMPARE(table.badRows(), std::size_t(4));
+  QCOMPARE(table.patternCount(), std::size_t(2));
+  QCOMPARE(table.match("the x")->colour, (Colour{255, 0, 0}));
+  QCOMPARE(table.match("the x y")->colour, (Colour{0, 255, 0}));
+}
+
+void AnatomyNamesTest::edits() {
+  // Rank before length, length before order.
+  const AnatomyTable table("a\tAs\t#000001\nb\tBs\t#000002\n",
+                           "long pattern of words\ta\t\t0\nartery\tb\t\t1\n=whole\tb\t\t0\n");
+  QCOMPARE(table.match("artery of long pattern of words")->system, std::size_t(1));
+  QVERIFY(table.match("whole"));
+  QVERIFY(!table.match("whole thing"));
+}
+
+SLINE_TEST(AnatomyNamesTest)
+#include "test_anatomy_names.moc"

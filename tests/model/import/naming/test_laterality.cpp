@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+// The liver on the patient's right, whatever the file says in whatever format.
+#include <QtTest>
+#include <array>
+#include <glm/geometric.hpp>
+
+#include "model/import/naming/laterality.h"
+#include "model/import/plan/import.h"
+#include "tests/model/import/written_meshes.h"
+#include "tests/support/suite.h"
+
+using namespace sline;
+using namespace sline::model;
+
+class LateralityTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void vote_data();
+  void vote();
+  void otherSideNamesTheStructures();
+  void liverOnTheRight_data();
+  void liverOnTheRight();
+  void fileFrameTouchesNothing();
+  void contradictionIsTold();
+};
+
+void LateralityTest::vote_data() {
+  QTest::addColumn<QStringList>("names");
+  QTest::addColumn<QList<double>>("xs");
+  QTest::addColumn<int>("lps");
+  QTest::addColumn<int>("ras");
+  const auto row = [](const char* tag, const QStringList& names, const QList<double>& xs, int lps,
+                      int ras) { QTest::newRow(tag) << names << xs << lps << ras; };
+  row("pair LPS", {"left kidney", "right kidney"}, {50, -50}, 1, 0);
+  row("pair RAS", {"kidney_left", "kidney_right"}, {-50, 50}, 0, 1);
+  row("single by the pairs' middle", {"left kidney", "right kidney", "left ureter"}, {-50, 50, -20},
+      0, 2);
+  row("single by the spine", {"right femur", "sacrum"}, {-80, 0}, 1, 0);
+  row("single alone", {"left kidney"}, {50}, 0, 0);
+  row("no sides", {"liver", "spleen"}, {-50, 50}, 0, 0);
+  row("too close to say", {"left vein", "right vein", "liver"}, {0.2, 0.1, 100}, 0, 0);
+  row("outvoted", {"left a", "right a", "left b", "right b", "left c", "right c"},
+      {50, -50, 40, -40, -10, 10}, 2, 1);
+}
+
+void LateralityTest::vote() {
+  QFETCH(QStringList, names);
+  QFETCH(QList<double>, xs);
+  QFETCH(int, lps);
+  QFETCH(int, ras);
+  std::vector<NamedPlace> places;
+  for (qsizetype i = 0; i < names.size(); ++i)
+    places.push_back({names[i].toStdString(), float(xs[i])});
+  const FrameVote vote = voteOnFrame(places);
+  QCOMPARE(vote.lps, lps);
+  QCOMPARE(vote.ras, ras);
+  QCOMPARE(vote.winner().has_value(), lps != ras);
+  // Seen as LPS, exactly the votes against it are on the other side; a mirror swaps the two.
+  QCOMPARE(onTheOtherSide(places).empty(), ras == 0);
+  for (NamedPlace& place : places)
+    place.x = -place.x;
+  QCOMPARE(onTheOtherSide(places).empty(), lps == 0);
+}
+
+void LateralityTest::otherSideNamesTheStructures() {
+  const std::vector<NamedPlace> places{{"left kidney", 50},  {"right kidney", -50},
+                                       {"left femur", -80},  {"right femur", 80},
+                                       {"left ureter", -10}, {"liver", -60}};
+  QCOMPARE(onTheOtherSide(places), (std::vector<std::size_t>{2, 3, 4}));
+}
+
+void LateralityTest::liverOnTheRight_data() {
+  QTest::addColumn<QString>("format");
+  QTest::addColumn<int>("written");   // the frame of the coordinates: 0 LPS, 1 RAS
+  QTest::addColumn<bool>("header");   // whether the file says so
+  QTest::addColumn<bool>("chosen");   // whether the user says so
+  QTest::addColumn<bool>("kidneys");  // whether there are names to vote
+  for (const char* format : test::meshFormats()) {
+    const auto row = [&](const char* what, int written, bool header, bool chosen, bool kidneys) {
+      QTest::newRow(qPrintable(QString("%1 %2").arg(format, what)))
+          << QString(format) << written << header << chosen << kidneys;
+    };
+    row("without a word", 0, false, false, false);
+    if (QString(format) == "gltf")
+      continue;
+    row("LPS header", 0, true, false, false);
+    row("RAS header", 1, true, false, false);
+    row("LPS vote", 0, false, false, true);
+    row("RAS vote", 1, false, false, true);
+    row("LPS chosen", 0, false, true, false);
+    row("RAS chosen", 1, false, true, false);
+  }
+}
+
+void LateralityTest::liverOnTheRight() {
+  QFETCH(QString, format);
+  QFETCH(int, written);
+  QFETCH(bool, header);
+  QFETCH(bool, chosen);
+  QFETCH(bool, kidneys);
+  const Frame frame = written == 0 ? Frame::lps : Frame::ras;
+  const QTemporaryDir folder;
+  const auto write = [&](const char* name, const glm::vec3& lps) {
+    const glm::vec3 centre = frame == Frame::ras ? halfTurn(lps) : lps;
+    test::writeMesh(folder.filePath(QString("%1.%2").arg(name, format)),
+                    *test::octahedron(centre, 20.0f), header ? std::optional(frame) : std::nullopt);
+  };
+  write("liver", {-70, -30, 10});
+  write("spleen", {80, 20, 15});
+  write("spine", {0, 60, -5});
+  if (kidneys) {
+    write("left_kidney", {50, 40, -40});
+    write("right_kidney", {-50, 40, -45});
+  }
+  ImportOptions options;
+  if (chosen)
+    options.frame = frame;
+  const auto imported =
+      importInputs(std::array{std::filesystem::path(folder.path().toStdString())}, options);
+  QVERIFY2(imported.ok(),
+           imported ? "" : qPrintable(QString::fromStdString(imported.error().text())));
+  const auto centre = [&](const char* name) {
+    const Node& node = test::named(imported->scene, name);
+    return node.mesh ? node.mesh->bounds().centre() : glm::vec3(1e9f);
+  };
+  QVERIFY(glm::length(centre("liver") - glm::vec3(-70, -30, 10)) < 0.01f);
+  QVERIFY(glm::length(centre("spleen") - glm::vec3(80, 20, 15)) < 0.01f);
+  QVERIFY(glm::length(centre("spine") - glm::vec3(0, 60, -5)) < 0.01f);
+  QCOMPARE(imported->report.frame, frame);
+  const Provenance& provenance = test::named(imported->scene, "liver").provenance;
+  QCOMPARE(provenance.frame, frameName(frame));
+  const char* const reason = chosen             ? "chosen"
+                             : format == "gltf" ? "glTF"
+                             : header           ? "SPACE"
+                             : kidneys          ? "1 of 1 left/right names"
+                                                : "no header";
+  QVERIFY2(QString::fromStdString(provenance.frameReason).contains(reason),
+           provenance.frameReason.c_str());
+}
+
+void LateralityTest::fileFrameTouchesNothing() {
+  const QTemporaryDir folder;
+  ImportOptions options;
+  options.frame = Frame::file;
+  options.smoothing.mode = Smoothing::Mode::off;
+  options.repair = false;
+  const MeshPtr mesh = test::octahedron({0.25f, 0.5f, -0.75f}, 0.125f);
+  const QString path = folder.filePath("liver.ply");
+  test::writeMesh(path, *mesh, Frame::ras);
+  const auto imported =
+      importInputs(std::array{std::filesystem::path(path.toStdString())}, options);
+  QVERIFY(imported.ok());
+  QVERIFY(*test::named(imported->scene, "liver").mesh == *mesh);
+  QCOMPARE(test::named(imported->scene, "liver").provenance.frame, std::string("file"));
+}
+
+void LateralityTest::contradictionIsTold() {
+  const QTemporaryDir folder;
+  // The header says LPS, but left lies at −x.
+  const std::pair<const char*, float> places[] = {
+      {"left kidney", -50.f}, {"right kidney", 50.f}, {"left femur", -90.f}, {"right femur", 90.f}};
+  for (const auto& [name, x] : places)
+    test::writeMesh(folder.filePath(QString(name) + ".ply"), *test::octahedron({x, 0, 0}, 10.0f),
+                    Frame::lps);
+  const auto imported =
+      importInputs(std::array{std::filesystem::path(folder.path().toStdString())}, {});
+  QVERIFY(imported.ok());
+  QVERIFY(test::warningsOf(*imported).contains("contradict"));
+  QCOMPARE(imported->report.frame, Frame::lps);
+}
+
+SLINE_TEST(LateralityTest)
+#include "test_laterality.moc"
