@@ -2,6 +2,7 @@
 #include "render/lettering/label_font.h"
 
 #include <QFontDatabase>
+#include <QStringList>
 
 // Resources of a static library must be asked for, outside of any namespace.
 static void useLabelFont() {

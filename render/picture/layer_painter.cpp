@@ -7,6 +7,7 @@
 #include <set>
 
 #include "model/base/parallel.h"
+#include "render/strokes/section_look.h"
 #include "render/strokes/surface_fill.h"
 
 namespace sline::render {

@@ -168,11 +168,11 @@ void SelectionPanel::refresh() {
   m_include->setCheckState(wanted == 0                          ? Qt::Unchecked
                            : wanted == std::ssize(m_structures) ? Qt::Checked
                                                                 : Qt::PartiallyChecked);
-  using Choice = model::StructureChoice;
-  showCommon(*m_frame, common(plan, m_structures, &Choice::frame), frameRows());
-  showCommon(*m_unit, common(plan, m_structures, &Choice::unit), unitRows());
-  showCommon(*m_smoothing, common(plan, m_structures, &Choice::smoothing), smoothingRows());
-  showCommon(*m_decimation, common(plan, m_structures, &Choice::decimateMm), decimationRows());
+  using Chosen = model::StructureChoice;
+  showCommon(*m_frame, common(plan, m_structures, &Chosen::frame), frameRows());
+  showCommon(*m_unit, common(plan, m_structures, &Chosen::unit), unitRows());
+  showCommon(*m_smoothing, common(plan, m_structures, &Chosen::smoothing), smoothingRows());
+  showCommon(*m_decimation, common(plan, m_structures, &Chosen::decimateMm), decimationRows());
 }
 
 QString SelectionPanel::titleText() const {

@@ -56,8 +56,8 @@ constexpr ExportOption filmHeight{
 constexpr OptionField holdField{
     [](const ExportOrder& o) { return optionValue(o.of<FilmOptions>().hold.value_or(-1.0)); },
     [](ExportOrder& o, const OptionValue& value) {
-      const auto seconds = fromOptionValue<double>(value);
-      o.of<FilmOptions>().hold = seconds < 0.0 ? std::nullopt : std::optional(seconds);
+      const auto rest = fromOptionValue<double>(value);
+      o.of<FilmOptions>().hold = rest < 0.0 ? std::nullopt : std::optional(rest);
     }};
 
 constexpr ExportOption hold{
