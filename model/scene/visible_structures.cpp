@@ -6,12 +6,12 @@
 namespace sline::model {
 
 std::vector<VisibleStructure> visibleStructures(const Scene& scene) {
-  std::vector<ResolvedStyle> styles = resolveAll(scene);
+  const std::vector<ResolvedStyle> styles = resolveAll(scene);
   std::vector<VisibleStructure> visible;
   for (std::size_t i = 0; i < styles.size(); ++i) {
     const Node& node = scene.nodes()[i];
     if (!node.isGroup() && styles[i].visible && node.mesh->triangleCount() > 0)
-      visible.push_back({&node, std::move(styles[i])});
+      visible.push_back({&node, styles[i]});
   }
   return visible;
 }

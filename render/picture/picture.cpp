@@ -147,14 +147,14 @@ struct Picture::Data {
 std::optional<std::vector<Shown>> Picture::Data::shown(const model::Scene& scene,
                                                        const Output& output) {
   std::vector<Shown> visible;
-  for (model::VisibleStructure& structure : model::visibleStructures(scene)) {
+  for (const model::VisibleStructure& structure : model::visibleStructures(scene)) {
     if (output.unwanted && *output.unwanted)
       return std::nullopt;
     const model::Node& node = *structure.node;
     Shown& shown = visible.emplace_back();
     shown.id = node.id;
     shown.mesh = node.mesh;
-    shown.style = std::move(structure.style);
+    shown.style = structure.style;
     shown.cached = &surfaces.at(node.mesh, node.provenance);
     shown.prepared = shown.cached;
     shown.sections = sectionsThatCut(scene.sectionsOf(node.id), node.mesh->bounds());

@@ -141,12 +141,12 @@ class Drawing {
     std::vector<model::VisibleStructure> structures = model::visibleStructures(m_scene);
     std::sort(structures.begin(), structures.end(),
               [](const auto& a, const auto& b) { return a.node->id < b.node->id; });
-    for (model::VisibleStructure& structure : structures) {
+    for (const model::VisibleStructure& structure : structures) {
       const model::Node& node = *structure.node;
       DrawnStructure shown{
           .id = node.id,
           .mesh = node.mesh,
-          .style = std::move(structure.style),
+          .style = structure.style,
           .prepared = &prepared(node),
           .sections = sectionsThatCut(m_scene.sectionsOf(node.id), node.mesh->bounds()),
           .cut = nullptr};
