@@ -84,7 +84,7 @@ void ImportDraft::start() {
   m_job = new SceneJob(
       [request = m_plan, before = m_figures, result](const model::ImportProgress& progress,
                                                      const std::stop_token&) {
-        Result<model::ImportPlan> plan = model::replanned(request, progress);
+        Result<model::ImportPlan> plan = model::planAgain(request, progress);
         if (!plan)
           return Result<Loaded>(plan.error());
         result->figures = std::make_shared<const PlanFigures>(figuresOf(*plan, *before));

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "model/import/plan/parts.h"
+#include "model/import/plan/load_parts.h"
 #include "model/import/volumes/grey_histogram.h"
 #include "model/import/volumes/threshold_presets.h"
 

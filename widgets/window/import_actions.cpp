@@ -105,7 +105,7 @@ void ImportActions::show(std::vector<std::filesystem::path> inputs) {
 void ImportActions::carryOut(const model::ImportPlan& plan, bool intoScene) {
   m_session.openMade(titleOf(plan.inputs), [plan, intoScene](const model::ImportProgress& progress,
                                                              const std::stop_token&) {
-    Result<model::Imported> imported = model::carriedOut(plan, progress);
+    Result<model::Imported> imported = model::carryOut(plan, progress);
     if (!imported.ok())
       return Result<Loaded>(imported.error());
     Loaded loaded = loadedFrom(std::move(*imported), plan.inputs);

@@ -72,8 +72,8 @@ std::string folderName(const std::filesystem::path& folder) {
 
 class Builder {
  public:
-  Builder(std::vector<Part> parts, const Sources& sources, const AnatomyTable& table)
-      : m_parts(std::move(parts)), m_sources(sources), m_table(table) {}
+  Builder(const std::vector<Part>& parts, const Sources& sources, const AnatomyTable& table)
+      : m_parts(parts), m_sources(sources), m_table(table) {}
 
   BuiltScene build() {
     nameParts();
@@ -92,12 +92,9 @@ class Builder {
 
  private:
   void nameParts() {
-    std::vector<std::string> names;
     for (const Part& part : m_parts)
-      names.push_back(part.name.empty() ? "structure" : part.name);
-    makeUnique(names);
-    for (std::size_t i = 0; i < m_parts.size(); ++i)
-      m_parts[i].name = names[i];
+      m_names.push_back(part.name.empty() ? "structure" : part.name);
+    makeUnique(m_names);
   }
 
   const SourceFile& fileOf(std::size_t part) const { return m_sources.files[m_parts[part].file]; }
@@ -253,7 +250,7 @@ class Builder {
       top.groups.push_back({system.title, {.colour = system.colour}, {}, {}});
     top.groups.push_back({"Other structures", {}, {}, {}});
     for (const std::size_t part : members) {
-      const auto match = m_table.match(m_parts[part].name);
+      const auto match = m_table.match(m_names[part]);
       top.groups[match ? match->system : m_table.systems().size()].parts.push_back(part);
     }
     dissolveSmall(top);
@@ -273,23 +270,24 @@ class Builder {
     for (const Branch& group : branch.groups)
       add(group, parent, true);
     for (const std::size_t part : branch.parts)
-      addPart(m_parts[part], parent);
+      addPart(part, parent);
   }
 
-  void addPart(Part& part, NodeId parent) {
+  void addPart(std::size_t index, NodeId parent) {
+    const Part& part = m_parts[index];
     const SourceFile& file = m_sources.files[part.file];
     Node node;
     node.parent = parent;
-    node.name = part.name;
+    node.name = m_names[index];
     node.provenance = part.provenance;
-    node.mesh = std::move(part.mesh);
+    node.mesh = part.mesh;
     if (file.model) {
       const SlicerModel& model = m_sources.sources[file.source].scene->models[*file.model];
       node.style = model.style;
       if (model.segments)
-        node.style.colour = part.raw.colour ? part.raw.colour : colourOf(part);
+        node.style.colour = part.raw.colour ? part.raw.colour : colourOf(index);
     } else {
-      node.style.colour = colourOf(part);
+      node.style.colour = colourOf(index);
       const Node* group = m_built.scene.find(parent);
       if (group && group->style.colour && node.style.colour == group->style.colour)
         node.style.colour.reset();
@@ -304,10 +302,11 @@ class Builder {
 
   /// The table knows best; a colour in the file counts where the name is unknown and the colour is
   /// one that somebody chose rather than a program's grey.
-  std::optional<Colour> colourOf(const Part& part) const {
+  std::optional<Colour> colourOf(std::size_t index) const {
+    const Part& part = m_parts[index];
     if (part.raw.molecule)
       return part.raw.colour;
-    if (const auto match = m_table.match(part.name))
+    if (const auto match = m_table.match(m_names[index]))
       return match->colour;
     if (!part.raw.colour)
       return std::nullopt;
@@ -317,7 +316,8 @@ class Builder {
     return high - low > 24 ? std::optional(c) : std::nullopt;
   }
 
-  std::vector<Part> m_parts;
+  const std::vector<Part>& m_parts;
+  std::vector<std::string> m_names;  ///< of the parts, which differ
   const Sources& m_sources;
   const AnatomyTable& m_table;
   BuiltScene m_built;
@@ -325,8 +325,9 @@ class Builder {
 
 }  // namespace
 
-BuiltScene buildScene(std::vector<Part> parts, const Sources& sources, const AnatomyTable& table) {
-  return Builder(std::move(parts), sources, table).build();
+BuiltScene buildScene(const std::vector<Part>& parts, const Sources& sources,
+                      const AnatomyTable& table) {
+  return Builder(parts, sources, table).build();
 }
 
 }  // namespace sline::model

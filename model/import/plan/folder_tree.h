@@ -8,6 +8,7 @@
 
 #include "model/import/naming/anatomy_names.h"
 #include "model/import/plan/parts.h"
+#include "model/import/plan/sources.h"
 
 namespace sline::model {
 
@@ -20,7 +21,9 @@ struct BuiltScene {
 
 /// A scene keeps its own groups. A folder's groups are its sub-folders, else those of a part-of
 /// table, else the systems of the body by the structures' names; loose files are grouped like the
-/// latter, or by the groups inside them. Groups that hold one group only are left out.
-BuiltScene buildScene(std::vector<Part> parts, const Sources& sources, const AnatomyTable& table);
+/// latter, or by the groups inside them. Groups that hold one group only are left out. A structure
+/// has the mesh that its part has, if any.
+BuiltScene buildScene(const std::vector<Part>& parts, const Sources& sources,
+                      const AnatomyTable& table);
 
 }  // namespace sline::model

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/import/plan/parts.h"
+#include "model/import/plan/sources.h"
 
 namespace sline::model {
 

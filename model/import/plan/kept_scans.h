@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "model/import/plan/parts.h"
+#include "model/import/plan/load_parts.h"
 #include "model/scene/scan.h"
 
 namespace sline::model {

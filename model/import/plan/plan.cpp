@@ -3,19 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <utility>
 
-#include "model/edit/tree.h"
 #include "model/import/naming/anatomy_names.h"
-#include "model/import/plan/folder_tree.h"
-#include "model/import/plan/frame_and_unit.h"
+#include "model/import/plan/import_steps.h"
 #include "model/import/plan/kept_scans.h"
-#include "model/import/plan/overlay.h"
-#include "model/import/plan/read_inputs.h"
-#include "model/import/plan/repair_notes.h"
-#include "model/import/plan/scene_inputs.h"
-#include "model/import/plan/views_and_annotations.h"
+#include "model/import/plan/shape_parts.h"
 
 namespace sline::model {
 
@@ -44,56 +39,17 @@ std::vector<Part> partsOf(const ReadInputs& read, const PartChoices& chosen) {
   return parts;
 }
 
-/// Lays molecules over each other and decides frames and units.
-ImportReport decide(std::vector<Part>& parts, const ReadInputs& read,
-                    const ImportOptions& options) {
-  ImportReport report;
-  report.warnings = read.sources.warnings;
-  report.warnings.insert(report.warnings.end(), read.warnings.begin(), read.warnings.end());
-  report.notes = overlayMolecules(parts, options.overlay);
-  report.notes.insert(report.notes.end(), read.notes.begin(), read.notes.end());
-  report.repairs = repairNotes(parts, read.sources);
-  decideFrames(parts, read.sources, options, report);
-  decideUnits(parts, read.sources, options, report);
-  return report;
-}
-
-/// Puts what scene files hold before it, as importInputs does.
-NewIds afterScenes(Imported& imported, const ReadInputs& read, const ImportOptions& options) {
-  if (!read.scenes) {
-    NewIds same;
-    for (const Node& node : imported.scene.nodes())
-      same[node.id] = node.id;
-    return same;
-  }
-  Imported all = *read.scenes;
-  warnOfOptions(options, all.report.warnings);
-  NewIds ids = append(all, std::move(imported));
-  imported = std::move(all);
-  return ids;
-}
-
 Result<ImportPlan> planned(std::shared_ptr<const ReadInputs> read, const ImportOptions& options,
                            const PartChoices& chosen) {
-  std::vector<Part> parts = partsOf(*read, chosen);
-  Imported imported{.report = decide(parts, *read, options)};
-  placeParts(parts, read->sources, imported.report.warnings);
-  if (parts.empty() && !haveFiducials(read->sources) && !read->scenes && read->scans.empty())
-    return nothingRead(read->sources, imported.report.warnings);
-  BuiltScene built = buildScene(std::move(parts), read->sources, AnatomyTable());
-  const auto numbers = std::move(built.numbers);
-  imported.scene = withViewsAndAnnotations(std::move(built), read->sources, options.frame);
+  DecidedParts decided = decideParts(partsOf(*read, chosen), *read, options);
+  placeParts(decided.parts, read->sources, decided.report.warnings);
+  if (const Status left = checkAnythingLeft(decided, *read); !left.ok())
+    return left.error();
   if (options.thresholds.empty())
     for (const ReadScan& scan : read->scans)
-      imported.report.notes.push_back(scan.raw.file + ": a scan, of which a threshold can make a " +
-                                      "structure: " + scanText(*scan.raw.volume));
-  const NewIds ids = afterScenes(imported, *read, options);
-  ImportPlan plan{.inputs = read->inputs,
-                  .options = options,
-                  .scene = std::move(imported.scene),
-                  .report = std::move(imported.report)};
-  for (const auto& [id, number] : numbers)
-    plan.parts[ids.at(id)] = number;
+      decided.report.notes.push_back(scan.raw.file + ": a scan, of which a threshold can make a " +
+                                     "structure: " + scanText(*scan.raw.volume));
+  ImportPlan plan = layOutTree(decided, *read, options);
   plan.read = std::move(read);
   return plan;
 }
@@ -136,82 +92,6 @@ Status checkChoice(const std::string& name, const StructureChoice& choice) {
   return Unit{};
 }
 
-/// The structures that are not wanted or did not come, and the groups that hold nothing else.
-std::vector<NodeId> absent(const Scene& scene, const std::set<NodeId>& gone) {
-  std::map<NodeId, std::pair<std::size_t, std::size_t>> below;  // structures, those of them gone
-  const std::vector<Node>& nodes = scene.nodes();
-  for (std::size_t i = nodes.size(); i-- > 0;) {
-    std::pair<std::size_t, std::size_t> own = below[nodes[i].id];
-    if (!nodes[i].isGroup())
-      own = {1, gone.contains(nodes[i].id) ? 1 : 0};
-    below[nodes[i].id] = own;
-    below[nodes[i].parent].first += own.first;
-    below[nodes[i].parent].second += own.second;
-  }
-  std::vector<NodeId> ids;
-  for (const Node& node : nodes)
-    if (const auto& [all, missing] = below[node.id]; all > 0 && all == missing)
-      ids.push_back(node.id);
-  return ids;
-}
-
-/// Locked or not: a lock holds for the scene once it is open, not for what is taken into it.
-Scene withoutNodes(Scene scene, std::span<const NodeId> ids) {
-  std::set<NodeId> locked;
-  std::vector<Node> nodes = scene.nodes();
-  for (Node& node : nodes)
-    if (std::exchange(node.locked, false))
-      locked.insert(node.id);
-  scene.setNodes(std::move(nodes));
-  Scene left = removed(scene, ids).scene;
-  nodes = left.nodes();
-  for (Node& node : nodes)
-    node.locked = locked.contains(node.id);
-  left.setNodes(std::move(nodes));
-  return left;
-}
-
-/// The plan's tree with the surfaces that came of it.
-Scene furnished(const ImportPlan& plan, std::vector<Part> parts) {
-  std::map<std::size_t, Part*> byNumber;
-  for (Part& part : parts)
-    byNumber[part.number] = &part;
-  std::set<NodeId> gone;
-  std::vector<Node> nodes = plan.scene.nodes();
-  for (Node& node : nodes) {
-    const StructureChoice choice = plan.choiceOf(node.id);
-    const auto number = plan.parts.find(node.id);
-    const auto part = number == plan.parts.end() ? byNumber.end() : byNumber.find(number->second);
-    if (!node.isGroup() &&
-        (!choice.include || (number != plan.parts.end() && part == byNumber.end())))
-      gone.insert(node.id);
-    if (part != byNumber.end()) {
-      node.mesh = std::move(part->second->mesh);
-      node.provenance = std::move(part->second->provenance);
-    }
-    node.name = choice.name.value_or(node.name);
-    if (choice.colour)
-      node.style.colour = choice.colour;
-  }
-  Scene scene = plan.scene;
-  scene.setNodes(std::move(nodes));
-  return withoutNodes(scene, absent(plan.scene, gone));
-}
-
-double expectedWork(const std::vector<Part>& parts, const ImportOptions& options) {
-  double work = 1.0;
-  for (const Part& part : parts) {
-    const double once = double(part.raw.triangles.size()) * workPerTriangle;
-    if (part.choice.skipped)
-      continue;
-    if (part.choice.smoothing.value_or(options.smoothing).mode != Smoothing::Mode::off)
-      work += once;
-    if (part.choice.decimateMm.value_or(options.decimateMm) > 0.0f)
-      work += once;
-  }
-  return work;
-}
-
 }  // namespace
 
 StructureChoice ImportPlan::choiceOf(NodeId id) const {
@@ -221,17 +101,17 @@ StructureChoice ImportPlan::choiceOf(NodeId id) const {
 
 Result<ImportPlan> planImport(std::span<const std::filesystem::path> inputs,
                               const ImportOptions& options, const ImportProgress& progress) {
-  Result<ReadInputs> read = readInputs(inputs, options, progress);
+  Result<ReadInputs> read = readInputs(inputs, options, ScansWanted::all, progress);
   if (!read.ok())
     return read.error();
   const PartChoices none(read->parts.size());
   return planned(std::make_shared<const ReadInputs>(std::move(*read)), options, none);
 }
 
-Result<ImportPlan> replanned(const ImportPlan& plan, const ImportProgress& progress) {
+Result<ImportPlan> planAgain(const ImportPlan& plan, const ImportProgress& progress) {
   std::shared_ptr<const ReadInputs> read = plan.read;
   if (!read || !read->holdsFor(plan.inputs, plan.options)) {
-    Result<ReadInputs> again = readInputs(plan.inputs, plan.options, progress);
+    Result<ReadInputs> again = readInputs(plan.inputs, plan.options, ScansWanted::all, progress);
     if (!again.ok())
       return again.error();
     read = std::make_shared<const ReadInputs>(std::move(*again));
@@ -304,42 +184,26 @@ Status checkChoices(const ImportPlan& plan) {
   return Unit{};
 }
 
-Result<Imported> carriedOut(const ImportPlan& plan, const ImportProgress& progress) {
+Result<Imported> carryOut(const ImportPlan& plan, const ImportProgress& progress) {
   if (!plan.read || !plan.read->holdsFor(plan.inputs, plan.options) ||
       plan.read->options.thresholds != plan.options.thresholds) {
-    const Result<ImportPlan> again = replanned(plan, progress);
+    const Result<ImportPlan> again = planAgain(plan, progress);
     if (!again.ok())
       return again.error();
-    return carriedOut(*again, progress);
+    return carryOut(*again, progress);
   }
   if (const Status checked = checkChoices(plan); !checked.ok())
     return checked.error();
-  const Error cancelled{.reason = "the import was cancelled"};
   const ReadInputs& read = *plan.read;
   std::vector<Part> parts = partsOf(read, partChoices(plan));
   ProgressMeter meter(progress, expectedWork(parts, plan.options));
   std::vector<ImportWarning> lost;
   readAsSmoothed(parts, read, plan.options.smoothing, meter, lost);
   if (meter.cancelled())
-    return cancelled;
-  Imported imported{.report = decide(parts, read, plan.options)};
-  imported.report.warnings.insert(imported.report.warnings.end(), lost.begin(), lost.end());
-  std::vector<Scan> scans = plan.scene.scans();
-  if (plan.options.keepScans)
-    for (Scan& scan : keptScans(read.scans, parts, plan.options, imported.report))
-      scans.push_back(std::move(scan));
-  smoothParts(parts, read.sources, plan.options.smoothing, meter);
-  std::erase_if(parts, [](const Part& part) { return part.choice.skipped; });
-  if (meter.cancelled())
-    return cancelled;
-  placeParts(parts, read.sources, imported.report.warnings);
-  decimateParts(parts, plan.options.decimateMm, meter);
-  if (meter.cancelled())
-    return cancelled;
-  afterScenes(imported, read, plan.options);
-  imported.scene = furnished(plan, std::move(parts));
-  imported.scene.setScans(std::move(scans));
-  return imported;
+    return Error{.reason = "the import was cancelled"};
+  DecidedParts decided = decideParts(std::move(parts), read, plan.options);
+  std::move(lost.begin(), lost.end(), std::back_inserter(decided.report.warnings));
+  return makeScene(plan, std::move(decided), read, meter);
 }
 
 }  // namespace sline::model

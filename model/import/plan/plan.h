@@ -55,7 +55,7 @@ Result<ImportPlan> planImport(std::span<const std::filesystem::path> inputs,
 
 /// The plan after changes, with the choices it has. Files are read again only where inputs, repair
 /// or limits are others than they were; a structure that is no more loses its choice.
-Result<ImportPlan> replanned(const ImportPlan& plan, const ImportProgress& progress = {});
+Result<ImportPlan> planAgain(const ImportPlan& plan, const ImportProgress& progress = {});
 
 /// All structures that came from the same files as these, which are among them; none of scene
 /// files.
@@ -68,6 +68,6 @@ Status checkChoices(const ImportPlan& plan);
 /// Imports as planned, under the ids of the plan. Only label volumes and contours that are to be
 /// smoothed otherwise than they were are read again. Groups of which nothing is imported are left
 /// out.
-Result<Imported> carriedOut(const ImportPlan& plan, const ImportProgress& progress = {});
+Result<Imported> carryOut(const ImportPlan& plan, const ImportProgress& progress = {});
 
 }  // namespace sline::model

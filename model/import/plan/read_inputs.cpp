@@ -19,13 +19,16 @@ bool sameLimits(const ReadLimits& a, const ReadLimits& b) {
   return a.fileBytes == b.fileBytes && a.vertices == b.vertices && a.triangles == b.triangles;
 }
 
-Status readMeshes(ReadInputs& read, const std::vector<fs::path>& meshes,
+Status readMeshes(ReadInputs& read, const std::vector<fs::path>& meshes, ScansWanted scans,
                   const ImportProgress& progress) {
-  read.sources = collectSources(meshes, read.options.limits, ScannerSlices::read);
+  ImportOptions options = read.options;
+  const bool asked = !options.thresholds.empty() || options.keepScans;
+  const bool slices = asked || scans == ScansWanted::all;
+  read.sources =
+      collectSources(meshes, options.limits, slices ? ScannerSlices::read : ScannerSlices::leftOut);
   ProgressMeter meter(progress, bytesOf(read.sources));
   // What might be made of a scan is seen by looking at it.
-  ImportOptions options = read.options;
-  options.keepScans = true;
+  options.keepScans = options.keepScans || scans == ScansWanted::all;
   Loaded loaded = loadParts(read.sources, options, meter);
   read.parts = std::move(loaded.parts);
   read.scans = std::move(loaded.scans);
@@ -65,7 +68,7 @@ bool ReadInputs::holdsFor(std::span<const fs::path> others, const ImportOptions&
 }
 
 Result<ReadInputs> readInputs(std::span<const fs::path> inputs, const ImportOptions& options,
-                              const ImportProgress& progress) {
+                              ScansWanted scans, const ImportProgress& progress) {
   ReadInputs read{.inputs = {inputs.begin(), inputs.end()}, .options = options};
   std::vector<fs::path> meshes;
   std::vector<fs::path> scenes;
@@ -80,7 +83,7 @@ Result<ReadInputs> readInputs(std::span<const fs::path> inputs, const ImportOpti
     if (meshes.empty())
       return read;
   }
-  if (const Status done = readMeshes(read, meshes, progress); !done.ok()) {
+  if (const Status done = readMeshes(read, meshes, scans, progress); !done.ok()) {
     if (scenes.empty())
       return done.error();
     Error error = done.error();

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "model/import/plan/parts.h"
+#include "model/import/plan/load_parts.h"
 #include "model/import/plan/sources.h"
 
 namespace sline::model {
@@ -18,7 +18,7 @@ struct ReadInputs {
   ImportOptions options;  ///< limits, repair and smoothing as they were when it was read
   Sources sources;
   std::vector<Part> parts;              ///< in their files' coordinates, by Part::number
-  std::vector<ReadScan> scans;          ///< all there are, kept or not
+  std::vector<ReadScan> scans;          ///< kept or not, as they were wanted
   std::vector<ImportWarning> warnings;  ///< of reading the surfaces
   std::vector<std::string> notes;
   std::optional<Imported> scenes;  ///< of scene files among the inputs
@@ -28,9 +28,14 @@ struct ReadInputs {
   bool holdsFor(std::span<const std::filesystem::path> others, const ImportOptions& with) const;
 };
 
+/// Which scans are read: those that the options make structures of or keep, or all there are, of
+/// which something might be made later.
+enum class ScansWanted { asAsked, all };
+
 /// The error is that of importInputs.
 Result<ReadInputs> readInputs(std::span<const std::filesystem::path> inputs,
-                              const ImportOptions& options, const ImportProgress& progress);
+                              const ImportOptions& options, ScansWanted scans,
+                              const ImportProgress& progress);
 
 /// What was read with other thresholds: scans are in memory and are not read again.
 Result<ReadInputs> withThresholds(const ReadInputs& read, const std::vector<Threshold>& thresholds,

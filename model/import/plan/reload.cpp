@@ -9,9 +9,9 @@
 #include "model/files/fingerprint.h"
 #include "model/geometry/nearest_point.h"
 #include "model/import/kinds/file_kinds.h"
-#include "model/import/plan/parts.h"
+#include "model/import/plan/load_parts.h"
+#include "model/import/plan/shape_parts.h"
 #include "model/meshing/repair.h"
-#include "model/meshing/simplification.h"
 #include "model/meshing/windowed_sinc.h"
 
 namespace sline::model {
@@ -100,17 +100,6 @@ struct FileNow {
   std::vector<std::string> parts;  ///< the names of the meshes
 };
 
-/// Takes as many triangles away as before, no farther than it was seen to go then.
-MeshPtr decimatedAgain(MeshPtr mesh, Provenance& as, const ReadOptions& options) {
-  if (as.decimatedFrom == 0 || !(as.decimationMm > 0.0f))
-    return mesh;
-  const int before = int(mesh->triangleCount());
-  Simplified fewer = simplified(mesh, as.decimationMm, options.goesOn);
-  as.decimatedFrom = fewer.mesh == mesh ? 0 : before;
-  as.decimationMm = fewer.mesh == mesh ? 0.0f : fewer.error;
-  return std::move(fewer.mesh);
-}
-
 /// The same that import did to the surface before.
 Result<MeshPtr> brought(RawMesh raw, Provenance& as, const ReadOptions& options) {
   if (raw.molecule)
@@ -137,7 +126,10 @@ Result<MeshPtr> brought(RawMesh raw, Provenance& as, const ReadOptions& options)
   Result<MeshPtr> mesh = placedMesh(std::move(raw), as);
   if (!mesh)
     return mesh;
-  return decimatedAgain(std::move(*mesh), as, options);
+  // As many triangles go as before, no farther than they were seen to go then.
+  if (as.decimatedFrom > 0 && as.decimationMm > 0.0f)
+    return decimated(std::move(*mesh), as.decimationMm, as, options.goesOn);
+  return mesh;
 }
 
 class Reloader {

@@ -49,8 +49,6 @@ class Body {
 class PlanTest : public QObject {
   Q_OBJECT
  private slots:
-  void unchangedPlanIsThePlainImport_data();
-  void unchangedPlanIsThePlainImport();
   void eachStructureAsChosen();
   void groupsOfNothingAreLeftOut();
   void changesNeedNoSecondReading();
@@ -63,35 +61,6 @@ class PlanTest : public QObject {
   void cancelled();
 };
 
-void PlanTest::unchangedPlanIsThePlainImport_data() {
-  QTest::addColumn<QString>("input");
-  QTest::addColumn<float>("decimate");
-  QTest::newRow("written") << "" << 0.0f;
-  QTest::newRow("decimated") << "" << 0.5f;
-  QTest::newRow("pelvis") << SLINE_TEST_DATA "/pelvis/bodyparts3d" << 0.0f;
-  QTest::newRow("glTF in metres") << SLINE_TEST_DATA "/pelvis/hra_vh_male" << 0.0f;
-  QTest::newRow("molecules") << SLINE_TEST_DATA "/protein" << 0.0f;
-}
-
-void PlanTest::unchangedPlanIsThePlainImport() {
-  QFETCH(QString, input);
-  QFETCH(float, decimate);
-  const Body body;
-  if (!input.isEmpty() && !QFileInfo::exists(input))
-    SLINE_ABSENT("no real anatomy here");
-  const std::array inputs{input.isEmpty() ? body.path() : Path(input.toStdString())};
-  const ImportOptions options{.decimateMm = decimate};
-  const auto plain = importInputs(inputs, options);
-  const auto plan = planImport(inputs, options);
-  QVERIFY(plain.ok() && plan.ok());
-  const auto planned = carriedOut(*plan);
-  QVERIFY(planned.ok());
-  QCOMPARE(test::difference(planned->scene, plain->scene), std::string());
-  QVERIFY(planned->report.warnings == plain->report.warnings);
-  QVERIFY(planned->report.notes == plain->report.notes);
-  QCOMPARE(planned->report.frameReason, plain->report.frameReason);
-}
-
 void PlanTest::eachStructureAsChosen() {
   const Body body;
   ImportPlan plan = body.plan({.smoothing = {Smoothing::Mode::off}});
@@ -100,7 +69,7 @@ void PlanTest::eachStructureAsChosen() {
   const NodeId bladder = idOf(plan, "bladder");
   plan.choices[left] = {.name = "Ren sinister", .smoothing = Smoothing{Smoothing::Mode::steps, 7}};
   plan.choices[right] = {.colour = Colour{1, 2, 3}, .decimateMm = 1.0f};
-  const auto imported = carriedOut(plan);
+  const auto imported = carryOut(plan);
   QVERIFY(imported.ok());
   const Node& first = *imported->scene.find(left);
   QCOMPARE(first.name, std::string("Ren sinister"));
@@ -116,7 +85,7 @@ void PlanTest::eachStructureAsChosen() {
   // And the other way round: what all are to be, one is not.
   plan.options.decimateMm = 1.0f;
   plan.choices = {{left, {.decimateMm = 0.0f}}};
-  const auto others = carriedOut(plan);
+  const auto others = carryOut(plan);
   QVERIFY(others.ok());
   QVERIFY(*others->scene.find(left)->mesh == *plan.scene.find(left)->mesh);
   QVERIFY(others->scene.find(bladder)->provenance.decimatedFrom > 0);
@@ -129,7 +98,7 @@ void PlanTest::groupsOfNothingAreLeftOut() {
   QVERIFY(pelvis != rootId);
   plan.choices[idOf(plan, "bladder")].include = false;
   plan.choices[idOf(plan, "left kidney")].include = false;
-  const auto imported = carriedOut(plan);
+  const auto imported = carryOut(plan);
   QVERIFY(imported.ok());
   QCOMPARE(imported->scene.structuresBelow(rootId),
            (std::vector<NodeId>{idOf(plan, "right kidney")}));
@@ -145,7 +114,7 @@ void PlanTest::changesNeedNoSecondReading() {
   const auto turn = [&](std::optional<Frame> frame, std::optional<float> unit) {
     plan.options.frame = frame;
     plan.options.unit = unit;
-    auto next = replanned(plan);
+    auto next = planAgain(plan);
     if (!next.ok())
       qFatal("%s", next.error().text().c_str());
     return std::move(*next);
@@ -167,7 +136,7 @@ void PlanTest::changesNeedNoSecondReading() {
   QCOMPARE(back.scene.find(left)->mesh->bounds(), before.bounds());
   QVERIFY(*back.scene.find(left)->mesh == before);
   QVERIFY(back.report.frameReason.starts_with("vote: "));
-  QVERIFY(carriedOut(turned).ok());
+  QVERIFY(carryOut(turned).ok());
 }
 
 void PlanTest::frameOfOneFile() {
@@ -175,13 +144,13 @@ void PlanTest::frameOfOneFile() {
   ImportPlan plan = body.plan({.smoothing = {Smoothing::Mode::off}});
   const NodeId bladder = idOf(plan, "bladder");
   plan.choices[bladder] = {.frame = Frame::ras, .unit = 1000.0f};
-  const auto next = replanned(plan);
+  const auto next = planAgain(plan);
   QVERIFY(next.ok());
   QCOMPARE(next->scene.find(bladder)->mesh->bounds().centre(), glm::vec3(0, -10000, -80000));
   QCOMPARE(next->scene.find(bladder)->provenance.frame, std::string("RAS"));
   const NodeId left = idOf(plan, "left kidney");
   QVERIFY(*next->scene.find(left)->mesh == *plan.scene.find(left)->mesh);
-  const auto imported = carriedOut(*next);
+  const auto imported = carryOut(*next);
   QVERIFY(imported.ok());
   QVERIFY(*imported->scene.find(bladder)->mesh == *next->scene.find(bladder)->mesh);
 }
@@ -196,7 +165,7 @@ void PlanTest::repairReadsAgain() {
   QCOMPARE(plan.scene.find(twice)->mesh->triangleCount(), std::size_t(1));
   plan.choices[twice] = {.name = "once"};
   plan.options.repair = false;
-  const auto next = replanned(plan);
+  const auto next = planAgain(plan);
   QVERIFY(next.ok());
   const NodeId now = idOf(*next, "twice");
   QCOMPARE(next->scene.find(now)->mesh->triangleCount(), std::size_t(2));
@@ -215,7 +184,7 @@ void PlanTest::volumeIsReadAgainWhereSmoothedOtherwise() {
   for (std::size_t i = 3; i < all.size(); ++i)
     plan->choices[all[i]].include = false;
   plan->choices[all[1]].smoothing = Smoothing{Smoothing::Mode::off};
-  const auto imported = carriedOut(*plan);
+  const auto imported = carryOut(*plan);
   QVERIFY(imported.ok());
   QCOMPARE(imported->scene.structuresBelow(rootId).size(), std::size_t(3));
   QVERIFY(imported->scene.find(all[0])->provenance.displacementMm > 0.0f);
@@ -235,7 +204,7 @@ void PlanTest::sceneFilesKeepTheirIds() {
   QVERIFY(plan->scene.find(own));
   plan->choices[own].include = false;
   plan->choices[idOf(*plan, "left kidney")].name = "mine";
-  const auto imported = carriedOut(*plan);
+  const auto imported = carryOut(*plan);
   QVERIFY(imported.ok());
   QVERIFY(!imported->scene.find(own));
   QCOMPARE(imported->scene.find(idOf(*plan, "left kidney"))->name, std::string("mine"));
@@ -276,14 +245,14 @@ void PlanTest::badChoices() {
   QVERIFY(!checked.ok());
   QVERIFY2(checked.error().text().find(reason.toStdString()) != std::string::npos,
            checked.error().text().c_str());
-  QVERIFY(!carriedOut(plan).ok());
+  QVERIFY(!carryOut(plan).ok());
 }
 
 void PlanTest::cancelled() {
   const Body body;
   const auto stop = [](float, const std::string&) { return false; };
   QVERIFY(!planImport(std::array{body.path()}, {}, stop).ok());
-  QVERIFY(!carriedOut(body.plan(), stop).ok());
+  QVERIFY(!carryOut(body.plan(), stop).ok());
 }
 
 SLINE_TEST(PlanTest)

@@ -172,7 +172,7 @@ void SceneInputsTest::planTellsWhatWouldBe() {
           plan->report.warnings[0].file.find("spleen.obj") != std::string::npos);
   ImportPlan changed = *plan;
   changed.options.frame = Frame::ras;
-  const auto imported = carriedOut(changed);
+  const auto imported = carryOut(changed);
   QVERIFY(imported.ok());
   const Node& turned = test::named(imported->scene, "left kidney");
   QCOMPARE(turned.provenance.smoothingSteps, 5);

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/import/plan/parts.h"
+#include "model/import/plan/load_parts.h"
 
 #include <algorithm>
-#include <cmath>
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
-#include <glm/vec4.hpp>
 #include <map>
 #include <numeric>
 #include <set>
 #include <utility>
 
-#include "model/base/parallel.h"
 #include "model/files/fingerprint.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/naming/laterality.h"
@@ -20,13 +15,10 @@
 #include "model/import/volumes/volume_surfaces.h"
 #include "model/import/worker/reading_child.h"
 #include "model/meshing/repair.h"
-#include "model/meshing/simplification.h"
 
 namespace sline::model {
 
 namespace {
-
-constexpr std::size_t atATime = 3;
 
 std::string counted(int count, const char* one, const char* many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
@@ -71,24 +63,6 @@ std::map<std::string, FileFacts> factsOf(const SourceFile& source,
   return facts;
 }
 
-std::optional<glm::dmat4> matrixOf(const Provenance& as) {
-  if (!as.transform)
-    return std::nullopt;
-  glm::dmat4 matrix(1.0);
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 4; ++column)
-      matrix[column][row] = double((*as.transform)[std::size_t(row) * 4 + std::size_t(column)]);
-  return matrix;
-}
-
-std::array<float, 12> rowsOf(const glm::dmat4& matrix) {
-  std::array<float, 12> rows{};
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 4; ++column)
-      rows[std::size_t(row) * 4 + std::size_t(column)] = float(matrix[column][row]);
-  return rows;
-}
-
 /// A folder may hold a label volume and the surfaces made of it: what is there as a surface is not
 /// taken from the volume as well.
 void leaveOutTwins(std::vector<Part>& parts, const Sources& sources,
@@ -118,57 +92,6 @@ void leaveOutTwins(std::vector<Part>& parts, const Sources& sources,
     if (count > 0)
       warnings.push_back({file, counted(count, "structure", "structures") +
                                     " left out that the folder also holds as surfaces"});
-}
-
-/// What the smoothing of itself asks to know of each, where it was not asked while reading.
-void measureParts(std::vector<Part>& parts, ProgressMeter& meter) {
-  std::vector<std::size_t> unknown;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    if (!parts[i].raw.smooth && parts[i].measure.vertices == 0)
-      unknown.push_back(i);
-  forFewAtATime(unknown, meter, [&](std::size_t i) {
-    parts[i].measure = measureSurface(parts[i].raw.positions, parts[i].raw.triangles);
-    meter.goesOn(parts[i].name);
-  });
-}
-
-/// Each part's own voxel grid, or the one it shares with the parts of its source.
-std::vector<VoxelGrid> gridsOf(const std::vector<Part>& parts, const Sources& sources) {
-  std::vector<VoxelGrid> grids(parts.size());
-  for (std::size_t source = 0; source < sources.sources.size(); ++source) {
-    std::vector<std::size_t> members;
-    std::vector<SurfaceMeasure> measures;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      if (sources.files[parts[i].file].source == source) {
-        members.push_back(i);
-        measures.push_back(parts[i].measure);
-      }
-    const std::vector<VoxelGrid> common = commonGrids(measures);
-    for (std::size_t k = 0; k < members.size(); ++k)
-      grids[members[k]] = common[k];
-  }
-  return grids;
-}
-
-/// Of a surface in (x, anterior, superior), x to the left.
-bool isMirrored(const RawMesh& raw, const Provenance& as) {
-  return raw.onlySideOpen && as.frame == frameName(Frame::lps);
-}
-
-/// File coordinates → millimetres LPS.
-glm::vec3 placed(const glm::vec3& p, const Provenance& as, const RawMesh& raw,
-                 const std::optional<glm::dmat4>& toWorld) {
-  glm::vec3 q = raw.yUp ? uprightToLps(p) : p;
-  q *= as.mmPerUnit;
-  if (isMirrored(raw, as))
-    q.y = -q.y;
-  if (as.frame == frameName(Frame::ras))
-    q = halfTurn(q);
-  if (!toWorld)
-    return q;
-  const glm::dvec4 ras(-double(q.x), -double(q.y), double(q.z), 1.0);
-  const glm::dvec4 world = *toWorld * ras;
-  return {float(-world.x), float(-world.y), float(world.z)};
 }
 
 ReadOptions readOptions(const ImportOptions& options, ProgressMeter& meter,
@@ -265,22 +188,6 @@ Loaded loadedFrom(const Sources& sources, std::size_t index, Result<RawMeshes>&&
 
 }  // namespace
 
-void ProgressMeter::add(double amount, const std::string& what) {
-  const std::lock_guard lock(m_mutex);
-  m_done += amount;
-  if (m_progress && !m_cancelled && !m_progress(float(std::min(1.0, m_done / m_total)), what))
-    m_cancelled = true;
-}
-
-void forFewAtATime(const std::vector<std::size_t>& order, const ProgressMeter& meter,
-                   const std::function<void(std::size_t)>& body) {
-  std::atomic<std::size_t> next = 0;
-  parallelFor(std::min(atATime, order.size()), 1, [&](std::size_t) {
-    for (std::size_t i = next++; i < order.size() && !meter.cancelled(); i = next++)
-      body(order[i]);
-  });
-}
-
 Loaded loadFile(const Sources& sources, std::size_t index, const ImportOptions& options,
                 ProgressMeter& meter) {
   const SourceFile& source = sources.files[index];
@@ -329,67 +236,6 @@ void numberParts(std::vector<Part>& parts) {
     parts[i].number = i;
 }
 
-void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothing& smoothing,
-                 ProgressMeter& meter) {
-  const auto asked = [&](const Part& part) { return part.choice.smoothing.value_or(smoothing); };
-  const auto isAsked = [&](const Part& part) {
-    return !part.choice.skipped && asked(part).mode != Smoothing::Mode::off;
-  };
-  if (std::none_of(parts.begin(), parts.end(), isAsked))
-    return;
-  const auto automatic = [&](const Part& part) {
-    return isAsked(part) && asked(part).mode == Smoothing::Mode::automatic;
-  };
-  if (std::any_of(parts.begin(), parts.end(), automatic))
-    measureParts(parts, meter);
-  const std::vector<VoxelGrid> grids = gridsOf(parts, sources);
-  std::vector<SurfaceMeasure> all;
-  all.reserve(parts.size());
-  for (const Part& part : parts)
-    all.push_back(part.choice.skipped ? SurfaceMeasure() : part.measure);
-  const std::vector<int> allowed = refinementAllowances(all);
-  std::vector<std::size_t> order(parts.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return parts[a].raw.triangles.size() > parts[b].raw.triangles.size();
-  });
-  forFewAtATime(order, meter, [&](std::size_t i) {
-    Part& part = parts[i];
-    if (!isAsked(part))
-      return;
-    const Smoothing how = asked(part);
-    if (part.raw.smooth) {
-      part.provenance.displacementMm = part.raw.displacement * part.unit;
-      if (how.mode == Smoothing::Mode::steps)
-        part.provenance.smoothingSteps = how.steps;
-      return;
-    }
-    const double work = double(part.raw.triangles.size()) * workPerTriangle;
-    const Smoothed done = smooth(part.raw.positions, part.raw.triangles, grids[i], how, allowed[i]);
-    part.provenance.smoothingSteps = done.smoothingSteps;
-    part.provenance.refinementSteps = done.refinementSteps;
-    part.provenance.displacementMm = done.displacement * part.unit;
-    meter.add(work, part.name);
-  });
-}
-
-Result<MeshPtr> placedMesh(RawMesh raw, Provenance& as) {
-  if (as.frame != frameName(Frame::file)) {
-    const std::optional<glm::dmat4> toWorld = matrixOf(as);
-    for (glm::vec3& p : raw.positions)
-      p = placed(p, as, raw, toWorld);
-    const double scale = toWorld ? glm::determinant(glm::dmat3(*toWorld)) : 1.0;
-    as.displacementMm *= float(std::cbrt(std::abs(scale)));
-    if ((scale < 0.0) != isMirrored(raw, as))
-      for (Triangle& t : raw.triangles)
-        std::swap(t[1], t[2]);
-  }
-  Result<Mesh> mesh = Mesh::create(std::move(raw.positions), std::move(raw.triangles));
-  if (!mesh)
-    return mesh.error();
-  return MeshPtr(std::make_shared<const Mesh>(std::move(*mesh)));
-}
-
 std::vector<std::string> partNames(const std::vector<RawMesh>& meshes) {
   std::vector<std::string> names;
   names.reserve(meshes.size());
@@ -399,52 +245,6 @@ std::vector<std::string> partNames(const std::vector<RawMesh>& meshes) {
   }
   makeUnique(names);
   return names;
-}
-
-void placeParts(std::vector<Part>& parts, const Sources& sources,
-                std::vector<ImportWarning>& warnings) {
-  for (Part& part : parts) {
-    const SourceFile& source = sources.files[part.file];
-    part.provenance.frame = frameName(part.frame);
-    part.provenance.mmPerUnit = part.unit;
-    if (source.model)
-      if (const auto& toWorld = sources.sources[source.source].scene->models[*source.model].toWorld)
-        part.provenance.transform = rowsOf(*toWorld);
-    // Names, groups and colours are asked for later.
-    RawMesh surface{.positions = std::move(part.raw.positions),
-                    .triangles = std::move(part.raw.triangles),
-                    .yUp = part.raw.yUp,
-                    .onlySideOpen = part.raw.onlySideOpen};
-    Result<MeshPtr> mesh = placedMesh(std::move(surface), part.provenance);
-    if (mesh)
-      part.mesh = std::move(*mesh);
-    else
-      warnings.push_back(
-          {part.provenance.file, "\"" + part.name + "\" was left out: " + mesh.error().text()});
-  }
-  std::erase_if(parts, [](const Part& part) { return !part.mesh; });
-}
-
-void decimateParts(std::vector<Part>& parts, float bound, ProgressMeter& meter) {
-  std::vector<std::size_t> order(parts.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return parts[a].mesh->triangleCount() > parts[b].mesh->triangleCount();
-  });
-  forFewAtATime(order, meter, [&](std::size_t i) {
-    Part& part = parts[i];
-    const float own = part.choice.decimateMm.value_or(bound);
-    if (!(own > 0.0f) || part.choice.skipped)
-      return;
-    const std::size_t before = part.mesh->triangleCount();
-    Simplified fewer = simplified(part.mesh, own, [&] { return meter.goesOn(part.name); });
-    meter.add(double(before) * workPerTriangle, part.name);
-    if (fewer.mesh == part.mesh)
-      return;
-    part.mesh = std::move(fewer.mesh);
-    part.provenance.decimatedFrom = int(before);
-    part.provenance.decimationMm = fewer.error;
-  });
 }
 
 }  // namespace sline::model

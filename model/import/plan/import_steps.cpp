@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/import/plan/import_steps.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <span>
+#include <utility>
+
+#include "model/edit/tree.h"
+#include "model/import/naming/anatomy_names.h"
+#include "model/import/plan/folder_tree.h"
+#include "model/import/plan/frame_and_unit.h"
+#include "model/import/plan/kept_scans.h"
+#include "model/import/plan/overlay.h"
+#include "model/import/plan/repair_notes.h"
+#include "model/import/plan/scene_inputs.h"
+#include "model/import/plan/shape_parts.h"
+#include "model/import/plan/views_and_annotations.h"
+
+namespace sline::model {
+
+namespace {
+
+/// Puts what scene files hold before it; returns where its own nodes are then.
+NewIds putScenesBefore(Imported& imported, const ReadInputs& read, const ImportOptions& options) {
+  if (!read.scenes) {
+    NewIds same;
+    for (const Node& node : imported.scene.nodes())
+      same[node.id] = node.id;
+    return same;
+  }
+  Imported all = *read.scenes;
+  warnOfOptions(options, all.report.warnings);
+  NewIds ids = append(all, std::move(imported));
+  imported = std::move(all);
+  return ids;
+}
+
+/// The structures that are not wanted or did not come, and the groups that hold nothing else.
+std::vector<NodeId> withEmptyGroups(const Scene& scene, const std::set<NodeId>& gone) {
+  std::map<NodeId, std::pair<std::size_t, std::size_t>> below;  // structures, those of them gone
+  const std::vector<Node>& nodes = scene.nodes();
+  for (std::size_t i = nodes.size(); i-- > 0;) {
+    std::pair<std::size_t, std::size_t> own = below[nodes[i].id];
+    if (!nodes[i].isGroup())
+      own = {1, gone.contains(nodes[i].id) ? 1 : 0};
+    below[nodes[i].id] = own;
+    below[nodes[i].parent].first += own.first;
+    below[nodes[i].parent].second += own.second;
+  }
+  std::vector<NodeId> ids;
+  for (const Node& node : nodes)
+    if (const auto& [all, missing] = below[node.id]; all > 0 && all == missing)
+      ids.push_back(node.id);
+  return ids;
+}
+
+/// Locked or not: a lock holds for the scene once it is open, not for what is taken into it.
+Scene withoutNodes(Scene scene, std::span<const NodeId> ids) {
+  std::set<NodeId> locked;
+  std::vector<Node> nodes = scene.nodes();
+  for (Node& node : nodes)
+    if (std::exchange(node.locked, false))
+      locked.insert(node.id);
+  scene.setNodes(std::move(nodes));
+  Scene left = removed(scene, ids).scene;
+  nodes = left.nodes();
+  for (Node& node : nodes)
+    node.locked = locked.contains(node.id);
+  left.setNodes(std::move(nodes));
+  return left;
+}
+
+/// The plan's tree with the surfaces that came of it.
+Scene withSurfaces(const ImportPlan& plan, std::vector<Part> parts) {
+  std::map<std::size_t, Part*> byNumber;
+  for (Part& part : parts)
+    byNumber[part.number] = &part;
+  std::set<NodeId> gone;
+  std::vector<Node> nodes = plan.scene.nodes();
+  for (Node& node : nodes) {
+    const StructureChoice choice = plan.choiceOf(node.id);
+    const auto number = plan.parts.find(node.id);
+    const auto part = number == plan.parts.end() ? byNumber.end() : byNumber.find(number->second);
+    const bool lost = number != plan.parts.end() && part == byNumber.end();
+    if (!choice.include || lost)
+      gone.insert(node.id);
+    if (part != byNumber.end()) {
+      node.mesh = std::move(part->second->mesh);
+      node.provenance = std::move(part->second->provenance);
+    }
+    node.name = choice.name.value_or(node.name);
+    if (choice.colour)
+      node.style.colour = choice.colour;
+  }
+  Scene scene = plan.scene;
+  scene.setNodes(std::move(nodes));
+  return gone.empty() ? scene : withoutNodes(std::move(scene), withEmptyGroups(plan.scene, gone));
+}
+
+Error cancelled() {
+  return {.reason = "the import was cancelled"};
+}
+
+}  // namespace
+
+DecidedParts decideParts(std::vector<Part> parts, const ReadInputs& read,
+                         const ImportOptions& options) {
+  ImportReport report;
+  report.warnings = read.sources.warnings;
+  report.warnings.insert(report.warnings.end(), read.warnings.begin(), read.warnings.end());
+  const auto made = [](const Part& part) { return part.raw.threshold.has_value(); };
+  if (!options.thresholds.empty() && std::none_of(parts.begin(), parts.end(), made))
+    report.warnings.push_back({"", "no threshold made a structure: no scan was read that has it"});
+  report.notes = overlayMolecules(parts, options.overlay);
+  report.notes.insert(report.notes.end(), read.notes.begin(), read.notes.end());
+  report.repairs = repairNotes(parts, read.sources);
+  decideFrames(parts, read.sources, options, report);
+  decideUnits(parts, read.sources, options, report);
+  return {std::move(parts), std::move(report)};
+}
+
+ImportPlan layOutTree(const DecidedParts& decided, const ReadInputs& read,
+                      const ImportOptions& options) {
+  BuiltScene built = buildScene(decided.parts, read.sources, AnatomyTable());
+  const auto numbers = std::move(built.numbers);
+  Imported imported{.scene = withViewsAndAnnotations(std::move(built), read.sources, options.frame),
+                    .report = decided.report};
+  const NewIds ids = putScenesBefore(imported, read, options);
+  ImportPlan plan{.inputs = read.inputs,
+                  .options = options,
+                  .scene = std::move(imported.scene),
+                  .report = std::move(imported.report)};
+  for (const auto& [id, number] : numbers)
+    plan.parts[ids.at(id)] = number;
+  return plan;
+}
+
+Status checkAnythingLeft(const DecidedParts& decided, const ReadInputs& read) {
+  if (decided.parts.empty() && !haveFiducials(read.sources) && !read.scenes && read.scans.empty())
+    return nothingRead(read.sources, decided.report.warnings);
+  return Unit{};
+}
+
+Result<Imported> makeScene(const ImportPlan& plan, DecidedParts decided, const ReadInputs& read,
+                           ProgressMeter& meter) {
+  auto& [parts, report] = decided;
+  const ImportOptions& options = plan.options;
+  std::vector<Scan> scans = plan.scene.scans();
+  if (options.keepScans)
+    for (Scan& scan : keptScans(read.scans, parts, options, report))
+      scans.push_back(std::move(scan));
+  smoothParts(parts, read.sources, options.smoothing, meter);
+  if (meter.cancelled())
+    return cancelled();
+  const bool wanted = std::any_of(parts.begin(), parts.end(),
+                                  [](const Part& part) { return !part.choice.skipped; });
+  std::erase_if(parts, [](const Part& part) { return part.choice.skipped; });
+  placeParts(parts, read.sources, report.warnings);
+  decimateParts(parts, options.decimateMm, meter);
+  if (meter.cancelled())
+    return cancelled();
+  if (wanted)
+    if (const Status left = checkAnythingLeft(decided, read); !left.ok())
+      return left.error();
+  Imported imported{.report = std::move(report)};
+  putScenesBefore(imported, read, options);
+  imported.scene = withSurfaces(plan, std::move(parts));
+  imported.scene.setScans(std::move(scans));
+  return imported;
+}
+
+double expectedWork(const std::vector<Part>& parts, const ImportOptions& options) {
+  double work = 1.0;
+  for (const Part& part : parts) {
+    const double once = double(part.raw.triangles.size()) * workPerTriangle;
+    if (part.choice.skipped)
+      continue;
+    if (part.choice.smoothing.value_or(options.smoothing).mode != Smoothing::Mode::off)
+      work += once;
+    if (part.choice.decimateMm.value_or(options.decimateMm) > 0.0f)
+      work += once;
+  }
+  return work;
+}
+
+}  // namespace sline::model

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// The steps that every import takes, planned or not: decide, lay out the tree, make the scene.
+#pragma once
+
+#include <vector>
+
+#include "model/import/plan/parts.h"
+#include "model/import/plan/plan.h"
+#include "model/import/plan/read_inputs.h"
+
+namespace sline::model {
+
+/// Parts whose frames, units and places beside each other are decided, and what there is to say.
+struct DecidedParts {
+  std::vector<Part> parts;
+  ImportReport report;
+};
+
+/// Lays molecules over each other and decides frames and units.
+DecidedParts decideParts(std::vector<Part> parts, const ReadInputs& read,
+                         const ImportOptions& options);
+
+/// Lays out the tree of what scene files hold and, below it, of the parts; a structure has the mesh
+/// that its part has by now. Neither choices nor `read` are set.
+ImportPlan layOutTree(const DecidedParts& decided, const ReadInputs& read,
+                      const ImportOptions& options);
+
+/// Returns the error of an import that gave nothing, where no part, point, scan or scene is left.
+Status checkAnythingLeft(const DecidedParts& decided, const ReadInputs& read);
+
+/// Smooths, places and decimates the parts, and puts them into the plan's tree as was chosen.
+/// Groups that hold nothing any more are left out. The error is that of importInputs.
+Result<Imported> makeScene(const ImportPlan& plan, DecidedParts decided, const ReadInputs& read,
+                           ProgressMeter& meter);
+
+/// Returns the work of makeScene, in the units of ProgressMeter::add; never 0.
+double expectedWork(const std::vector<Part>& parts, const ImportOptions& options);
+
+}  // namespace sline::model

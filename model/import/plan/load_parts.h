@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files → parts: surfaces as their files have them, mended.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "model/import/plan/parts.h"
+#include "model/import/plan/progress_meter.h"
+#include "model/import/plan/sources.h"
+
+namespace sline::model {
+
+/// A scan that a file holds.
+struct ReadScan {
+  std::size_t file = 0;  ///< in Sources::files
+  RawScan raw;
+};
+
+/// What files gave.
+struct Loaded {
+  std::vector<Part> parts;
+  std::vector<ReadScan> scans;  ///< where options keep them
+  std::vector<ImportWarning> warnings;
+  std::vector<std::string> notes;
+};
+
+/// Reads and mends all files; parts come in the files' order. What fails becomes a warning.
+Loaded loadParts(const Sources& sources, const ImportOptions& options, ProgressMeter& meter);
+
+/// Reads one file, or those that are read together with it; `number` is not set.
+Loaded loadFile(const Sources& sources, std::size_t file, const ImportOptions& options,
+                ProgressMeter& meter);
+
+/// The structures that the thresholds of the options make of a scan that was read before, as
+/// loadFile would.
+Loaded loadScan(const Sources& sources, const ReadScan& scan, const ImportOptions& options,
+                ProgressMeter& meter);
+
+/// As Part::number, by their order.
+void numberParts(std::vector<Part>& parts);
+
+/// Surfaces of one file under names that tell them apart, by which they are found again later.
+std::vector<std::string> partNames(const std::vector<RawMesh>& meshes);
+
+}  // namespace sline::model

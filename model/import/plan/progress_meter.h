@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far an import has come, and a few pieces of work at a time.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "model/import/plan/import.h"
+
+namespace sline::model {
+
+/// What smoothing or decimating a triangle takes, where reading a byte takes 1.
+inline constexpr double workPerTriangle = 6.0;
+
+/// Counts what is done and asks the user's function whether to go on; any thread may call it.
+class ProgressMeter {
+ public:
+  ProgressMeter(const ImportProgress& progress, double total)
+      : m_progress(progress), m_total(total) {}
+  void add(double amount, const std::string& what);
+  /// Asks in the middle of a long piece of work; false to give up.
+  bool goesOn(const std::string& what) {
+    add(0.0, what);
+    return !m_cancelled;
+  }
+  bool cancelled() const { return m_cancelled; }
+
+ private:
+  const ImportProgress& m_progress;
+  double m_total;
+  std::mutex m_mutex;
+  double m_done = 0.0;
+  std::atomic<bool> m_cancelled = false;
+};
+
+/// Calls body(i) for i in `order`, a few at a time only, so that memory stays bounded; stops early
+/// where the meter says so.
+void forFewAtATime(const std::vector<std::size_t>& order, const ProgressMeter& meter,
+                   const std::function<void(std::size_t)>& body);
+
+}  // namespace sline::model

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts as their files have them → meshes in the scene: smoothed, in place, with fewer triangles.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "model/import/plan/parts.h"
+#include "model/import/plan/progress_meter.h"
+#include "model/import/plan/sources.h"
+
+namespace sline::model {
+
+/// Smooths and refines each part by the grid it shares with the parts of its source, as `smoothing`
+/// asks or its own choice.
+void smoothParts(std::vector<Part>& parts, const Sources& sources, const Smoothing& smoothing,
+                 ProgressMeter& meter);
+
+/// The surface in millimetres LPS, by the frame, unit and transform that are told of it. Its
+/// displacement is scaled with it.
+Result<MeshPtr> placedMesh(RawMesh raw, Provenance& as);
+
+/// Brings each part to millimetres LPS by its frame, unit and transform, and makes its mesh.
+void placeParts(std::vector<Part>& parts, const Sources& sources,
+                std::vector<ImportWarning>& warnings);
+
+/// Fewer triangles within `bound` mm or the part's own bound (meshing/simplification.h); 0: all.
+void decimateParts(std::vector<Part>& parts, float bound, ProgressMeter& meter);
+
+/// Takes triangles from the mesh without moving it farther than `bound` mm and tells the
+/// provenance of it; the mesh itself where none could go. `goesOn` may end the work early.
+MeshPtr decimated(MeshPtr mesh, float bound, Provenance& as, const std::function<bool()>& goesOn);
+
+}  // namespace sline::model
