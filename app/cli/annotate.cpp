@@ -118,7 +118,7 @@ Result<model::NodeId> structureNamed(const model::Scene& scene, const std::strin
 struct Where {
   const model::Scene& scene;  ///< as the view shows it
   render::Screen screen;
-  render::SightTrees& trees;
+  model::MeshTrees& trees;
 };
 
 Result<model::Anchor> anchorFor(const Where& where, std::optional<model::NodeId> structure,
@@ -237,7 +237,7 @@ Result<model::Scene> annotated(const model::Scene& scene, const AnnotateFlags& f
   const auto view = saved ? std::optional(std::size_t(saved - scene.views().data())) : std::nullopt;
   if (flags.onlyInView && !view)
     return wrong("\"" + flags.view + "\" is no saved view", "Name one with --view");
-  render::SightTrees trees;
+  model::MeshTrees trees;
   const float height = render::usualHeightMm;
   const Where where{shown, render::Screen(*camera, {order.size.aspect() * height, height}), trees};
   std::vector<std::optional<std::string>> targets(flags.on.begin(), flags.on.end());

@@ -9,7 +9,7 @@
 #include "app/cli/targets.h"
 #include "app/cli/text_file.h"
 #include "app/cli/values.h"
-#include "model/geometry/spatial_order.h"
+#include "model/geometry/mesh_trees.h"
 #include "render/lines/clipping.h"
 #include "render/lines/cut_faces.h"
 #include "render/lines/line_technique.h"
@@ -100,7 +100,8 @@ class LinesDocument {
 
   void add(const model::MeshPtr& mesh, std::span<const model::Plane> planes) {
     const model::SurfacePtr surface = model::prepareSurface(mesh);
-    const model::Bvh bvh(mesh, model::spatialOrder(*mesh));
+    const model::BvhPtr tree = model::treeOf(mesh);
+    const model::Bvh& bvh = *tree;
     render::LineRequest request;
     request.kinds = {};
     for (const render::LineTechnique& technique : render::lineTechniques())

@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 
 #include "model/geometry/bounding_sphere.h"
-#include "model/geometry/spatial_order.h"
 
 namespace sline::model {
 
@@ -56,7 +55,7 @@ float chord(const Bvh& tree, const glm::vec3& inside, const glm::vec3& direction
 std::optional<Widths> widthsAt(const Form& form, const SurfaceSample& sample) {
   const float endless = 2.0f * form.radius;
   const std::optional<Hit> far =
-      form.tree.nearest({sample.place, -sample.normal, 1e-4f * form.radius, endless});
+      form.tree->nearest({sample.place, -sample.normal, 1e-4f * form.radius, endless});
   if (!far)
     return std::nullopt;
   Widths widths{.in = far->t, .least = 2.0f * endless};
@@ -65,7 +64,7 @@ std::optional<Widths> widthsAt(const Form& form, const SurfaceSample& sample) {
   for (int i = 0; i < linesAround; ++i) {
     const float angle = float(M_PI) * float(i) / float(linesAround);
     const float width =
-        chord(form.tree, middle, std::cos(angle) * u + std::sin(angle) * v, endless);
+        chord(*form.tree, middle, std::cos(angle) * u + std::sin(angle) * v, endless);
     widths.least = std::min(widths.least, width);
     widths.most = std::max(widths.most, width);
   }
@@ -82,7 +81,7 @@ bool ofSheet(const Widths& w) {
 
 }  // namespace
 
-Form::Form(MeshPtr surface) : mesh(std::move(surface)), tree(mesh, spatialOrder(*mesh)) {}
+Form::Form(MeshPtr surface) : mesh(std::move(surface)), tree(treeOf(mesh)) {}
 
 FormPtr formOf(const MeshPtr& mesh) {
   auto form = std::make_shared<Form>(mesh);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "model/focus/surface_samples.h"
-#include "model/geometry/bvh.h"
+#include "model/geometry/mesh_trees.h"
 
 namespace sline::model {
 
@@ -17,7 +17,7 @@ struct Form {
   explicit Form(MeshPtr surface);
 
   MeshPtr mesh;
-  Bvh tree;
+  BvhPtr tree;
   std::vector<SurfaceSample> samples;
   double area = 0.0;       ///< mm²
   float radius = 0.0f;     ///< of the sphere around it, mm

@@ -74,7 +74,7 @@ float comingFrom(const Surroundings& surroundings, float likely, const Party& st
     return share;
   const float near = cutWidth(*branch.form, gap);
   const Cut cut = cutNear(*branch.mesh, [&](const glm::vec3& place) {
-    return std::isfinite(stem.form->tree.closest(place, near, near).distance);
+    return std::isfinite(stem.form->tree->closest(place, near, near).distance);
   });
   // What lies along another does not spring from it.
   constexpr double most = 0.3;

@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "model/geometry/sight.h"
+
 namespace sline::model {
 
 namespace {
@@ -49,29 +51,9 @@ std::size_t sectorOf(const glm::vec3& direction) {
                      all.begin());
 }
 
-bool kept(const glm::vec3& place, std::span<const Plane> planes) {
-  return std::all_of(planes.begin(), planes.end(),
-                     [&](const Plane& plane) { return plane.distance(place) <= 0.0; });
-}
-
-/// What of the ray the planes keep; `nearest` beyond `farthest` where that is nothing.
-Ray kept(Ray ray, std::span<const Plane> planes) {
-  for (const Plane& plane : planes) {
-    const double from = plane.distance(ray.origin);
-    const double slope = glm::dot(glm::dvec3(plane.normal), glm::dvec3(ray.direction));
-    if (slope < 0.0)
-      ray.nearest = std::max(ray.nearest, float(-from / slope));
-    else if (slope > 0.0)
-      ray.farthest = std::min(ray.farthest, float(-from / slope));
-    else if (from > 0.0)
-      ray.farthest = -endless;
-  }
-  return ray;
-}
-
 bool blocks(const Party& party, const Ray& ray) {
-  const Ray rest = kept(ray, party.planes);
-  return rest.nearest <= rest.farthest && party.form->tree.blocked(rest);
+  const Ray rest = keptPart(ray, party.planes);
+  return rest.nearest <= rest.farthest && party.form->tree->blocked(rest);
 }
 
 float boxDistance(const Box& box, const glm::vec3& place) {
@@ -103,7 +85,7 @@ Surroundings::Surroundings(std::span<const Party> parties, const std::optional<C
     const double share = target->form->area / area;
     const auto count = std::size_t(std::ceil(double(targetSamples) * share));
     for (const SurfaceSample& sample : surfaceSamples(*target->mesh, count))
-      if (kept(sample.place, target->planes))
+      if (keptByAll(target->planes, sample.place))
         m_samples.push_back(sample);
     m_box.add(target->mesh->bounds());
   }
@@ -156,7 +138,7 @@ void Surroundings::measureExtents() {
   };
   for (const Party& party : m_parties)
     for (const SurfaceSample& sample : party.form->samples)
-      if (kept(sample.place, party.planes)) {
+      if (keptByAll(party.planes, sample.place)) {
         const auto [sector, length] = reach(sample.place);
         m_extents[sector].scene = std::max(m_extents[sector].scene, length);
       }
@@ -171,7 +153,7 @@ float Surroundings::distanceTo(const glm::vec3& place, float farthest) const {
   for (const Party* target : m_targets) {
     const float within = std::min(nearest, farthest);
     if (boxDistance(target->mesh->bounds(), place) < within)
-      nearest = std::min(nearest, target->form->tree.closest(place, 0.0f, within).distance);
+      nearest = std::min(nearest, target->form->tree->closest(place, 0.0f, within).distance);
   }
   return nearest;
 }
@@ -192,7 +174,7 @@ float Surroundings::outsideness(const Party& party) const {
   double sum = 0.0;
   std::size_t count = 0;
   for (const SurfaceSample& sample : party.form->samples) {
-    if (!kept(sample.place, party.planes))
+    if (!keptByAll(party.planes, sample.place))
       continue;
     const glm::vec3 away = sample.place - m_centre;
     const Extent& extent = m_extents[sectorOf(away)];
@@ -207,7 +189,7 @@ float Surroundings::outsideness(const Party& party) const {
 float Surroundings::roomBeyond(const Party& party, float within) const {
   std::vector<float> rooms;
   for (const SurfaceSample& sample : party.form->samples)
-    if (kept(sample.place, party.planes) && std::isfinite(distanceTo(sample.place, within))) {
+    if (keptByAll(party.planes, sample.place) && std::isfinite(distanceTo(sample.place, within))) {
       const glm::vec3 away = sample.place - m_centre;
       rooms.push_back((m_extents[sectorOf(away)].scene - glm::length(away)) / m_radius);
     }
@@ -222,7 +204,7 @@ Facts Surroundings::factsOf(const Party& party) const {
   Facts facts{.gap = endless};
   bool any = false;
   for (const SurfaceSample& sample : party.form->samples)
-    if (kept(sample.place, party.planes)) {
+    if (keptByAll(party.planes, sample.place)) {
       any = true;
       facts.gap = std::min(facts.gap, distanceTo(sample.place, facts.gap));
     }
@@ -234,7 +216,7 @@ Facts Surroundings::factsOf(const Party& party) const {
     const float within = std::max(facts.gap, against);
     if (boxDistance(party.mesh->bounds(), sample.place) >= within)
       continue;
-    const float distance = party.form->tree.closest(sample.place, 0.0f, within).distance;
+    const float distance = party.form->tree->closest(sample.place, 0.0f, within).distance;
     facts.gap = std::min(facts.gap, distance);
     touched += distance < against;
   }
@@ -250,7 +232,7 @@ float gapBetween(const Form& a, const Form& b, float enough) {
     for (const SurfaceSample& sample : from.samples) {
       const float within = std::min(gap, enough);
       if (boxDistance(to.mesh->bounds(), sample.place) < within)
-        gap = std::min(gap, to.tree.closest(sample.place, 0.0f, within).distance);
+        gap = std::min(gap, to.tree->closest(sample.place, 0.0f, within).distance);
     }
   };
   if (boxDistance(a.mesh->bounds(), b.mesh->bounds()) >= enough)

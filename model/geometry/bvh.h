@@ -36,6 +36,7 @@ class Bvh {
  public:
   Bvh(MeshPtr mesh, std::vector<std::uint32_t> order);
 
+  const Mesh& mesh() const { return *m_mesh; }
   /// The first hit along the ray; both sides of a triangle count.
   std::optional<Hit> nearest(const Ray& ray) const;
   /// True where anything lies on the ray.

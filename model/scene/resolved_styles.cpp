@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/scene/resolved_styles.h"
 
-#include <unordered_map>
 #include <unordered_set>
 
 #include "model/scene/style_fields.h"
@@ -9,7 +8,6 @@
 namespace sline::model {
 
 std::vector<ResolvedStyle> resolveAll(const Scene& scene) {
-  std::unordered_map<std::uint64_t, std::size_t> places;
   std::vector<Style> styles;
   std::vector<ResolvedStyle> resolved;
   styles.reserve(scene.nodes().size());
@@ -19,12 +17,12 @@ std::vector<ResolvedStyle> resolveAll(const Scene& scene) {
     resolved.emplace_back();
     resolved.back().visible = node.style.visible.value_or(true);
     // A parent stands before its children.
-    if (const auto parent = places.find(node.parent.value); parent != places.end()) {
-      inherit(styles.back(), styles[parent->second]);
-      resolved.back().visible = resolved.back().visible && resolved[parent->second].visible;
+    if (const Node* parent = scene.find(node.parent)) {
+      const auto place = std::size_t(parent - scene.nodes().data());
+      inherit(styles.back(), styles[place]);
+      resolved.back().visible = resolved.back().visible && resolved[place].visible;
     }
     answer(resolved.back(), styles.back());
-    places.emplace(node.id.value, places.size());
   }
   return resolved;
 }

@@ -37,9 +37,20 @@ void forEachBelow(const std::vector<Node>& nodes, NodeId id, const Visit& visit)
 }  // namespace
 
 const Node* Scene::find(NodeId id) const {
-  const auto found = std::find_if(m_nodes.begin(), m_nodes.end(),
-                                  [id](const Node& node) { return node.id == id; });
-  return found == m_nodes.end() ? nullptr : &*found;
+  const auto place = placeBefore(id.value);
+  return place == m_places.end() || place->id != id.value ? nullptr : &m_nodes[place->index];
+}
+
+std::vector<Scene::Place>::const_iterator Scene::placeBefore(std::uint64_t id) const {
+  return std::lower_bound(m_places.begin(), m_places.end(), Place{id, 0});
+}
+
+void Scene::index() {
+  m_places.clear();
+  m_places.reserve(m_nodes.size());
+  for (const Node& node : m_nodes)
+    m_places.push_back({node.id.value, m_places.size()});
+  std::sort(m_places.begin(), m_places.end());
 }
 
 std::vector<NodeId> Scene::children(NodeId parent) const {
@@ -123,20 +134,27 @@ std::vector<Section> Scene::sectionsOf(NodeId id) const {
 }
 
 NodeId Scene::append(Node node) {
-  std::size_t position = node.parent == rootId ? m_nodes.size() : 0;
-  if (node.parent != rootId)
+  assert(node.parent == rootId || find(node.parent));
+  // Who builds a tree appends mostly to what came last.
+  std::size_t position = m_nodes.size();
+  if (node.parent != rootId && !isBelow(m_nodes.back().id, node.parent))
     forEachBelow(m_nodes, node.parent,
                  [&position](std::size_t index, const Node&) { position = index + 1; });
-  assert(node.parent == rootId || position > 0);
   node.id = NodeId{++m_lastId};
   const NodeId id = node.id;
+  const bool last = position == m_nodes.size();
   m_nodes.insert(m_nodes.begin() + std::ptrdiff_t(position), std::move(node));
+  if (last)
+    m_places.push_back({id.value, position});  // no id is higher
+  else
+    index();
   return id;
 }
 
 void Scene::setNodes(std::vector<Node> nodes) {
   assert(inTreeOrder(nodes));
   m_nodes = std::move(nodes);
+  index();
   for (const Node& node : m_nodes)
     m_lastId = std::max(m_lastId, node.id.value);
 }
@@ -187,6 +205,14 @@ void Scene::setAnnotations(std::vector<Annotation> annotations) {
     assert(!annotationFault(annotation) && seen.insert(annotation.id.value).second);
     m_lastAnnotationId = std::max(m_lastAnnotationId, annotation.id.value);
   }
+}
+
+std::set<MeshPtr> meshesOf(const Scene& scene) {
+  std::set<MeshPtr> meshes;
+  for (const Node& node : scene.nodes())
+    if (!node.isGroup())
+      meshes.insert(node.mesh);
+  return meshes;
 }
 
 std::string normalisedName(std::string_view name) {

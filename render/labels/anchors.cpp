@@ -40,7 +40,7 @@ std::string plainText(const ShownLabel& label) {
 }
 
 std::vector<ShownLabel> shownLabels(const model::Scene& scene, const Screen& screen,
-                                    const std::string& language, SightTrees& trees) {
+                                    const std::string& language, model::MeshTrees& trees) {
   const Sights sights(scene, trees);
   std::vector<ShownLabel> labels;
   int number = 0;
@@ -55,7 +55,8 @@ std::vector<ShownLabel> shownLabels(const model::Scene& scene, const Screen& scr
   return labels;
 }
 
-UnseenLabels unseenLabels(const model::Scene& scene, const Screen& screen, SightTrees& trees) {
+UnseenLabels unseenLabels(const model::Scene& scene, const Screen& screen,
+                          model::MeshTrees& trees) {
   const Sights sights(scene, trees);
   UnseenLabels unseen;
   for (const model::Annotation& annotation : scene.annotations()) {

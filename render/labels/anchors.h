@@ -29,13 +29,13 @@ std::string plainText(const ShownLabel& label);
 /// model/edit/views.h, says so as the view does), what is on a structure that is not drawn or on a
 /// part that a section takes away, and what is not within the picture.
 std::vector<ShownLabel> shownLabels(const model::Scene& scene, const Screen& screen,
-                                    const std::string& language, SightTrees& trees);
+                                    const std::string& language, model::MeshTrees& trees);
 
 /// Visible annotations that are not among those, by the reason; in the order of the scene.
 struct UnseenLabels {
   std::vector<model::AnnotationId> notDrawn;  ///< what they are on
   std::vector<model::AnnotationId> offPicture;
 };
-UnseenLabels unseenLabels(const model::Scene& scene, const Screen& screen, SightTrees& trees);
+UnseenLabels unseenLabels(const model::Scene& scene, const Screen& screen, model::MeshTrees& trees);
 
 }  // namespace sline::render

@@ -186,7 +186,7 @@ std::optional<Spot> bestSpot(const Samples& samples, const glm::vec2& cell) {
 }  // namespace
 
 std::optional<BestPlace> bestPlaceOn(const model::Scene& scene, model::NodeId structure,
-                                     const Screen& screen, SightTrees& trees) {
+                                     const Screen& screen, model::MeshTrees& trees) {
   const model::Node* node = scene.find(structure);
   if (!node || node->isGroup())
     return std::nullopt;

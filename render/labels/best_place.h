@@ -20,6 +20,6 @@ struct BestPlace {
 /// either: its lines would run over the dot. Of a structure that is all hidden, as if it were
 /// alone. Nothing where it is not visible or not in the picture.
 std::optional<BestPlace> bestPlaceOn(const model::Scene& scene, model::NodeId structure,
-                                     const Screen& screen, SightTrees& trees);
+                                     const Screen& screen, model::MeshTrees& trees);
 
 }  // namespace sline::render

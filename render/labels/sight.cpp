@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <set>
 
-#include "model/geometry/spatial_order.h"
+#include "model/geometry/sight.h"
 #include "model/scene/resolved_styles.h"
 
 namespace sline::render {
@@ -20,65 +19,10 @@ bool hidesWhatIsBehind(const model::ResolvedStyle& style) {
   return filled && style.opacity.value() >= thin;
 }
 
-/// The part of the ray that the planes keep.
-model::Ray keptPart(model::Ray ray, std::span<const model::Plane> planes) {
-  for (const model::Plane& plane : planes) {
-    const double outside = plane.distance(ray.origin);
-    const double rise = glm::dot(glm::dvec3(plane.normal), glm::dvec3(ray.direction));
-    if (rise > 0.0)
-      ray.farthest = std::min(ray.farthest, float(-outside / rise));
-    else if (rise < 0.0)
-      ray.nearest = std::max(ray.nearest, float(-outside / rise));
-    else if (outside > 0.0)
-      ray.farthest = -std::numeric_limits<float>::infinity();
-  }
-  return ray;
-}
-
-/// The ray meets the box: what it does not meet needs no tree.
-bool reaches(const model::Ray& ray, const model::Box& box) {
-  double enter = double(ray.nearest);
-  double leave = double(ray.farthest);
-  const double room = 1e-5 * double(glm::length(box.size()));
-  for (int i = 0; i < 3; ++i) {
-    const double low = double(box.low[i]) - room - double(ray.origin[i]);
-    const double high = double(box.high[i]) + room - double(ray.origin[i]);
-    const double along = double(ray.direction[i]);
-    if (along == 0.0) {
-      if (low > 0.0 || high < 0.0)
-        return false;
-      continue;
-    }
-    enter = std::max(enter, std::min(low / along, high / along));
-    leave = std::min(leave, std::max(low / along, high / along));
-  }
-  return enter <= leave;
-}
-
-bool seenFromWithin(const model::Mesh& mesh, const model::Hit& hit, const glm::vec3& direction) {
-  const auto& [a, b, c] = mesh.triangles()[hit.triangle];
-  const glm::vec3 normal = glm::cross(mesh.positions()[b] - mesh.positions()[a],
-                                      mesh.positions()[c] - mesh.positions()[a]);
-  return glm::dot(normal, direction) > 0.0f;
-}
-
 }  // namespace
 
-const model::Bvh& SightTrees::treeOf(const model::MeshPtr& mesh) {
-  std::unique_ptr<model::Bvh>& tree = m_trees[mesh];
-  if (!tree)
-    tree = std::make_unique<model::Bvh>(mesh, model::spatialOrder(*mesh));
-  return *tree;
-}
-
-void SightTrees::keepThoseOf(const model::Scene& scene) {
-  std::set<model::MeshPtr> present;
-  for (const model::Node& node : scene.nodes())
-    present.insert(node.mesh);
-  std::erase_if(m_trees, [&](const auto& entry) { return !present.contains(entry.first); });
-}
-
-Sights::Sights(const model::Scene& scene, SightTrees& trees) : m_scene(scene), m_trees(trees) {
+Sights::Sights(const model::Scene& scene, model::MeshTrees& trees)
+    : m_scene(scene), m_trees(trees) {
   const std::array<model::NodeId, 1> all{model::rootId};
   for (const model::ResolvedStructure& structure : model::resolvedBelow(scene, all))
     if (structure.style.visible && structure.style.opacity.value() > 0.0f)
@@ -93,19 +37,11 @@ const Sights::Body* Sights::find(model::NodeId id) const {
 }
 
 std::optional<Sights::Seen> Sights::meet(const Body& body, const model::Ray& ray) const {
-  const model::Ray kept = keptPart(ray, body.planes);
-  if (!(kept.nearest <= kept.farthest) || !reaches(kept, body.node->mesh->bounds()))
+  if (!model::reaches(model::keptPart(ray, body.planes), body.node->mesh->bounds()))
     return std::nullopt;
-  std::optional<model::Hit> hit = m_trees.treeOf(body.node->mesh).nearest(kept);
-  if (!hit)
-    return std::nullopt;
-  // A cut face has no triangles: a ray that enters at a section and sees the surface from within
-  // came through one.
-  const bool cutFace =
-      kept.nearest > ray.nearest && seenFromWithin(*body.node->mesh, *hit, ray.direction);
-  if (cutFace)
-    hit->t = kept.nearest;
-  return Seen{body.node->id, *hit, cutFace};
+  const std::optional<model::CutHit> met =
+      model::nearestKept(m_trees.of(body.node->mesh), ray, body.planes);
+  return met ? std::optional(Seen{body.node->id, met->hit, met->cutFace}) : std::nullopt;
 }
 
 std::optional<Sights::Seen> Sights::nearest(const model::Ray& ray) const {

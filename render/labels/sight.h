@@ -3,32 +3,19 @@
 // structure without a fill or shading, a tinted or veiled one, and one that is more clear than not.
 #pragma once
 
-#include <map>
-#include <memory>
 #include <optional>
 #include <vector>
 
-#include "model/geometry/bvh.h"
+#include "model/geometry/mesh_trees.h"
+#include "model/geometry/plane.h"
 #include "model/scene/scene.h"
 
 namespace sline::render {
 
-/// Each mesh's tree, made when a line first comes near and kept from picture to picture.
-class SightTrees {
- public:
-  const model::Bvh& treeOf(const model::MeshPtr& mesh);
-  bool has(const model::MeshPtr& mesh) const { return m_trees.contains(mesh); }
-  /// Forgets meshes that the scene no longer has.
-  void keepThoseOf(const model::Scene& scene);
-
- private:
-  std::map<model::MeshPtr, std::unique_ptr<model::Bvh>> m_trees;
-};
-
 /// One scene as it is drawn. The scene and the trees must outlive this.
 class Sights {
  public:
-  Sights(const model::Scene& scene, SightTrees& trees);
+  Sights(const model::Scene& scene, model::MeshTrees& trees);
 
   struct Seen {
     model::NodeId structure;
@@ -59,7 +46,7 @@ class Sights {
   std::optional<Seen> meet(const Body& body, const model::Ray& ray) const;
 
   const model::Scene& m_scene;
-  SightTrees& m_trees;
+  model::MeshTrees& m_trees;
   std::vector<Body> m_bodies;  ///< the visible ones
 };
 

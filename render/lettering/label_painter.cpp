@@ -160,7 +160,7 @@ void setPlate(LabelPlate& plate, LabelRequest& request, const LabelTurn& turn) {
 }  // namespace
 
 LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const LabelStyle& style,
-                      SightTrees& trees, const LabelTurn& turn) {
+                      model::MeshTrees& trees, const LabelTurn& turn) {
   LabelPlate plate{.style = style,
                    .labels = shownLabels(scene, screen, style.language, trees),
                    .texts = {},

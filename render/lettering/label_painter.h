@@ -26,7 +26,7 @@ struct LabelTurn {
 
 /// The scene's labels on that screen.
 LabelPlate labelPlate(const model::Scene& scene, const Screen& screen, const LabelStyle& style,
-                      SightTrees& trees, const LabelTurn& turn = {});
+                      model::MeshTrees& trees, const LabelTurn& turn = {});
 
 /// As shapes and text, an item for each label that has a place. A place that something hides is an
 /// open dot at a dashed leader.

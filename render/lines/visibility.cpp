@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "model/base/parallel.h"
+#include "model/geometry/sight.h"
 #include "render/lines/view_fields.h"
 
 namespace sline::render {
@@ -42,41 +43,30 @@ bool onCap(const CutFace& face, const glm::dvec3& p) {
 /// What lies in the way of rays: the surface where it is kept, and the faces of its cuts.
 class Obstacles {
  public:
-  Obstacles(const model::Bvh& bvh, std::span<const CutFace> faces) : m_bvh(bvh), m_faces(faces) {}
+  Obstacles(const model::Bvh& bvh, std::span<const CutFace> faces) : m_bvh(bvh), m_faces(faces) {
+    for (const CutFace& face : faces)
+      m_planes.push_back(face.plane);
+  }
 
   bool block(const model::Ray& ray) const {
-    double nearest = ray.nearest;
-    double farthest = ray.farthest;
-    const CutFace* entered = nullptr;
-    const CutFace* left = nullptr;
-    for (const CutFace& face : m_faces) {
-      const double from = face.plane.distance(ray.origin);
-      const double slope = glm::dot(glm::dvec3(face.plane.normal), glm::dvec3(ray.direction));
-      if (slope == 0.0 && from > 0.0)
-        return false;
-      if (slope > 0.0 && -from / slope < farthest) {
-        farthest = -from / slope;
-        left = &face;
-      } else if (slope < 0.0 && -from / slope > nearest) {
-        nearest = -from / slope;
-        entered = &face;
-      }
-    }
-    if (!(nearest < farthest))
+    const model::KeptSpan span = model::keptSpan(ray, m_planes);
+    if (!(span.nearest < span.farthest))
       return false;
     const auto at = [&ray](double t) {
       return glm::dvec3(ray.origin) + t * glm::dvec3(ray.direction);
     };
     model::Ray kept = ray;
-    kept.nearest = float(nearest);
-    kept.farthest = float(farthest);
-    return m_bvh.blocked(kept) || (entered && onCap(*entered, at(nearest))) ||
-           (left && onCap(*left, at(farthest)));
+    kept.nearest = float(span.nearest);
+    kept.farthest = float(span.farthest);
+    return m_bvh.blocked(kept) ||
+           (span.entered && onCap(m_faces[*span.entered], at(span.nearest))) ||
+           (span.left && onCap(m_faces[*span.left], at(span.farthest)));
   }
 
  private:
   const model::Bvh& m_bvh;
   std::span<const CutFace> m_faces;
+  std::vector<model::Plane> m_planes;  ///< of the faces
 };
 
 /// Calls test(segment index, middle of the segment, unit normal there, edge length) in parallel.

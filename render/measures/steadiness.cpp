@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "model/geometry/spatial_order.h"
+#include "model/geometry/mesh_trees.h"
 #include "render/measures/warp.h"
 
 namespace sline::render {
@@ -23,14 +23,14 @@ struct Turn {
 };
 
 Result<Turn> turnOf(const Turntable& table) {
-  const model::Bvh bvh(table.mesh, model::spatialOrder(*table.mesh));
+  const model::BvhPtr bvh = model::treeOf(table.mesh);
   const model::Box& bounds = table.mesh->bounds();
   Turn turn;
   SeenSurface before;
   for (int i = 0; i <= table.frames; ++i) {
     turn.cameras.push_back(turned(table.camera, bounds.centre(), turnStep * float(i)));
     SeenSurface now =
-        seenSurface(bvh, PictureView(turn.cameras.back(), bounds, table.width, table.height));
+        seenSurface(*bvh, PictureView(turn.cameras.back(), bounds, table.width, table.height));
     if (i > 0) {
       const PictureView viewBefore(turn.cameras[std::size_t(i - 1)], bounds, table.width,
                                    table.height);

@@ -17,6 +17,7 @@
 #include "render/picture/picture.h"
 #include "render/vectors/vector_drawing.h"
 #include "tests/bench/gamma_drag.h"
+#include "tests/bench/large_tree.h"
 #include "tests/bench/measure.h"
 #include "tests/bench/meshing.h"
 #include "tests/bench/plain_phong.h"
@@ -34,6 +35,7 @@ struct Options {
   std::optional<float> gamma;
   int drags = 0;
   float meshingMm = 0.0f;
+  int structures = 0;
   bool json = false;
 };
 
@@ -263,7 +265,7 @@ Result<bench::Report> run(const Options& options, const glm::ivec2& size) {
 int main(int argc, char** argv) {
   Options options;
   CLI::App app{"Turns the camera around a scene and reports time and memory"};
-  app.add_option("INPUT", options.inputs, "Meshes, folders, 3D Slicer scenes")->required();
+  app.add_option("INPUT", options.inputs, "Meshes, folders, 3D Slicer scenes");
   app.add_option("--frames", options.frames, "Pictures of one full turn")
       ->check(CLI::Range(1, 10000));
   app.add_option("--size", options.size, "Width x height in pixels")->capture_default_str();
@@ -276,11 +278,22 @@ int main(int argc, char** argv) {
                  "Instead of turning: simplify each surface to so many mm, find its neighbours and "
                  "subdivide it, here and by OpenMesh's own algorithms")
       ->check(CLI::Range(0.001f, 1000.0f));
+  app.add_option("--structures", options.structures,
+                 "Without INPUT: ask a tree of so many structures for their styles and bounds")
+      ->check(CLI::Range(1, 1'000'000));
   app.add_flag("--json", options.json, "Print JSON");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
+  }
+  if (options.structures > 0) {
+    std::cout << bench::measureTree(options.structures);
+    return 0;
+  }
+  if (options.inputs.empty()) {
+    std::cerr << "sline-bench: INPUT is missing\n";
+    return 2;
   }
   const auto size = parsedSize(options.size);
   if (!size) {

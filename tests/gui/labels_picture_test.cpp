@@ -56,7 +56,7 @@ class LabelsPictureTest : public QObject {
     f.make(f.liver, {});
     f.make(f.bladder, {}, Qt::Key_P, Qt::ShiftModifier);
     const widgets::LabelSheet& sheet = f.sheet();
-    render::SightTrees trees;
+    model::MeshTrees trees;
     const render::LabelPlate plate = render::labelPlate(
         f.session.scene(),
         render::Screen(f.viewport().camera(), sheet.wish.size / sheet.wish.pixelsPerMm),
@@ -78,7 +78,7 @@ class LabelsPictureTest : public QObject {
     f.make(f.bladder, QStringLiteral("B"));
     const auto strayed = [&f] {
       const widgets::LabelSheet& sheet = f.sheet();
-      render::SightTrees trees;
+      model::MeshTrees trees;
       const render::LabelPlate plate = render::labelPlate(
           f.session.scene(),
           render::Screen(f.viewport().camera(), sheet.wish.size / sheet.wish.pixelsPerMm),

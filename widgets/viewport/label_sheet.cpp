@@ -197,7 +197,7 @@ LabelSheetPtr LabelDrawer::draw(const model::Scene& scene, const model::Camera& 
   sheet->camera = camera;
   sheet->wish = wish;
   if (wanted(scene, wish)) {
-    m_trees.keepThoseOf(scene);
+    m_trees.keepOnly(model::meshesOf(scene));
     if (!render::Sights(scene, m_trees).withoutTree().empty())
       return nullptr;
     const render::Screen screen(camera, wish.size / wish.pixelsPerMm);
@@ -216,7 +216,7 @@ bool LabelDrawer::prepare(const model::Scene& scene) {
   const std::vector<model::MeshPtr> missing = render::Sights(scene, m_trees).withoutTree();
   if (missing.empty())
     return false;
-  m_trees.treeOf(missing.front());
+  m_trees.of(missing.front());
   return true;
 }
 

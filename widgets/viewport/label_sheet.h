@@ -56,7 +56,7 @@ class LabelDrawer {
   void paint(LabelSheet& sheet);
   void paintTexts(QPainter& painter, const LabelSheet& sheet);
 
-  render::SightTrees m_trees;
+  model::MeshTrees m_trees;
   LabelSheetPtr m_last;
   model::Scene m_lastScene;
   /// Texts as they were painted, by all that their looks depend on: letters with halos take longer

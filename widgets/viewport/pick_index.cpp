@@ -5,61 +5,12 @@
 #include <array>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <set>
 
-#include "model/geometry/spatial_order.h"
+#include "model/geometry/sight.h"
 
 namespace sline::widgets {
 
 namespace {
-
-bool meets(const model::Ray& ray, const model::Box& box) {
-  if (box.empty())
-    return false;
-  float enter = ray.nearest;
-  float leave = ray.farthest;
-  for (int i = 0; i < 3; ++i) {
-    const float inverse = 1.0f / ray.direction[i];
-    float a = (box.low[i] - ray.origin[i]) * inverse;
-    float b = (box.high[i] - ray.origin[i]) * inverse;
-    if (a > b)
-      std::swap(a, b);
-    // A ray within a face of the box gives NaN, which both comparisons pass over.
-    enter = a > enter ? a : enter;
-    leave = b < leave ? b : leave;
-  }
-  return enter <= leave;
-}
-
-/// What of the ray no section takes away.
-model::Ray kept(model::Ray ray, std::span<const model::Section> sections) {
-  for (const model::Section& section : sections) {
-    const double from = section.plane.distance(ray.origin);
-    const double slope = glm::dot(glm::dvec3(section.plane.normal), glm::dvec3(ray.direction));
-    if (slope < 0.0)
-      ray.nearest = std::max(ray.nearest, float(-from / slope));
-    else if (slope > 0.0)
-      ray.farthest = std::min(ray.farthest, float(-from / slope));
-    else if (from > 0.0)
-      ray.farthest = -std::numeric_limits<float>::infinity();
-  }
-  return ray;
-}
-
-/// Where the ray meets what is left of the mesh. A cut face has no triangles: a ray that enters at
-/// a section and sees the surface from within came through one.
-std::optional<float> meetsAt(const model::Bvh& tree, const model::Mesh& mesh, const model::Ray& ray,
-                             float cutFrom) {
-  if (!(ray.nearest <= ray.farthest))
-    return std::nullopt;
-  const std::optional<model::Hit> hit = tree.nearest(ray);
-  if (!hit || !(ray.nearest > cutFrom))
-    return hit ? std::optional(hit->t) : std::nullopt;
-  const auto& [a, b, c] = mesh.triangles()[hit->triangle];
-  const glm::vec3 normal = glm::cross(mesh.positions()[b] - mesh.positions()[a],
-                                      mesh.positions()[c] - mesh.positions()[a]);
-  return glm::dot(normal, ray.direction) > 0.0f ? ray.nearest : hit->t;
-}
 
 /// How a structure lets what is behind it be seen.
 enum class Body { outline, veil, solid };
@@ -87,8 +38,8 @@ struct Found {
 /// Where the rays meet what is left of one mesh.
 class Probe {
  public:
-  Probe(const model::Bvh& tree, const model::Mesh& mesh, std::span<const model::Section> sections)
-      : m_tree(tree), m_mesh(mesh), m_sections(sections) {}
+  Probe(const model::Bvh& tree, std::span<const model::Plane> planes)
+      : m_tree(tree), m_planes(planes) {}
 
   std::optional<Found> at(std::span<const model::Ray> rays, Body body) const {
     Found found{.body = body};
@@ -119,9 +70,10 @@ class Probe {
 
  private:
   std::optional<float> meet(const model::Ray& ray) const {
-    if (!meets(ray, m_mesh.bounds()))
+    if (!model::reaches(ray, m_tree.mesh().bounds()))
       return std::nullopt;
-    return meetsAt(m_tree, m_mesh, kept(ray, m_sections), ray.nearest);
+    const std::optional<model::CutHit> met = model::nearestKept(m_tree, ray, m_planes);
+    return met ? std::optional(met->hit.t) : std::nullopt;
   }
   /// A step in depth between neighbouring rays that no surface makes unless one part of it stands
   /// before another: seen at less than 5°.
@@ -132,13 +84,12 @@ class Probe {
   }
 
   const model::Bvh& m_tree;
-  const model::Mesh& m_mesh;
-  std::span<const model::Section> m_sections;
+  std::span<const model::Plane> m_planes;
 };
 
 bool near(std::span<const model::Ray> rays, const model::Box& box) {
   return std::any_of(rays.begin(), rays.end(),
-                     [&](const model::Ray& ray) { return meets(ray, box); });
+                     [&](const model::Ray& ray) { return model::reaches(ray, box); });
 }
 
 /// The place in the order of what is seen; smaller comes first, then what is nearer.
@@ -166,34 +117,25 @@ std::optional<Pick> seenOf(const std::vector<Found>& found) {
 
 }  // namespace
 
-const model::Bvh& PickIndex::treeOf(const model::MeshPtr& mesh) {
-  std::unique_ptr<model::Bvh>& tree = m_trees[mesh];
-  if (!tree)
-    tree = std::make_unique<model::Bvh>(mesh, model::spatialOrder(*mesh));
-  return *tree;
-}
-
 Picks PickIndex::look(const model::Scene& scene, std::span<const model::Ray> rays) {
   const std::lock_guard lock(m_mutex);
-  std::set<model::MeshPtr> present;
   std::vector<Found> found;
   for (const model::Node& node : scene.nodes()) {
     if (node.isGroup())
       continue;
-    present.insert(node.mesh);
     if (!near(rays, node.mesh->bounds()))
       continue;
     const model::ResolvedStyle style = scene.resolve(node.id);
     if (!style.visible || style.opacity.value() <= 0.0f || scene.isLocked(node.id))
       continue;
-    const std::vector<model::Section> sections = scene.sectionsOf(node.id);
-    auto one = Probe(treeOf(node.mesh), *node.mesh, sections).at(rays, bodyOf(style));
+    const std::vector<model::Plane> planes = model::planesOf(scene.sectionsOf(node.id));
+    auto one = Probe(m_trees.of(node.mesh), planes).at(rays, bodyOf(style));
     if (!one)
       continue;
     one->pick = {node.id, rays.front().origin + one->at * rays.front().direction};
     found.push_back(*one);
   }
-  std::erase_if(m_trees, [&](const auto& entry) { return !present.contains(entry.first); });
+  m_trees.keepOnly(model::meshesOf(scene));
   std::stable_sort(found.begin(), found.end(),
                    [](const Found& a, const Found& b) { return a.at < b.at; });
   Picks picks{.seen = seenOf(found), .all = {}};

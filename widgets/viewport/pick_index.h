@@ -3,14 +3,12 @@
 // time.
 #pragma once
 
-#include <map>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "model/geometry/bvh.h"
+#include "model/geometry/mesh_trees.h"
 #include "model/scene/scene.h"
 
 namespace sline::widgets {
@@ -41,11 +39,8 @@ class PickIndex {
   Picks look(const model::Scene& scene, std::span<const model::Ray> rays);
 
  private:
-  const model::Bvh& treeOf(const model::MeshPtr& mesh);
-
-  /// Made when a ray first comes near; kept while the mesh is in the scene.
   std::mutex m_mutex;
-  std::map<model::MeshPtr, std::unique_ptr<model::Bvh>> m_trees;
+  model::MeshTrees m_trees;  ///< of structures that a ray came near
 };
 
 /// Steps deeper through what is found at one place: what comes after the one that is selected, the

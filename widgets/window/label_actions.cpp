@@ -60,7 +60,7 @@ std::vector<model::Annotation> labelsFor(const model::Scene& scene, const NodeId
                                          const render::Screen& screen,
                                          const std::stop_token& stop) {
   std::vector<model::Annotation> found;
-  render::SightTrees trees;
+  model::MeshTrees trees;
   for (const model::NodeId id : structures) {
     if (stop.stop_requested())
       break;

@@ -69,7 +69,7 @@ struct FilmPainter::Data {
   std::unique_ptr<Typesetting> typesetting;
   std::unique_ptr<gpu::HeadlessContext> context;
   std::unique_ptr<Picture> picture;  ///< goes before its context
-  SightTrees trees;
+  model::MeshTrees trees;
   std::optional<LabelLayout> layout;  ///< of the frame before
   EdgeRoom edges;                     ///< what marks take in any frame: labels keep out of it
   Sightings sightings;

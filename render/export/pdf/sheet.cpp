@@ -272,7 +272,7 @@ class Sheet {
   ExportOrder m_order;  ///< of the figure
   SheetLayout m_layout;
   const SheetWords& m_words;
-  SightTrees m_trees;
+  model::MeshTrees m_trees;
   VectorDrawing m_drawing;
   FigurePlate m_plate;
   struct Number {

@@ -47,7 +47,7 @@ struct Candidate {
 
 std::vector<Candidate> candidates(const ExportOrder& order) {
   const Screen screen(order.camera, order.page.sizeMm);
-  SightTrees trees;
+  model::MeshTrees trees;
   std::vector<Candidate> all;
   for (const model::Node& node : order.scene.nodes()) {
     if (node.isGroup())
@@ -111,7 +111,7 @@ model::Scene labelled(const ExportOrder& order) {
   const std::size_t most = patient ? mostPatientLabels : mostLabels;
   for (std::size_t i = 0; i < std::min(most, chosen.size()); ++i)
     labels.push_back(chosen[i].label);
-  SightTrees trees;
+  model::MeshTrees trees;
   for (int round = 0; round < 4; ++round) {
     figure.scene = order.scene;
     for (const model::Annotation& label : labels)

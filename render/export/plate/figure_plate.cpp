@@ -50,7 +50,7 @@ void addUntranslated(ExportNotes& notes, const ExportOrder& order, const LabelPl
 
 }  // namespace
 
-FigurePlate figurePlate(const ExportOrder& order, SightTrees& trees, const LabelTurn& turn) {
+FigurePlate figurePlate(const ExportOrder& order, model::MeshTrees& trees, const LabelTurn& turn) {
   FigurePlate plate{.labels = {}, .marks = marksOf(order), .notes = {}};
   plate.notes = plate.marks.notes;
   if (order.labels.mode == LabelMode::off)
@@ -69,7 +69,7 @@ FigurePlate figurePlate(const ExportOrder& order, SightTrees& trees, const Label
 }
 
 FigurePlate figurePlate(const ExportOrder& order) {
-  SightTrees trees;
+  model::MeshTrees trees;
   return figurePlate(order, trees);
 }
 

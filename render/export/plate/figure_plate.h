@@ -14,7 +14,8 @@ struct FigurePlate {
 };
 
 /// For the order's camera and page, labels beside the marks.
-FigurePlate figurePlate(const ExportOrder& order, SightTrees& trees, const LabelTurn& turn = {});
+FigurePlate figurePlate(const ExportOrder& order, model::MeshTrees& trees,
+                        const LabelTurn& turn = {});
 FigurePlate figurePlate(const ExportOrder& order);
 
 /// The painter's unit must be a millimetre, from the picture's upper left corner.

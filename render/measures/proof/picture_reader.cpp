@@ -57,14 +57,14 @@ std::vector<model::ResolvedStructure> visibleOf(const model::Scene& scene) {
 }
 
 void findOwners(const ExportOrder& order, const model::Scene& scene,
-                const std::vector<model::ResolvedStructure>& structures, SightTrees& trees,
+                const std::vector<model::ResolvedStructure>& structures, model::MeshTrees& trees,
                 Grid& grid) {
   const Screen screen(order.camera, order.page.sizeMm);
   const Sights sights(scene, trees);
   std::map<model::NodeId, int> numbers;
   for (std::size_t i = 0; i < structures.size(); ++i) {
     numbers[structures[i].node->id] = int(i);
-    trees.treeOf(structures[i].node->mesh);  // made here, so that threads only read
+    trees.of(structures[i].node->mesh);  // made here, so that threads only read
   }
   const glm::vec2 cell = order.page.sizeMm / glm::vec2(float(grid.columns), float(grid.rows));
   parallelFor(std::size_t(grid.rows), 1, [&](std::size_t y) {
@@ -178,7 +178,7 @@ SeenPicture summedUp(const model::Scene& scene, const Grid& grid, const Image& i
 struct PictureReader::Data {
   std::unique_ptr<gpu::HeadlessContext> context;
   std::unique_ptr<Picture> picture;
-  SightTrees trees;
+  model::MeshTrees trees;
 };
 
 PictureReader::PictureReader() : m_data(std::make_unique<Data>()) {}

@@ -16,7 +16,7 @@ using namespace sline;
 using namespace sline::model;
 
 namespace {
-MeshesByName meshesOf(const Scene& scene) {
+MeshesByName meshesByName(const Scene& scene) {
   MeshesByName meshes;
   for (const auto& [mesh, name] : meshNames(scene))
     meshes[name] = mesh;
@@ -52,7 +52,7 @@ class SceneJsonTest : public QObject {
 void SceneJsonTest::roundTrip() {
   const Scene scene = test::sampleScene();
   const std::string text = sceneJson(scene);
-  const auto again = sceneFromJson(jsonOf(scene), meshesOf(scene));
+  const auto again = sceneFromJson(jsonOf(scene), meshesByName(scene));
   QVERIFY2(again.ok(), again.ok() ? "" : again.error().text().c_str());
   QCOMPARE(test::difference(scene, *again), std::string());
   QCOMPARE(sceneJson(*again), text);
@@ -102,7 +102,7 @@ void SceneJsonTest::unknownKeysAreKeptEverywhere() {
         &json["nodes"][2]["provenance"]["fingerprint"], &json["key_light"]})
     (*object)["from the future"] = extra;
   json["nodes"][1]["style"] = {{"from the future", extra}};  // a style with nothing known in it
-  const auto again = sceneFromJson(json, meshesOf(scene));
+  const auto again = sceneFromJson(json, meshesByName(scene));
   QVERIFY2(again.ok(), again.ok() ? "" : again.error().text().c_str());
   QVERIFY(!again->nodes()[0].unread.empty());
   QVERIFY(jsonOf(*again) == json);
@@ -120,10 +120,10 @@ void SceneJsonTest::newerWordsAreKept() {
   const Scene scene = test::sampleScene();
   Json json = jsonOf(scene);
   json["nodes"][2]["style"]["fill"] = "hologram";
-  const auto asOurs = sceneFromJson(json, meshesOf(scene));
+  const auto asOurs = sceneFromJson(json, meshesByName(scene));
   QVERIFY(!asOurs.ok() && asOurs.error().where == "nodes[2].style.fill");
   json["schema"] = sceneSchema + 1;
-  const auto asNewer = sceneFromJson(json, meshesOf(scene));
+  const auto asNewer = sceneFromJson(json, meshesByName(scene));
   QVERIFY(asNewer.ok());
   QVERIFY(!asNewer->nodes()[2].style.fill);
   QVERIFY(jsonOf(*asNewer)["nodes"][2] == json["nodes"][2]);
@@ -157,7 +157,7 @@ void SceneJsonTest::anotherLocaleChangesNothing() {
        {"de_DE.UTF-8", "de_DE.utf8", "nl_NL.UTF-8", "fr_FR.UTF-8", "nb_NO.UTF-8"})
     found = found || (std::setlocale(LC_ALL, name) && std::localeconv()->decimal_point[0] == ',');
   const std::string there = sceneJson(scene);
-  const auto again = sceneFromJson(jsonOf(scene), meshesOf(scene));
+  const auto again = sceneFromJson(jsonOf(scene), meshesByName(scene));
   std::setlocale(LC_ALL, before.c_str());
   if (!found)
     QSKIP("no locale with a decimal comma is installed");
@@ -337,7 +337,7 @@ void SceneJsonTest::refuses() {
   const Scene scene = test::sampleScene();
   Json json = jsonOf(scene);
   change(json);
-  const auto read = sceneFromJson(json, meshesOf(scene));
+  const auto read = sceneFromJson(json, meshesByName(scene));
   QVERIFY(!read.ok());
   QCOMPARE(QString::fromStdString(read.error().where), where);
   QVERIFY2(QString::fromStdString(read.error().reason).contains(reason),

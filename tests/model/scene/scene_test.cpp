@@ -2,6 +2,7 @@
 #include "model/scene/scene.h"
 
 #include <QTest>
+#include <set>
 
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
@@ -52,6 +53,7 @@ class SceneTest : public QObject {
   void findsByName();
   void boundsOfWhatIsVisible();
   void idsAreNeverReused();
+  void findsEachNodeOfALargeTree();
 };
 
 void SceneTest::keepsTreeOrder() {
@@ -182,6 +184,42 @@ void SceneTest::idsAreNeverReused() {
   const NodeId fresh = s.scene.append(group("new"));
   for (const NodeId old : {s.trunk, s.vessels, s.artery, s.vein, s.liver, s.bladder})
     QVERIFY(fresh != old);
+}
+
+void SceneTest::findsEachNodeOfALargeTree() {
+  const MeshPtr ball = test::sphere(1.0f, 0);
+  Scene scene;
+  std::vector<NodeId> groups{rootId};
+  // Mostly to the last group, now and then to one before it.
+  for (int i = 0; i < 600; ++i) {
+    const NodeId parent = i % 7 == 0 ? groups[std::size_t(i * 31) % groups.size()] : groups.back();
+    if (i % 10 == 0)
+      groups.push_back(scene.append(group("group", parent)));
+    else
+      scene.append(structure("structure", parent, ball));
+  }
+  const auto consistent = [](const Scene& all) {
+    std::set<NodeId> seen{rootId};
+    for (const Node& node : all.nodes()) {
+      QCOMPARE(all.find(node.id), &node);
+      QVERIFY(seen.contains(node.parent));
+      seen.insert(node.id);
+    }
+    QVERIFY(!all.find(rootId));
+    QVERIFY(!all.find(NodeId{1'000'000}));
+  };
+  consistent(scene);
+  const Scene copy = scene;
+  consistent(copy);
+  std::vector<Node> fewer;
+  for (const Node& node : scene.nodes())
+    if (node.isGroup())
+      fewer.push_back(node);
+  scene.setNodes(fewer);
+  consistent(scene);
+  scene.append(structure("last", groups[3], ball));
+  consistent(scene);
+  consistent(copy);
 }
 
 }  // namespace sline::model

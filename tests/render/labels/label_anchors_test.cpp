@@ -54,7 +54,7 @@ model::Camera front() {
 constexpr glm::vec2 paper{240.0f, 180.0f};
 
 std::vector<ShownLabel> shown(const model::Scene& scene, const std::string& language = {}) {
-  SightTrees trees;
+  model::MeshTrees trees;
   return shownLabels(scene, Screen(front(), paper), language, trees);
 }
 
@@ -103,9 +103,9 @@ class LabelAnchorsTest : public QObject {
   /// What would have to be sorted first is told beforehand.
   void meshesWithoutATreeAreTold() {
     Two two = twoSpheres();
-    SightTrees trees;
+    model::MeshTrees trees;
     QCOMPARE(Sights(two.scene, trees).withoutTree().size(), std::size_t(2));
-    trees.treeOf(two.scene.find(two.large)->mesh);
+    trees.of(two.scene.find(two.large)->mesh);
     QCOMPARE(Sights(two.scene, trees).withoutTree().size(), std::size_t(1));
     model::Style clear;
     clear.opacity = Opacity::clamped(0.1f);
@@ -176,7 +176,7 @@ class LabelAnchorsTest : public QObject {
 
   void bestPlaceIsSeen() {
     const Two two = twoSpheres();
-    SightTrees trees;
+    model::MeshTrees trees;
     const Screen screen(front(), paper);
     const auto small = bestPlaceOn(two.scene, two.small, screen, trees);
     QVERIFY(small && !small->hidden);
@@ -194,7 +194,7 @@ class LabelAnchorsTest : public QObject {
     Two two = twoSpheres();
     model::Node inner{.name = "inner", .mesh = test::sphere(5.0f, 2)};
     const model::NodeId id = two.scene.append(inner);
-    SightTrees trees;
+    model::MeshTrees trees;
     const auto best = bestPlaceOn(two.scene, id, Screen(front(), paper), trees);
     QVERIFY(best && best->hidden);
     QVERIFY(two.scene.placeOf(best->point)->y < -4.0f);
@@ -207,7 +207,7 @@ class LabelAnchorsTest : public QObject {
     lines.gamma = Gamma::clamped(1.0f);
     lines.fill = model::Fill::none;
     const model::Scene scene = styled(two.scene, two.small, lines);
-    SightTrees trees;
+    model::MeshTrees trees;
     const Screen screen(front(), paper);
     const auto best = bestPlaceOn(scene, two.large, screen, trees);
     QVERIFY(best && !best->hidden);
@@ -243,7 +243,7 @@ class LabelAnchorsTest : public QObject {
     model::Node node{.name = "steps", .mesh = std::make_shared<const model::Mesh>(*mesh)};
     node.style.gamma = Gamma::clamped(5.0f);
     const model::NodeId id = scene.append(node);
-    SightTrees trees;
+    model::MeshTrees trees;
     model::Camera camera = front();  // for which the fold is in the middle
     camera.projection = model::Projection::orthographic;
     camera.heightMm = 100.0f;

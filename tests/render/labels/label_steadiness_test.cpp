@@ -46,7 +46,7 @@ void label(model::Scene& scene, std::size_t number) {
     if (scene.resolve(id).visible)
       sizes.emplace_back(-glm::length(scene.find(id)->mesh->bounds().size()), id);
   std::sort(sizes.begin(), sizes.end());
-  SightTrees trees;
+  model::MeshTrees trees;
   const Screen screen(around(scene, 0.0f), paper);
   for (std::size_t i = 0; i < sizes.size() && scene.annotations().size() < number; ++i)
     if (const auto best = bestPlaceOn(scene, sizes[i].second, screen, trees))
@@ -122,7 +122,7 @@ class Turn {
 
 /// Once round, by camera positions that follow each other and with a camera that keeps moving.
 std::pair<Jumps, Jumps> onceRound(const model::Scene& scene) {
-  SightTrees trees;
+  model::MeshTrees trees;
   Turn steps(scene.annotations().size(), false);
   Turn motion(scene.annotations().size(), true);
   for (int degrees = 0; degrees <= 360; ++degrees) {

@@ -234,7 +234,7 @@ class LabelPlateTest : public QObject {
     texts[2] = longText;
     ExportOrder order = orderOf(labelled(texts), {160, 120});
     fit(order, *m_typesetting);
-    SightTrees trees;
+    model::MeshTrees trees;
     const auto at = [&](float away, const LabelTurn& turn) {
       model::Camera camera = order.camera;
       camera.eye = camera.target + away * (camera.eye - camera.target);
