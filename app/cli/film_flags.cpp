@@ -6,6 +6,7 @@
 
 #include "app/cli/names.h"
 #include "app/cli/option_kinds.h"
+#include "model/base/letters.h"
 #include "render/export/formats/export_formats.h"
 
 namespace sline::cli {
@@ -39,9 +40,7 @@ Status understoodSweep(const FilmFlags& flags, const model::Scene& scene,
 Status addFilmTarget(const FilmFlags& flags, std::map<std::string, std::string>& targets) {
   if (!flags.file)
     return Unit{};
-  std::string extension = std::filesystem::path(*flags.file).extension().string();
-  for (char& c : extension)
-    c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+  const std::string extension = lowerExtension(*flags.file);
   std::string known;
   for (const render::ExportFormat& format : render::exportFormats()) {
     if (!format.has(render::motionOption) || !*format.extension)

@@ -10,6 +10,7 @@
 #include "app/cli/json_places.h"
 #include "app/cli/json_values.h"
 #include "app/cli/text_file.h"
+#include "model/base/letters.h"
 
 namespace sline::cli {
 
@@ -120,9 +121,7 @@ class TableReader {
 std::string flagOf(const std::string& heading) {
   std::string flag = trimmed(heading);
   flag.erase(0, std::min(flag.find_first_not_of('-'), flag.size()));
-  std::transform(flag.begin(), flag.end(), flag.begin(),
-                 [](unsigned char each) { return char(std::tolower(each)); });
-  return flag;
+  return lowerCase(flag);
 }
 
 Status checkHeading(const Row& heading) {
@@ -284,10 +283,8 @@ Result<std::vector<Job>> readJobList(const std::filesystem::path& file) {
   const Result<std::string> text = readText(file, largestList);
   if (!text.ok())
     return text.error();
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char each) { return char(std::tolower(each)); });
-  Result<std::vector<Job>> jobs = ending == ".json" ? jobsOfJson(*text) : jobsOfTable(*text);
+  Result<std::vector<Job>> jobs =
+      lowerExtension(file) == ".json" ? jobsOfJson(*text) : jobsOfTable(*text);
   if (jobs.ok())
     return jobs;
   Error error = jobs.error();

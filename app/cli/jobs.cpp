@@ -9,6 +9,7 @@
 #include "app/cli/film_flags.h"
 #include "app/cli/job_list.h"
 #include "app/cli/targets.h"
+#include "model/base/letters.h"
 #include "render/export/formats/export_formats.h"
 
 namespace sline::cli {
@@ -126,9 +127,7 @@ std::vector<std::string> parted(const std::string& text) {
 Result<bool> isSaid(const JobField& field) {
   if (field.values.empty())
     return true;
-  std::string word = field.values.front();
-  std::transform(word.begin(), word.end(), word.begin(),
-                 [](unsigned char each) { return char(std::tolower(each)); });
+  const std::string word = lowerCase(field.values.front());
   for (const char* yes : {"yes", "true", "1", "x", "on"})
     if (word == yes)
       return true;

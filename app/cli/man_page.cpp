@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <sstream>
 
+#include "model/base/letters.h"
+
 namespace sline::cli {
 
 namespace {
@@ -90,7 +92,7 @@ std::string pageHeader(const std::string& title) {
 std::string summary(const std::string& description) {
   std::string line = description.substr(0, description.find('\n'));
   if (!line.empty() && !line.starts_with("Sline"))
-    line[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(line[0])));
+    line[0] = lowerCase(line[0]);
   if (line.ends_with('.'))
     line.pop_back();
   return line;

@@ -11,7 +11,7 @@
 #include "model/edit/look.h"
 #include "model/edit/views.h"
 #include "model/edit/visibility.h"
-#include "model/geometry/plane_section.h"
+#include "model/scene/visible_structures.h"
 #include "render/export/pixels/image_file.h"
 #include "render/gpu/headless/context.h"
 #include "render/picture/picture.h"
@@ -104,21 +104,6 @@ Result<model::Scene> withOnly(const model::Scene& scene, const std::vector<std::
     shown.insert(shown.end(), ids->begin(), ids->end());
   }
   return model::withOnlyVisible(scene, shown).scene;
-}
-
-/// Fits the camera to the vertices themselves; a slanted structure leaves much of its box empty.
-/// What sections take away does not count.
-model::Camera fittedToVisible(const model::Scene& scene, const model::Camera& camera, float aspect,
-                              const model::FreeSides& sides) {
-  std::vector<glm::vec3> points;
-  for (const model::Node& node : scene.nodes()) {
-    if (node.isGroup() || !scene.resolve(node.id).visible)
-      continue;
-    const std::vector<glm::vec3> kept =
-        model::keptPoints(*node.mesh, model::planesOf(scene.sectionsOf(node.id)));
-    points.insert(points.end(), kept.begin(), kept.end());
-  }
-  return model::fitted(camera, points, aspect, sides);
 }
 
 Error unknownView(const model::Scene& scene, const std::string& view) {
@@ -335,7 +320,7 @@ Result<model::Camera> cameraFor(const model::Scene& scene, const PictureOrder& o
     return unknownView(scene, order.view);
   const float aspect = order.size.aspect();
   const model::Camera camera = model::anatomicalCamera(*view, scene.visibleBounds(), aspect);
-  return fittedToVisible(scene, camera, aspect, order.labels.sides);
+  return model::fittedToVisible(scene, camera, aspect, order.labels.sides);
 }
 
 Status drawToFile(const model::Scene& scene, const model::Camera& camera, const PictureOrder& order,

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "model/base/letters.h"
 #include "model/files/scene_file.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/slicer/fiducials.h"
@@ -23,15 +24,9 @@ constexpr std::array<std::string_view, 26> foreignEndings{
     "ai",  "avi", "bmp", "csv",  "doc", "docx", "eps", "fcsv", "htm", "html", "json", "md",   "mkv",
     "mov", "mpg", "mrb", "mrml", "odp", "odt",  "ppt", "pptx", "ps",  "svgz", "txt",  "webm", "gz"};
 
-std::string lower(std::string text) {
-  for (char& c : text)
-    c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-  return text;
-}
-
 /// Without the dot.
 std::string endingOf(const fs::path& name) {
-  const std::string ending = lower(name.extension().string());
+  const std::string ending = lowerExtension(name);
   return ending.empty() ? ending : ending.substr(1);
 }
 

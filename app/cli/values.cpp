@@ -8,6 +8,7 @@
 
 #include "app/cli/typed_options.h"
 #include "model/base/colour_text.h"
+#include "model/base/letters.h"
 #include "model/import/volumes/threshold_presets.h"
 #include "model/scene/light.h"
 #include "model/scene/style_fields.h"
@@ -37,15 +38,6 @@ constexpr std::array<Choice<glm::vec3>, 3> lights{
      {"above", glm::vec3(0.0f, 0.81f, 0.586f)},
      {"upper-right", model::upperLeftLight* glm::vec3(-1.0f, 1.0f, 1.0f)}}};
 
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-}
-
-bool sameIgnoringCase(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](char x, char y) { return lower(x) == lower(y); });
-}
-
 Error wrong(std::string_view what, std::string_view text, std::string_view right) {
   return Error{.reason = std::string(what) + " \"" + std::string(text) + "\" is not understood",
                .remedy = "Give " + std::string(right)};
@@ -56,7 +48,7 @@ Result<T> parseChoice(const std::array<Choice<T>, N>& choices, std::string_view 
                       std::string_view text) {
   std::string names = "one of";
   for (const Choice<T>& choice : choices) {
-    if (sameIgnoringCase(choice.name, text))
+    if (equalsIgnoringCase(choice.name, text))
       return choice.value;
     names += (&choice == &choices.front() ? " " : ", ") + std::string(choice.name);
   }
@@ -174,9 +166,9 @@ Result<float> parseUnit(std::string_view text) {
 
 Result<model::Smoothing> parseSmoothing(std::string_view text) {
   using Mode = model::Smoothing::Mode;
-  if (sameIgnoringCase(text, "auto"))
+  if (equalsIgnoringCase(text, "auto"))
     return model::Smoothing{Mode::automatic, 0};
-  if (sameIgnoringCase(text, "off"))
+  if (equalsIgnoringCase(text, "off"))
     return model::Smoothing{Mode::off, 0};
   constexpr std::string_view right = "auto, off or a number of smoothing steps from 1 to 1000";
   const auto steps = number<int>(text);

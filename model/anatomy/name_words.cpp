@@ -8,12 +8,12 @@ namespace sline::model {
 namespace {
 
 /// Of UTF-8: ASCII and the letters of Western Europe (À to Þ, which follow the byte C3).
-std::string lowered(std::string text) {
+std::string lowerCaseOfUtf8(std::string text) {
   char before = 0;
   for (char& c : text) {
     const auto byte = static_cast<unsigned char>(c);
     if (isUpper(c))
-      c = char(c - 'A' + 'a');
+      c = lowerCase(c);
     else if (before == '\xc3' && byte >= 0x80 && byte <= 0x9e && byte != 0x97)
       c = char(byte + 0x20);
     before = c;
@@ -28,7 +28,7 @@ std::vector<std::string> wordsOf(std::string_view name) {
   std::string word;
   const auto finish = [&] {
     if (!word.empty())
-      words.push_back(lowered(word));
+      words.push_back(lowerCaseOfUtf8(word));
     word.clear();
   };
   for (const char c : name) {

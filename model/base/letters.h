@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Characters of names, whatever the locale.
+// Letters of names and file endings: those of ASCII, whatever the locale.
 #pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <string_view>
 
 namespace sline {
 
@@ -16,6 +21,24 @@ inline bool isLower(char c) {
 /// All that is not ASCII counts as a letter.
 inline bool isLetter(char c) {
   return isUpper(c) || isLower(c) || (c & '\x80') != 0;
+}
+
+inline char lowerCase(char c) {
+  return isUpper(c) ? char(c - 'A' + 'a') : c;
+}
+inline std::string lowerCase(std::string_view text) {
+  std::string lower(text);
+  std::transform(lower.begin(), lower.end(), lower.begin(), [](char c) { return lowerCase(c); });
+  return lower;
+}
+inline bool equalsIgnoringCase(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return lowerCase(x) == lowerCase(y); });
+}
+
+/// Returns the file's last ending in small letters, with its dot; empty where it has none.
+inline std::string lowerExtension(const std::filesystem::path& file) {
+  return lowerCase(file.extension().string());
 }
 
 }  // namespace sline

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "model/base/letters.h"
 #include "model/files/mesh_codec.h"
 #include "model/files/scan_codec.h"
 #include "model/files/scene_json.h"
@@ -161,10 +162,7 @@ void removeLeftovers(const fs::path& file) {
 }  // namespace
 
 bool isSceneFile(const fs::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension)
-    c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-  return extension == sceneExtension;
+  return lowerExtension(file) == sceneExtension;
 }
 
 bool SceneDocument::isNewer() const {

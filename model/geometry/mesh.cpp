@@ -12,6 +12,14 @@ void Box::add(const glm::vec3& p) {
   high = glm::max(high, p);
 }
 
+std::array<glm::vec3, 8> Box::corners() const {
+  std::array<glm::vec3, 8> all;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = {(i & 1U) != 0U ? high.x : low.x, (i & 2U) != 0U ? high.y : low.y,
+              (i & 4U) != 0U ? high.z : low.z};
+  return all;
+}
+
 void Box::add(const Box& other) {
   low = glm::min(low, other.low);
   high = glm::max(high, other.high);

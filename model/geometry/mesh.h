@@ -28,6 +28,7 @@ struct Box {
   void add(const Box& other);
   glm::vec3 centre() const { return 0.5f * (low + high); }
   glm::vec3 size() const { return high - low; }
+  std::array<glm::vec3, 8> corners() const;
   bool operator==(const Box&) const = default;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/trigonometric.hpp>
 #include <glm/vec3.hpp>
 #include <utility>
 #include <vector>
@@ -125,14 +126,6 @@ glm::dvec3 perspectiveFit(const std::vector<glm::dvec3>& points, const Extent& e
   return {right, centredEye(lateral, extent.up, depth, upwards), depth};
 }
 
-std::array<glm::vec3, 8> cornersOf(const Box& box) {
-  std::array<glm::vec3, 8> corners;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    corners[i] = {(i & 1U) != 0U ? box.high.x : box.low.x, (i & 2U) != 0U ? box.high.y : box.low.y,
-                  (i & 4U) != 0U ? box.high.z : box.low.z};
-  return corners;
-}
-
 /// Near and far along the line of sight, a little outside the box.
 Interval depthRange(const Camera& camera, const Box& bounds) {
   const Axes axes = axesOf(camera);
@@ -143,7 +136,7 @@ Interval depthRange(const Camera& camera, const Box& bounds) {
     depth.add(0.0);
     depth.add(2.0 * focus);
   } else {
-    for (const glm::vec3& corner : cornersOf(bounds))
+    for (const glm::vec3& corner : bounds.corners())
       depth.add(glm::dot(eye - glm::dvec3(corner), axes.back));
   }
   // The last term keeps rounding from clipping a flat box; it grows with the coordinates.
@@ -204,7 +197,7 @@ Camera anatomicalCamera(AnatomicalView view, const Box& bounds, float aspect) {
   camera.eye = camera.target + distance * direction.towardsEye;
   if (bounds.empty())
     return camera;
-  const auto corners = cornersOf(bounds);
+  const auto corners = bounds.corners();
   return fitted(camera, corners, aspect);
 }
 
@@ -320,6 +313,10 @@ glm::vec3 towardsEye(const Camera& camera, const glm::vec3& p) {
   if (camera.projection == Projection::orthographic || glm::dot(towards, towards) == 0.0)
     return glm::vec3(axesOf(camera).back);
   return glm::vec3(glm::normalize(towards));
+}
+
+float edgeSlope(const Camera& camera) {
+  return std::tan(0.5f * glm::radians(camera.fovyDegrees));
 }
 
 float millimetresPerPixel(const Camera& camera, const glm::vec3& p, float heightPixels) {

@@ -65,6 +65,8 @@ glm::mat4 viewMatrix(const Camera& camera);
 /// that depth keeps its precision. With the eye inside the box, near is 1/4096 of far.
 glm::mat4 projectionMatrix(const Camera& camera, const Box& bounds, float aspect);
 
+/// Returns the slope of a perspective camera's line of sight at the picture's upper edge.
+float edgeSlope(const Camera& camera);
 /// The unit vector v̂ from p towards the eye (METHOD §1; constant for an orthographic camera).
 glm::vec3 towardsEye(const Camera& camera, const glm::vec3& p);
 /// How many millimetres one picture of that height shows per pixel at the point's depth; 0 for a

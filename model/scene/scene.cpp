@@ -5,6 +5,7 @@
 #include <cassert>
 #include <unordered_set>
 
+#include "model/base/letters.h"
 #include "model/scene/style_fields.h"
 
 namespace sline::model {
@@ -220,7 +221,7 @@ std::string normalisedName(std::string_view name) {
   for (const char c : name) {
     const bool blank = c == ' ' || c == '_' || c == '-' || c == '\t';
     if (!blank)
-      normal += (c >= 'A' && c <= 'Z') ? char(c - 'A' + 'a') : c;
+      normal += lowerCase(c);
     else if (!normal.empty() && normal.back() != ' ')
       normal += ' ';
   }

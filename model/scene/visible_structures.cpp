@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/scene/visible_structures.h"
 
+#include "model/geometry/plane_section.h"
 #include "model/scene/resolved_styles.h"
 
 namespace sline::model {
@@ -14,6 +15,21 @@ std::vector<VisibleStructure> visibleStructures(const Scene& scene) {
       visible.push_back({&node, styles[i]});
   }
   return visible;
+}
+
+std::vector<glm::vec3> visiblePoints(const Scene& scene) {
+  std::vector<glm::vec3> points;
+  for (const VisibleStructure& structure : visibleStructures(scene)) {
+    const std::vector<glm::vec3> kept =
+        keptPoints(*structure.node->mesh, planesOf(scene.sectionsOf(structure.node->id)));
+    points.insert(points.end(), kept.begin(), kept.end());
+  }
+  return points;
+}
+
+Camera fittedToVisible(const Scene& scene, const Camera& camera, float aspect,
+                       const FreeSides& sides) {
+  return fitted(camera, visiblePoints(scene), aspect, sides);
 }
 
 }  // namespace sline::model

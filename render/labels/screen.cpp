@@ -10,7 +10,7 @@ namespace sline::render {
 Screen::Screen(const model::Camera& camera, const glm::vec2& size)
     : m_camera(camera), m_frame(model::cameraFrame(camera)), m_size(size) {
   m_scale = camera.projection == model::Projection::perspective
-                ? 0.5f * size.y / std::tan(0.5f * glm::radians(camera.fovyDegrees))
+                ? 0.5f * size.y / model::edgeSlope(camera)
                 : size.y / camera.heightMm;
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "model/scene/visible_structures.h"
 #include "render/labels/label_room.h"
 
 namespace sline::render {
@@ -133,18 +134,12 @@ std::vector<ShownLabel> visibleLabels(const model::Scene& scene, const Screen& s
 LabelBox extentOf(const model::Scene& scene, const Screen& screen) {
   LabelBox anatomy{glm::vec2(std::numeric_limits<float>::infinity()),
                    glm::vec2(-std::numeric_limits<float>::infinity())};
-  for (const model::Node& node : scene.nodes()) {
-    if (node.isGroup() || node.mesh->bounds().empty() || !scene.resolve(node.id).visible)
-      continue;
-    const model::Box& box = node.mesh->bounds();
-    for (unsigned i = 0; i < 8; ++i)
-      if (const auto corner = screen.place({(i & 1U) != 0U ? box.high.x : box.low.x,
-                                            (i & 2U) != 0U ? box.high.y : box.low.y,
-                                            (i & 4U) != 0U ? box.high.z : box.low.z})) {
+  for (const model::VisibleStructure& structure : model::visibleStructures(scene))
+    for (const glm::vec3& point : structure.node->mesh->bounds().corners())
+      if (const auto corner = screen.place(point)) {
         anatomy.low = glm::min(anatomy.low, *corner);
         anatomy.high = glm::max(anatomy.high, *corner);
       }
-  }
   return anatomy.low.x <= anatomy.high.x ? anatomy : LabelBox{glm::vec2(0.0f), screen.size()};
 }
 

@@ -18,7 +18,7 @@ Frustum::Frustum(const model::Camera& camera, float aspect) {
     m_sides[4] = m_sides[0];
     return;
   }
-  const float up = std::tan(glm::radians(0.5f * camera.fovyDegrees));
+  const float up = model::edgeSlope(camera);
   // Each side's normal is that axis, leaning back as far as the side leans outwards.
   const auto side = [&](const glm::vec3& axis, float slope) {
     const glm::vec3 outwards = glm::normalize(axis + slope * frame.back);

@@ -18,9 +18,7 @@ class ViewScale {
       : m_frame(model::cameraFrame(camera)),
         m_origin(camera.projection == model::Projection::perspective ? camera.eye : camera.target),
         m_perspective(camera.projection == model::Projection::perspective),
-        m_unit((m_perspective ? 2.0f * std::tan(glm::radians(camera.fovyDegrees) * 0.5f)
-                              : camera.heightMm) /
-               720.0f) {}
+        m_unit((m_perspective ? 2.0f * model::edgeSlope(camera) : camera.heightMm) / 720.0f) {}
 
   struct Point {
     glm::vec2 at;      ///< λ

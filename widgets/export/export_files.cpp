@@ -8,7 +8,7 @@
 
 #include "model/edit/look.h"
 #include "model/edit/views.h"
-#include "model/geometry/plane_section.h"
+#include "model/scene/visible_structures.h"
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_options.h"
 
@@ -84,7 +84,7 @@ model::Camera reframed(model::Camera camera, float before, float aspect) {
   if (!(wider > 1.0f) || !std::isfinite(wider))
     return camera;
   constexpr float widest = 150.0f;  // degrees
-  const float half = std::tan(0.5f * glm::radians(camera.fovyDegrees));
+  const float half = model::edgeSlope(camera);
   camera.fovyDegrees = std::min(widest, 2.0f * glm::degrees(std::atan(wider * half)));
   camera.heightMm *= wider;
   return camera;
@@ -128,16 +128,8 @@ render::ExportOrder readyOrder(const ExportFile& file) {
   render::ExportOrder order = file.order;
   if (!file.filled)
     return order;
-  std::vector<glm::vec3> points;
-  for (const model::Node& node : order.scene.nodes()) {
-    if (node.isGroup() || !order.scene.resolve(node.id).visible)
-      continue;
-    const std::vector<glm::vec3> kept =
-        model::keptPoints(*node.mesh, model::planesOf(order.scene.sectionsOf(node.id)));
-    points.insert(points.end(), kept.begin(), kept.end());
-  }
-  if (!points.empty())
-    order.camera = model::fitted(order.camera, points, order.page.sizeMm.x / order.page.sizeMm.y);
+  order.camera =
+      model::fittedToVisible(order.scene, order.camera, order.page.sizeMm.x / order.page.sizeMm.y);
   return order;
 }
 

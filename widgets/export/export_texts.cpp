@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/export/export_texts.h"
+#include "model/scene/visible_structures.h"
 #include "render/export/motion/film_options.h"
 #include "render/export/pdf/sheet_options.h"
 
@@ -21,16 +22,13 @@ QString numberText(qlonglong number) {
 
 std::size_t shownTriangles(const model::Scene& scene) {
   std::size_t triangles = 0;
-  for (const model::Node& node : scene.nodes())
-    if (!node.isGroup() && scene.resolve(node.id).visible)
-      triangles += node.mesh->triangleCount();
+  for (const model::VisibleStructure& structure : model::visibleStructures(scene))
+    triangles += structure.node->mesh->triangleCount();
   return triangles;
 }
 
 int shownStructures(const model::Scene& scene) {
-  return int(std::count_if(scene.nodes().begin(), scene.nodes().end(), [&](const auto& node) {
-    return !node.isGroup() && scene.resolve(node.id).visible;
-  }));
+  return int(model::visibleStructures(scene).size());
 }
 
 int shownLabels(const model::Scene& scene) {

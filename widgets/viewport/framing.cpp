@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <vector>
 
+#include "model/scene/resolved_styles.h"
 #include "widgets/viewport/navigation.h"
 
 namespace sline::widgets {
@@ -18,19 +19,11 @@ constexpr std::array<model::NodeId, 1> everything{model::rootId};
 std::vector<glm::vec3> visibleCorners(const model::Scene& scene,
                                       std::span<const model::NodeId> ids) {
   std::vector<glm::vec3> corners;
-  for (const model::Node& node : scene.nodes()) {
-    const auto above = [&](model::NodeId id) {
-      return id == model::rootId || scene.isBelow(node.id, id);
-    };
-    if (node.isGroup() || node.mesh->bounds().empty() ||
-        std::none_of(ids.begin(), ids.end(), above) || !scene.resolve(node.id).visible)
-      continue;
-    const model::Box& box = node.mesh->bounds();
-    for (int i = 0; i < 8; ++i)
-      corners.emplace_back((i & 1) != 0 ? box.high.x : box.low.x,
-                           (i & 2) != 0 ? box.high.y : box.low.y,
-                           (i & 4) != 0 ? box.high.z : box.low.z);
-  }
+  for (const model::ResolvedStructure& structure : model::resolvedBelow(scene, ids))
+    if (structure.style.visible && structure.node->mesh->triangleCount() > 0) {
+      const auto all = structure.node->mesh->bounds().corners();
+      corners.insert(corners.end(), all.begin(), all.end());
+    }
   return corners;
 }
 

@@ -113,8 +113,7 @@ bool outgrown(const model::Camera& settled, const model::Camera& camera) {
   const auto shown = [](const model::Camera& of) {  // millimetres, at the target
     return of.projection == model::Projection::orthographic
                ? double(of.heightMm)
-               : 2.0 * double(glm::distance(of.eye, of.target)) *
-                     std::tan(0.5 * double(glm::radians(of.fovyDegrees)));
+               : 2.0 * double(glm::distance(of.eye, of.target)) * double(model::edgeSlope(of));
   };
   const double share = shown(camera) / std::max(shown(settled), 1e-9);
   return share > most || share * most < 1.0;

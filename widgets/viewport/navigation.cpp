@@ -19,11 +19,6 @@ constexpr double levelSlant = 1e-3;
 /// A drag upwards over the picture's whole height makes all this many times as large.
 constexpr float zoomPerHeight = 8.0f;
 
-/// The slope of a line of sight at the picture's upper edge.
-float edgeSlope(const model::Camera& camera) {
-  return std::tan(0.5f * glm::radians(camera.fovyDegrees));
-}
-
 glm::vec2 centred(const glm::vec2& pixel, const glm::vec2& size) {
   return {(2.0f * pixel.x - size.x) / size.y, (size.y - 2.0f * pixel.y) / size.y};
 }
@@ -117,7 +112,7 @@ model::Ray sightThrough(const model::Camera& camera, const glm::vec2& pixel,
     return {.origin = camera.eye + half * (c.x * frame.right + c.y * frame.up),
             .direction = -frame.back};
   }
-  const float slope = edgeSlope(camera);
+  const float slope = model::edgeSlope(camera);
   return {.origin = camera.eye,
           .direction = glm::normalize(slope * (c.x * frame.right + c.y * frame.up) - frame.back)};
 }
@@ -141,7 +136,7 @@ std::optional<glm::vec2> pixelOf(const model::Camera& camera, const glm::vec3& p
     const float depth = -glm::dot(way, frame.back);
     if (!(depth > 0.0f))
       return std::nullopt;
-    half = depth * edgeSlope(camera);
+    half = depth * model::edgeSlope(camera);
   }
   const float scale = 0.5f * size.y / half;
   return 0.5f * size + scale * glm::vec2(glm::dot(way, frame.right), -glm::dot(way, frame.up));

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdio>
 
+#include "model/base/letters.h"
 #include "model/import/molecules/molecules.h"
 #include "model/import/readers/dicom_kind.h"
 #include "model/import/readers/gltf/gltf.h"

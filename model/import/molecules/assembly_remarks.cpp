@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "model/base/letters.h"
 #include "model/import/molecules/assemblies.h"
 #include "model/import/molecules/entry_files.h"
 #include "model/import/source/text_cursor.h"
@@ -27,7 +28,7 @@ class AssemblyRemarks {
     else if (m_result.all.empty())
       return;
     else if (key.find(" DETERMINED ") != std::string_view::npos)
-      m_result.all.back().details = lowered(asciiOf(TextCursor(value).restOfLine()));
+      m_result.all.back().details = lowerCase(asciiOf(TextCursor(value).restOfLine()));
     else if (key.ends_with("TO CHAINS"))
       m_result.all.back().steps.push_back({namesInList(value), {}});
     else if (key.ends_with("AND CHAINS"))

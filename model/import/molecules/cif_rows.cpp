@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <gemmi/cif.hpp>
 
+#include "model/base/letters.h"
 #include "model/import/molecules/entry_files.h"
 #include "model/import/molecules/entry_rows.h"
 #include "model/import/source/text_cursor.h"
@@ -35,7 +36,7 @@ class CifRowMaker {
 
   /// Items outside of tables: those of one category in a run are its only row.
   void beginItem(std::string_view name) {
-    std::string lower = lowered(name);
+    std::string lower = lowerCase(name);
     const std::size_t dot = lower.find('.');
     if (m_inLoop || dot == std::string::npos || !m_columns.areOf(lower.substr(0, dot + 1)))
       finish();
@@ -48,7 +49,7 @@ class CifRowMaker {
     finish();
     m_inLoop = true;
   }
-  void addColumn(std::string_view name) { m_columns.names.push_back(lowered(name)); }
+  void addColumn(std::string_view name) { m_columns.names.push_back(lowerCase(name)); }
   void addValue(std::string_view written) {
     m_values.push_back(valueOf(written));
     if (m_values.size() < m_columns.names.size())

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "model/base/letters.h"
 #include "model/import/source/text_cursor.h"
 
 namespace sline::model {

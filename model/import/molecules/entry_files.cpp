@@ -4,19 +4,11 @@
 #include <algorithm>
 #include <array>
 
+#include "model/base/letters.h"
+
 namespace sline::model {
 
 namespace {
-
-bool isUpper(char c) {
-  return c >= 'A' && c <= 'Z';
-}
-bool isLower(char c) {
-  return c >= 'a' && c <= 'z';
-}
-bool isDigit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 /// Short words that are no abbreviations.
 bool isParticle(const std::string& word) {
@@ -28,19 +20,12 @@ bool isParticle(const std::string& word) {
 
 /// Abbreviations are short or hold digits.
 std::string readableWord(const std::string& word) {
-  const std::string plain = lowered(word);
+  const std::string plain = lowerCase(word);
   const bool digits = std::any_of(word.begin(), word.end(), isDigit);
   return isParticle(plain) || (word.size() > 3 && !digits) ? plain : word;
 }
 
 }  // namespace
-
-std::string lowered(std::string_view text) {
-  std::string result(text);
-  for (char& c : result)
-    c = isUpper(c) ? char(c - 'A' + 'a') : c;
-  return result;
-}
 
 std::string asciiOf(std::string_view text) {
   std::string result(text);

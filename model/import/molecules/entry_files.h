@@ -25,9 +25,6 @@ Status judgeAtoms(const Source& source, const EntryRecords& records);
 /// C-SRC". Text that has lower case is left alone, but for blanks.
 std::string readableCapitals(std::string_view text);
 
-/// Capitals of ASCII as small letters.
-std::string lowered(std::string_view text);
-
 /// The formats are ASCII: other bytes become '?', so that names may stand anywhere.
 std::string asciiOf(std::string_view text);
 

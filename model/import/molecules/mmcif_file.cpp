@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "model/base/letters.h"
 #include "model/import/molecules/entry_files.h"
 #include "model/import/molecules/entry_rows.h"
 #include "model/import/source/text_cursor.h"
@@ -131,7 +132,7 @@ class MmcifRecords : public EntryRowReader {
     EntryNotes& notes = m_records.notes;
     const auto text = [&](std::string_view name) { return textOf(row, columns.column(name)); };
     if (columns.areOf("_entity.")) {
-      notes.entityTypes[text("_entity.id")] = lowered(text("_entity.type"));
+      notes.entityTypes[text("_entity.id")] = lowerCase(text("_entity.type"));
       m_entityNames[text("_entity.id")] = text("_entity.pdbx_description");
     } else if (columns.areOf("_chem_comp.")) {
       notes.componentNames[text("_chem_comp.id")] = readableCapitals(text("_chem_comp.name"));

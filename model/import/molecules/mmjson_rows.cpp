@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 
+#include "model/base/letters.h"
 #include "model/files/json_value.h"
 #include "model/import/molecules/entry_files.h"
 #include "model/import/molecules/entry_rows.h"
@@ -48,7 +49,7 @@ void readCategory(const std::string& name, const Json& category,
                   const std::vector<const Json*>& columns, EntryRowReader& reader) {
   EntryColumns names;
   for (const auto& item : category.items())
-    names.names.push_back("_" + lowered(name + "." + item.key()));
+    names.names.push_back("_" + lowerCase(name + "." + item.key()));
   std::vector<EntryValue> row(columns.size());
   std::vector<std::string> numbers(columns.size());
   for (std::size_t i = 0; i < columns.front()->size(); ++i) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "model/base/letters.h"
 #include "model/import/molecules/assemblies.h"
 #include "model/import/molecules/entry_files.h"
 #include "model/import/molecules/molecule_surfaces.h"

@@ -7,6 +7,8 @@
 #include <functional>
 #include <set>
 
+#include "model/base/letters.h"
+
 namespace sline::model {
 
 namespace {
@@ -39,12 +41,6 @@ std::vector<Row> readTable(const fs::path& file) {
   return rows;
 }
 
-std::string lowered(std::string text) {
-  for (char& c : text)
-    c = char(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
 std::string capitalised(std::string text) {
   if (!text.empty())
     text.front() = char(std::toupper(static_cast<unsigned char>(text.front())));
@@ -57,8 +53,9 @@ GroupPaths fromManifest(const fs::path& folder, std::span<const std::string> fil
   if (rows.empty())
     return paths;
   const auto column = [&](const char* name) {
-    const auto found = std::find_if(rows[0].begin(), rows[0].end(),
-                                    [&](const std::string& cell) { return lowered(cell) == name; });
+    const auto found = std::find_if(rows[0].begin(), rows[0].end(), [&](const std::string& cell) {
+      return lowerCase(cell) == name;
+    });
     return std::size_t(found - rows[0].begin());
   };
   const std::size_t file = column("file");

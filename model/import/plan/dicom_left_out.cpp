@@ -4,15 +4,13 @@
 #include <algorithm>
 #include <cctype>
 
+#include "model/base/letters.h"
 #include "model/import/readers/dicom_kind.h"
 
 namespace sline::model {
 
 bool DicomLeftOut::takes(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension)
-    c = char(std::tolower(static_cast<unsigned char>(c)));
-  if (extension != ".dcm" && !mayBeDicom(file))
+  if (lowerExtension(file) != ".dcm" && !mayBeDicom(file))
     return false;
   const std::string kind = sopClassOf(file);
   const std::string_view name = objectName(kind);

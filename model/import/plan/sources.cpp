@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "model/base/letters.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/plan/dicom_left_out.h"
 #include "model/import/readers/dicom_kind.h"
@@ -24,13 +25,6 @@ std::string supportedKinds() {
   return "Give a file of surfaces (" + surfaceExtensions() +
          "), a folder of them, a 3D Slicer scene (.mrml, .mrb) or its fiducials (" +
          fiducialExtensions() + "), or a scene file (.sline)";
-}
-
-std::string lowerExtension(const fs::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension)
-    c = char(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
 }
 
 /// How often a scene may have all of its files in it: a small one must not fill the memory by

@@ -6,6 +6,8 @@
 #include <cctype>
 #include <vector>
 
+#include "model/base/letters.h"
+
 namespace sline::model {
 
 namespace {
@@ -14,9 +16,8 @@ namespace {
 std::vector<std::string> letterRuns(std::string_view text) {
   std::vector<std::string> words(1);
   for (const char c : text) {
-    const auto letter = static_cast<unsigned char>(c);
-    if (std::isalpha(letter) != 0)
-      words.back() += char(std::tolower(letter));
+    if (isUpper(c) || isLower(c))
+      words.back() += lowerCase(c);
     else if (!words.back().empty())
       words.emplace_back();
   }

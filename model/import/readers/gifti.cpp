@@ -4,6 +4,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
+#include "model/base/letters.h"
 #include "model/import/readers/cortical_name.h"
 #include "model/import/readers/readers.h"
 #include "model/import/source/base64.h"

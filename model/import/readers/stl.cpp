@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // STL, text and binary. Corners of bit-equal coordinates become one vertex.
+#include "model/base/letters.h"
 #include "model/import/readers/readers.h"
 #include "model/import/source/surface_assembly.h"
 #include "model/import/source/text_cursor.h"

@@ -5,6 +5,7 @@
 #include <array>
 #include <string>
 
+#include "model/base/letters.h"
 #include "model/files/whole_file.h"
 #include "model/files/zip_archive.h"
 #include "model/import/kinds/file_kinds.h"

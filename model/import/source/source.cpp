@@ -9,6 +9,7 @@
 #include <new>
 #include <system_error>
 
+#include "model/base/letters.h"
 #include "model/import/source/packed_bytes.h"
 #include "model/import/source/text_cursor.h"
 

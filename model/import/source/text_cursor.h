@@ -61,7 +61,4 @@ class TextCursor {
   const char* m_end;
 };
 
-/// Capital or small makes no difference to ASCII letters.
-bool equalsIgnoringCase(std::string_view a, std::string_view b);
-
 }  // namespace sline::model

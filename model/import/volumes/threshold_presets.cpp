@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "model/base/letters.h"
 #include "model/import/source/text_cursor.h"
 
 namespace sline::model {

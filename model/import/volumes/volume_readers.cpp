@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "model/base/letters.h"
 #include "model/import/source/text_cursor.h"
 #include "model/import/volumes/formats/volume_file.h"
 #include "model/import/volumes/grey_decoder.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/anki/anki_file.h"
 
+#include "model/base/letters.h"
 #include "model/files/whole_file.h"
 #include "model/files/whole_folder.h"
 #include "render/export/anki/anki_cards.h"
@@ -30,13 +31,6 @@ Result<std::string> zippedText(const AnkiDeck& deck) {
   return model::zipped(members);
 }
 
-std::string extensionOf(const fs::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension)
-    c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-  return extension;
-}
-
 }  // namespace
 
 Status writeAnki(const ExportOrder& order, const fs::path& target, const ExportProgress& progress) {
@@ -52,7 +46,7 @@ Status writeAnki(const ExportOrder& order, const fs::path& target, const ExportP
       return givenUp(target);
     return put(*deck);
   };
-  const std::string extension = extensionOf(target);
+  const std::string extension = lowerExtension(target);
   Status written =
       extension == ".apkg" || extension == ".zip"
           ? write([&](const AnkiDeck& deck) -> Status {

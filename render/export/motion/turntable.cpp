@@ -8,7 +8,7 @@
 #include <map>
 #include <numbers>
 
-#include "model/geometry/plane_section.h"
+#include "model/scene/visible_structures.h"
 
 namespace sline::render {
 
@@ -19,16 +19,8 @@ using model::Camera;
 /// How much of half the picture things may reach to.
 constexpr float reach = 0.97f;
 
-/// Vertices of what is visible, at most about `most`.
-std::vector<glm::vec3> visiblePoints(const model::Scene& scene, std::size_t most) {
-  std::vector<glm::vec3> points;
-  for (const model::Node& node : scene.nodes()) {
-    if (node.isGroup() || !scene.resolve(node.id).visible)
-      continue;
-    const std::vector<glm::vec3> kept =
-        model::keptPoints(*node.mesh, model::planesOf(scene.sectionsOf(node.id)));
-    points.insert(points.end(), kept.begin(), kept.end());
-  }
+/// Of the points, at most about `most`, evenly.
+std::vector<glm::vec3> fewOf(const std::vector<glm::vec3>& points, std::size_t most) {
   const std::size_t step = points.size() / most + 1;
   std::vector<glm::vec3> few;
   for (std::size_t i = 0; i < points.size(); i += step)
@@ -75,7 +67,7 @@ std::vector<glm::vec3> turned(const std::vector<glm::vec3>& points, const glm::v
 
 bool fits(const Camera& camera, const std::vector<glm::vec3>& points, const glm::vec2& limit) {
   const model::CameraFrame frame = model::cameraFrame(camera);
-  const float slope = std::tan(0.5f * glm::radians(camera.fovyDegrees));
+  const float slope = model::edgeSlope(camera);
   return std::ranges::all_of(points, [&](const glm::vec3& p) {
     const glm::vec3 from = p - camera.eye;
     const float half = camera.projection == model::Projection::perspective
@@ -113,7 +105,7 @@ Turntable::Turntable(const model::Scene& scene, const Camera& camera, float aspe
   constexpr float along = 0.97f;
   if (std::abs(frame.back.z) > along)
     m_axis = frame.up;
-  const std::vector<glm::vec3> points = visiblePoints(scene, 200'000);
+  const std::vector<glm::vec3> points = fewOf(model::visiblePoints(scene), 200'000);
   if (points.empty() || !fits(camera, points, {aspect, 1.0f}) ||
       fits(camera, turned(points, camera.target, m_axis), reach * share * glm::vec2(aspect, 1.0f)))
     return;

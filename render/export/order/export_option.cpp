@@ -6,16 +6,11 @@
 #include <charconv>
 #include <cmath>
 
+#include "model/base/letters.h"
+
 namespace sline::render {
 
 namespace {
-
-/// True where they are the same, whatever the case of ASCII's letters.
-bool alike(std::string_view a, std::string_view b) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [lower](char x, char y) { return lower(x) == lower(y); });
-}
 
 std::string numberText(double number) {
   std::array<char, 32> text{};
@@ -34,7 +29,7 @@ Status parseAs(const SwitchOption&, std::string_view text, OptionValue& value) {
 Status parseAs(const ChoiceOption& kind, std::string_view text, OptionValue& value) {
   const auto found =
       std::find_if(kind.choices.begin(), kind.choices.end(),
-                   [text](const OptionChoice& each) { return alike(text, each.id); });
+                   [text](const OptionChoice& each) { return equalsIgnoringCase(text, each.id); });
   if (found != kind.choices.end()) {
     value = found->value;
     return Unit{};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "model/scene/visible_structures.h"
 #include "render/export/pdf/patient_text.h"
 #include "render/export/pdf/sheet_options.h"
 #include "render/export/pdf/sheet_order.h"
@@ -137,9 +138,10 @@ std::vector<RowPlace> flow(std::span<const RowKind> rows, const ListFrames& fram
 
 std::vector<LegendRow> legendRows(const model::Scene& scene) {
   std::vector<LegendRow> rows;
-  for (const model::Node& node : scene.nodes())
-    if (!node.isGroup() && node.mesh->triangleCount() > 0 && scene.resolve(node.id).visible)
-      rows.push_back({&node, rows.empty() || rows.back().node->parent != node.parent});
+  for (const model::VisibleStructure& structure : model::visibleStructures(scene)) {
+    const model::Node* node = structure.node;
+    rows.push_back({node, rows.empty() || rows.back().node->parent != node->parent});
+  }
   // Headings that name every structure's own group, or one for all, say nothing.
   const auto groups =
       std::count_if(rows.begin(), rows.end(), [](const LegendRow& row) { return row.newGroup; });

@@ -5,6 +5,7 @@
 #include <array>
 #include <string_view>
 
+#include "model/base/letters.h"
 #include "model/files/whole_file.h"
 #include "render/export/encoding/xmp_packet.h"
 #include "render/export/pixels/colour_profile.h"
@@ -28,9 +29,7 @@ constexpr std::array<std::pair<std::string_view, PixelKind>, 8> extensions{
      {".jp2", PixelKind::jp2}}};
 
 std::optional<PixelKind> kindOf(const fs::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension)
-    c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+  const std::string extension = lowerExtension(file);
   const auto found = std::find_if(extensions.begin(), extensions.end(),
                                   [&](const auto& known) { return known.first == extension; });
   return found == extensions.end() ? std::nullopt : std::optional(found->second);

@@ -45,14 +45,9 @@ bool hasSides(const model::Scene& scene) {
 }
 
 bool takesAway(const model::Plane& plane, const model::Box& box) {
-  for (int i = 0; i < 8; ++i) {
-    const glm::vec3 corner((i & 1) != 0 ? box.high.x : box.low.x,
-                           (i & 2) != 0 ? box.high.y : box.low.y,
-                           (i & 4) != 0 ? box.high.z : box.low.z);
-    if (!plane.keeps(corner))
-      return true;
-  }
-  return false;
+  const auto corners = box.corners();
+  return std::any_of(corners.begin(), corners.end(),
+                     [&](const glm::vec3& corner) { return !plane.keeps(corner); });
 }
 
 /// Those that are on and take something of what is visible away.

@@ -10,6 +10,7 @@
 #include <map>
 #include <string>
 
+#include "model/base/letters.h"
 #include "model/import/readers/gltf/gltf_document.h"
 #include "model/import/source/colour_of_light.h"
 #include "model/import/source/surface_assembly.h"

@@ -4,6 +4,7 @@
 // and reads by them before anything can check them) and takes seconds for a large text file.
 #include "model/import/readers/vtk/legacy_vtk.h"
 
+#include "model/base/letters.h"
 #include "model/import/readers/vtk/vtk_readers.h"
 #include "model/import/source/surface_assembly.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a legacy VTK file holds beside its surface. Only a frame in field data is of use here; the
 // rest is walked to its end, because a file that ends early was not written completely.
+#include "model/base/letters.h"
 #include "model/import/readers/vtk/legacy_vtk.h"
 
 namespace sline::model {

@@ -13,6 +13,7 @@
 #include <glm/matrix.hpp>
 #include <set>
 
+#include "model/base/letters.h"
 #include "model/import/readers/x3d/x3d_document.h"
 #include "model/import/source/surface_assembly.h"
 #include "model/import/source/text_cursor.h"

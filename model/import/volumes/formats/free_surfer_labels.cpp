@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "model/base/letters.h"
+
 namespace sline::model {
 
 namespace {
@@ -12,9 +14,7 @@ namespace {
 constexpr std::int64_t firstParcel = 1'000;
 
 bool nameSaysFreeSurfer(const std::filesystem::path& file) {
-  std::string name = file.filename().string();
-  for (char& c : name)
-    c = char(std::tolower(static_cast<unsigned char>(c)));
+  const std::string name = lowerCase(file.filename().string());
   for (const char* word : {"aseg", "aparc", "wmparc", "synthseg"})
     if (name.find(word) != std::string::npos)
       return true;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "model/base/letters.h"
 #include "model/import/source/packed_bytes.h"
 #include "model/import/source/text_cursor.h"
 #include "model/import/source/values.h"

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "model/base/colour_text.h"
+#include "model/base/letters.h"
 #include "model/import/source/source.h"
 #include "model/import/source/text_cursor.h"
 #include "model/import/source/xml_tags.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "model/base/letters.h"
 #include "model/import/source/file_in_folder.h"
 #include "model/import/source/text_cursor.h"
 #include "model/import/volumes/formats/volume_file.h"

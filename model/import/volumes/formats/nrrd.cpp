@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "model/base/letters.h"
 #include "model/import/source/file_in_folder.h"
 #include "model/import/source/text_cursor.h"
 #include "model/import/volumes/formats/nrrd_header.h"

@@ -5,18 +5,12 @@
 #include <cctype>
 #include <cmath>
 
+#include "model/base/letters.h"
 #include "model/import/source/text_cursor.h"
 
 namespace sline::model {
 
 namespace {
-
-std::string lowered(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return result;
-}
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && TextCursor::isSpace(text.front()))
@@ -75,7 +69,7 @@ Result<NrrdHeader> nrrdHeader(const Source& source) {
       header.keys.insert_or_assign(std::string(trimmed(text.substr(0, colon))),
                                    std::string(trimmed(text.substr(colon + 2))));
     else
-      header.fields.insert_or_assign(canonical(lowered(trimmed(text.substr(0, colon)))),
+      header.fields.insert_or_assign(canonical(lowerCase(trimmed(text.substr(0, colon)))),
                                      std::string(trimmed(text.substr(colon + 1))));
   }
   header.data = source.text().substr(std::size_t(at.at() - source.begin()));
