@@ -82,7 +82,7 @@ class ArchTest : public QObject {
                                        << "#include \"render/picture/picture.h\"" << false;
     QTest::newRow("one control uses another")
         << "widgets/gamma/a.cpp"
-        << "#include \"widgets/viewport/viewport.h\"" << false;
+        << "#include \"widgets/sections/sections_panel.h\"" << false;
     QTest::newRow("the viewport draws") << "widgets/viewport/a.cpp"
                                         << "#include \"render/picture/picture.h\"" << true;
     QTest::newRow("Qt in the model") << "model/scene/a.h"

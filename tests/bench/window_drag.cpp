@@ -10,7 +10,7 @@
 #include "tests/bench/measure.h"
 #include "tests/gui/window_fixture.h"
 #include "widgets/gamma/gamma_slider.h"
-#include "widgets/viewport/section_handles.h"
+#include "widgets/sections/section_handles.h"
 
 using namespace sline;
 

@@ -11,8 +11,8 @@
 
 #include "tests/gui/window_fixture.h"
 #include "tests/support/suite.h"
+#include "widgets/sections/section_handles.h"
 #include "widgets/sections/section_position.h"
-#include "widgets/viewport/section_handles.h"
 
 namespace sline::test {
 

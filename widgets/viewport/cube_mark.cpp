@@ -5,7 +5,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
-#include "widgets/viewport/points.h"
+#include "widgets/viewport/tools/points.h"
 
 namespace sline::widgets {
 

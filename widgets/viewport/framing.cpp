@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "model/scene/resolved_styles.h"
-#include "widgets/viewport/navigation.h"
+#include "widgets/viewport/tools/navigation.h"
 
 namespace sline::widgets {
 

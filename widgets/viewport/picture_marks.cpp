@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "render/lettering/orientation_letters.h"
-#include "widgets/viewport/presented_letters.h"
+#include "widgets/annotations/in_picture/presented_letters.h"
 
 namespace sline::widgets {
 
@@ -28,8 +28,7 @@ QLabel* label(QWidget& picture, const char* name) {
 
 }  // namespace
 
-PictureMarks::PictureMarks(QWidget& picture)
-    : QObject(&picture), m_picture(picture), m_section(new SectionMark(&picture)) {
+PictureMarks::PictureMarks(QWidget& picture) : QObject(&picture), m_picture(picture) {
   static constexpr std::array<const char*, 4> names{"letterLeft", "letterRight", "letterTop",
                                                     "letterBottom"};
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -74,7 +73,6 @@ void PictureMarks::dress() {
                                              "border-radius: 4px; padding: 2px 7px;"));
   m_scaleBar->setInk(QColor(ink));
   m_cube->setDark(dark);
-  m_section->setDark(dark);
 }
 
 QRect PictureMarks::cornerBox(const QSize& size, Qt::Corner corner) const {
@@ -147,7 +145,6 @@ void PictureMarks::place(const model::Camera& camera, const glm::vec3& pivot, bo
   m_scaleBar->show(render::scaleLength(camera, pivot, m_picture.height(), ScaleBarMark::most));
   placeCorner(*m_scaleBar, Qt::BottomLeftCorner);
   placeCorner(*m_time, Qt::BottomRightCorner);
-  m_section->setGeometry(m_picture.rect());
   choose(m_choice);
 }
 

@@ -9,7 +9,6 @@
 #include "render/strokes/picture_settings.h"
 #include "widgets/viewport/cube_mark.h"
 #include "widgets/viewport/scale_bar.h"
-#include "widgets/viewport/section_mark.h"
 
 class QLabel;
 
@@ -24,14 +23,13 @@ struct MarkChoice {
 };
 
 /// What lies over the picture: letters at its edges, orientation cube, scale bar, the time a
-/// picture takes, the name under the mouse and the handles of a section.
+/// picture takes and the name under the mouse.
 class PictureMarks : public QObject {
   Q_OBJECT
  public:
   explicit PictureMarks(QWidget& picture);
 
   CubeMark& cube() { return *m_cube; }
-  SectionMark& section() { return *m_section; }
   void choose(const MarkChoice& choice);
   const MarkChoice& choice() const { return m_choice; }
   void setBackground(render::Background background);
@@ -67,7 +65,6 @@ class PictureMarks : public QObject {
   QRect m_covered;
   int m_letterPixels = 0;  ///< 0: as the window's
   std::array<QLabel*, 4> m_letters{};
-  SectionMark* m_section;
   CubeMark* m_cube;
   ScaleBarMark* m_scaleBar;
   QLabel* m_time;

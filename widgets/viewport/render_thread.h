@@ -19,7 +19,7 @@
 #include "model/base/result.h"
 #include "render/gpu/handoff.h"
 #include "render/picture/picture.h"
-#include "widgets/viewport/label_sheet.h"
+#include "widgets/annotations/in_picture/label_sheet.h"
 
 class QOpenGLContext;
 

@@ -10,6 +10,7 @@
 
 #include "render/strokes/surface_fill.h"
 #include "widgets/viewport/framing.h"
+#include "widgets/viewport/tools/points.h"
 
 namespace sline::widgets {
 
@@ -40,10 +41,7 @@ QSurfaceFormat pictureFormat() {
 }  // namespace
 
 Viewport::Viewport(Session& session, QWidget* parent)
-    : QOpenGLWidget(parent),
-      m_session(session),
-      m_cameraTool(*this),
-      m_sectionTool(session, *this) {
+    : QOpenGLWidget(parent), m_session(session), m_cameraTool(*this) {
   setObjectName(QStringLiteral("viewport"));
   setAccessibleName(tr("Picture"));
   setFormat(pictureFormat());
@@ -68,7 +66,6 @@ Viewport::Viewport(Session& session, QWidget* parent)
   connect(m_labels, &PictureLabels::wishChanged, this, [this] { refresh(); });
   connect(m_labels, &PictureLabels::makingChanged, this, &Viewport::showCursor);
   connect(&session, &Session::documentChanged, this, &Viewport::documentChange);
-  connect(&session, &Session::activeSectionChanged, this, &Viewport::showSection);
   connect(&m_marks->cube(), &CubeMark::lookWanted, this, &Viewport::lookFrom);
   connect(&m_marks->cube(), &CubeMark::turned, this, &Viewport::turnByCube);
   connect(&m_marks->cube(), &CubeMark::turnEnded, this, [this](bool kept) {
@@ -212,7 +209,7 @@ void Viewport::took(const PictureReport& report) {
   if (report.moving || first)
     placeMarks();
   else
-    showSection();
+    showTools();
   if (m_took == m_asked)
     dragOn();
   update();
@@ -379,7 +376,10 @@ void Viewport::setBackground(render::Background background) {
     return;
   m_background = background;
   m_marks->setBackground(background);
-  m_labels->setDark(background == render::Background::dark);
+  const bool dark = background == render::Background::dark;
+  m_labels->setDark(dark);
+  for (const std::unique_ptr<Tool>& tool : m_added)
+    tool->setDark(dark);
   refresh();
   emit backgroundChanged();
 }
@@ -444,7 +444,7 @@ void Viewport::documentChange(const Document& before, const Document& now) {
   if (another || before.scene.nodes().empty() != now.scene.nodes().empty())
     placeMarks();
   else
-    showSection();
+    showTools();
   refresh();
   if (another)
     emit cameraChanged();
@@ -456,21 +456,33 @@ void Viewport::placeMarks() {
                 .pivot = m_pivot,
                 .scene = !m_session.scene().nodes().empty()};
   m_marks->place(m_marked.camera, m_marked.pivot, m_marked.scene);
-  showSection();
+  showTools();
 }
 
-void Viewport::showSection() {
-  const bool dragging = m_sectionTool.dragging();
-  // Where it is in the picture that is shown, which may lag behind the camera.
-  const auto handles = m_sectionTool.handles(size2(), m_drawnCamera.value_or(m_camera));
-  const Pointer mouse = pointer(m_mouse, Qt::NoButton, {});
-  const bool over = handles && !m_held && underMouse();
-  m_marks->section().show({.handles = handles,
-                           .grip = dragging
-                                       ? m_sectionTool.grip()
-                                       : (over ? gripAt(*handles, mouse.pixel) : SectionGrip::none),
-                           .dragging = dragging,
-                           .readout = m_sectionTool.readout()});
+void Viewport::addTool(std::unique_ptr<Tool> tool) {
+  tool->setDark(m_background == render::Background::dark);
+  m_added.push_back(std::move(tool));
+  showTools();
+}
+
+std::vector<Tool*> Viewport::tools() {
+  std::vector<Tool*> all;
+  for (const std::unique_ptr<Tool>& tool : m_added)
+    all.push_back(tool.get());
+  if (!m_instead)
+    all.push_back(&m_labels->tool());
+  all.push_back(&m_cameraTool);
+  return all;
+}
+
+void Viewport::showTools() {
+  // Where things are in the picture that is shown, which may lag behind the camera.
+  const ShownPicture picture{
+      .camera = m_drawnCamera.value_or(m_camera),
+      .size = size2(),
+      .mouse = !m_held && underMouse() ? std::optional(vec(m_mouse)) : std::nullopt};
+  for (const std::unique_ptr<Tool>& tool : m_added)
+    tool->show(picture);
 }
 
 }  // namespace sline::widgets

@@ -11,20 +11,19 @@
 
 #include "model/edit/blend.h"
 #include "model/scene/camera_flight.h"
+#include "widgets/annotations/in_picture/picture_labels.h"
 #include "widgets/session/session.h"
-#include "widgets/viewport/camera_tool.h"
 #include "widgets/viewport/motion_quality.h"
-#include "widgets/viewport/picker.h"
-#include "widgets/viewport/picture_labels.h"
 #include "widgets/viewport/picture_marks.h"
 #include "widgets/viewport/render_thread.h"
-#include "widgets/viewport/section_tool.h"
+#include "widgets/viewport/tools/camera_tool.h"
+#include "widgets/viewport/tools/picker.h"
 
 class QNativeGestureEvent;
 
 namespace sline::widgets {
 
-class Viewport : public QOpenGLWidget, private ViewControl {
+class Viewport : public QOpenGLWidget, public ViewControl {
   Q_OBJECT
  public:
   explicit Viewport(Session& session, QWidget* parent = nullptr);
@@ -32,6 +31,10 @@ class Viewport : public QOpenGLWidget, private ViewControl {
 
   /// For tests: who draws, from the next OpenGL context on.
   void setPainter(PainterFactory factory) { m_factory = std::move(factory); }
+
+  /// From now on it hears of the mouse, after those that were added before and before labels and
+  /// the camera do.
+  void addTool(std::unique_ptr<Tool> tool);
 
   const model::Camera& camera() const override { return m_camera; }
   /// What the camera turns around.
@@ -146,7 +149,9 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   void forgetName();
   void turnByCube(const glm::vec2& way);
   void placeMarks();
-  void showSection();
+  /// Those that hear of the mouse, in this order.
+  std::vector<Tool*> tools();
+  void showTools();
   /// The camera turns around the middle of what is shown.
   void pivotToMiddle();
   render::gpu::TextureSize pixels() const;
@@ -169,8 +174,8 @@ class Viewport : public QOpenGLWidget, private ViewControl {
   render::Background m_background = render::Background::paper;
   bool m_keyLight = false;
 
+  std::vector<std::unique_ptr<Tool>> m_added;
   CameraTool m_cameraTool;
-  SectionTool m_sectionTool;
   Tool* m_held = nullptr;             ///< has the mouse
   std::optional<Pointer> m_heldBack;  ///< the newest move that it has not heard of
   QElapsedTimer m_lastHeard;

@@ -11,7 +11,7 @@
 #include "widgets/viewport/framing.h"
 #include "widgets/viewport/viewport.h"
 
-#include "widgets/viewport/points.h"
+#include "widgets/viewport/tools/points.h"
 
 namespace sline::widgets {
 
@@ -60,16 +60,13 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
   m_pressed = event->position();
   m_dragged = false;
   const Pointer mouse = pointer(event->position(), event->button(), event->modifiers());
-  std::vector<Tool*> tools{&m_sectionTool, &m_cameraTool};
-  if (!m_instead)
-    tools.insert(tools.begin() + 1, &m_labels->tool());
-  for (Tool* tool : tools)
+  for (Tool* tool : tools())
     if (!m_held && tool->press(mouse))
       m_held = tool;
   m_labels->hover(std::nullopt);
   m_heldBack.reset();
   m_lastHeard.start();
-  showSection();
+  showTools();
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
@@ -77,7 +74,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
   if (m_button == Qt::NoButton) {
     forgetName();
     m_nameRest.start();
-    showSection();
+    showTools();
     m_labels->hover(m_mouse);
     showCursor();
     return;
@@ -85,7 +82,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
   const QPointF way = event->position() - m_pressed;
   m_dragged = m_dragged || way.manhattanLength() >= QApplication::startDragDistance();
   // A handle follows at once; elsewhere a hand that shakes in a click must not turn the scene.
-  if (!m_held || (!m_dragged && m_held != &m_sectionTool))
+  if (!m_held || (!m_dragged && !m_held->movesAtOnce()))
     return;
   m_heldBack = pointer(event->position(), m_button, event->modifiers());
   // Once for each picture: what is changed and painted in between would only take time from
@@ -97,9 +94,14 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void Viewport::showCursor() {
-  const bool onSection =
-      m_sectionTool.gripAt(pointer(m_mouse, Qt::NoButton, {})) != SectionGrip::none;
-  setCursor(onSection ? Qt::PointingHandCursor : m_labels->cursor().value_or(Qt::ArrowCursor));
+  const Pointer mouse = pointer(m_mouse, Qt::NoButton, {});
+  std::optional<Qt::CursorShape> shape;
+  for (const std::unique_ptr<Tool>& tool : m_added)
+    if (!shape)
+      shape = tool->cursor(mouse);
+  if (!shape)
+    shape = m_labels->cursor();
+  setCursor(shape.value_or(Qt::ArrowCursor));
 }
 
 void Viewport::dragOn() {
@@ -113,13 +115,13 @@ void Viewport::dragOn() {
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != m_button)
     return;
-  const bool taken = m_held == &m_sectionTool || m_held == &m_labels->tool();
+  const bool taken = m_held && m_held->keepsClicks();
   dragOn();
   if (m_held)
     m_held->release(pointer(event->position(), m_button, event->modifiers()));
   m_held = nullptr;
   m_button = Qt::NoButton;
-  showSection();
+  showTools();
   m_labels->hover(event->position());
   if (m_dragged || taken)
     return;
@@ -137,8 +139,10 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event) {
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton && m_labels->doubleClick(event->position()))
     return;
-  if (event->button() == Qt::LeftButton && !m_labels->making() &&
-      m_sectionTool.gripAt(pointer(event->position(), Qt::LeftButton, {})) == SectionGrip::none)
+  const Pointer mouse = pointer(event->position(), Qt::LeftButton, {});
+  const bool gripped = std::any_of(m_added.begin(), m_added.end(),
+                                   [&](const auto& tool) { return tool->grips(mouse); });
+  if (event->button() == Qt::LeftButton && !m_labels->making() && !gripped)
     click(event->position(), ClickFor::pivot);
   else
     mousePressEvent(event);
@@ -150,7 +154,7 @@ void Viewport::cancelDrag() {
   m_held = nullptr;
   m_heldBack.reset();
   m_marks->cube().cancel();
-  showSection();
+  showTools();
 }
 
 void Viewport::zoomAt(const QPointF& at, float factor) {
@@ -288,7 +292,7 @@ void Viewport::forgetName() {
 
 void Viewport::leaveEvent(QEvent* event) {
   forgetName();
-  showSection();
+  showTools();
   m_labels->hover(std::nullopt);
   QOpenGLWidget::leaveEvent(event);
 }

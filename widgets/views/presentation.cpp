@@ -11,7 +11,7 @@
 #include <algorithm>
 
 #include "model/edit/views.h"
-#include "widgets/viewport/presented_letters.h"
+#include "widgets/annotations/in_picture/presented_letters.h"
 #include "widgets/views/view_list.h"
 
 namespace sline::widgets {

@@ -5,7 +5,7 @@
 
 #include "model/edit/views.h"
 #include "model/scene/resolved_styles.h"
-#include "widgets/viewport/stage_previews.h"
+#include "widgets/gamma/stage_previews.h"
 
 namespace sline::widgets {
 

@@ -4,7 +4,7 @@
 #include <QDialog>
 #include <vector>
 
-#include "widgets/viewport/mouse_preset.h"
+#include "widgets/viewport/tools/mouse_preset.h"
 
 class QTreeWidget;
 

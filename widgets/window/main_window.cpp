@@ -22,16 +22,16 @@
 #include "widgets/focus/focus_context.h"
 #include "widgets/focus/focus_panel.h"
 #include "widgets/gamma/gamma_panel.h"
-#include "widgets/gamma/stage_strip.h"
+#include "widgets/gamma/stage_previews.h"
 #include "widgets/help/help_key.h"
 #include "widgets/language/languages.h"
 #include "widgets/preferences/preferences_dialog.h"
+#include "widgets/sections/section_tool.h"
 #include "widgets/sections/sections_panel.h"
 #include "widgets/session/demo_scenes.h"
 #include "widgets/start/start_page.h"
 #include "widgets/structure_tree/structure_tree.h"
 #include "widgets/structure_tree/structure_tree_view.h"
-#include "widgets/viewport/stage_previews.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/views/view_tour.h"
 #include "widgets/window/about_dialog.h"
@@ -63,17 +63,6 @@ QDockWidget* dock(const QString& title, const char* name, QWidget* content) {
   panel->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
   panel->setWidget(content);
   return panel;
-}
-
-/// The small pictures beside the Γ slider come from the picture's renderer.
-void connectPreviews(Session& session, Viewport& viewport, StageStrip& stages) {
-  auto* previews = new StagePreviews(session, viewport, &stages);
-  QObject::connect(&stages, &StageStrip::picturesWanted, previews,
-                   [previews, &stages](QSize size, double ratio) {
-                     previews->want(stages.pictured(), size, ratio);
-                   });
-  QObject::connect(previews, &StagePreviews::made, &stages, &StageStrip::showPicture);
-  QObject::connect(previews, &StagePreviews::cleared, &stages, &StageStrip::clearPictures);
 }
 
 QString summaryOf(const model::Scene& scene) {
@@ -116,6 +105,9 @@ MainWindow::~MainWindow() {
 void MainWindow::makeCentre() {
   m_message = new MessageBar;
   m_viewport = new Viewport(m_session);
+  auto sectionTool = std::make_unique<SectionTool>(m_session, *m_viewport);
+  sectionTool->showOver(*m_viewport);
+  m_viewport->addTool(std::move(sectionTool));
   m_focus = new FocusContext(
       m_session, [this] { return m_viewport->camera(); }, this);
   connect(m_focus, &FocusContext::failed, m_message, &MessageBar::showError);
@@ -435,7 +427,7 @@ void MainWindow::connectViews() {
   });
   connect(m_gamma, &GammaPanel::focusWanted, &m_actions[QStringLiteral("focus")],
           &QAction::trigger);
-  connectPreviews(m_session, *m_viewport, m_gamma->stages());
+  drawStages(m_session, *m_viewport, m_gamma->stages());
 }
 
 void MainWindow::showHelp() {

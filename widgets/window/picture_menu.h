@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "widgets/session/session.h"
-#include "widgets/viewport/pick_index.h"
+#include "widgets/viewport/tools/pick_index.h"
 #include "widgets/window/menu_table.h"
 
 class QMenu;

@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-#include "widgets/viewport/mouse_preset.h"
+#include "widgets/viewport/tools/mouse_preset.h"
 
 class QAction;
 class QWidget;

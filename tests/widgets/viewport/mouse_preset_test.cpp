@@ -3,7 +3,7 @@
 #include <set>
 
 #include "tests/support/suite.h"
-#include "widgets/viewport/camera_tool.h"
+#include "widgets/viewport/tools/camera_tool.h"
 
 using namespace sline;
 using namespace sline::widgets;

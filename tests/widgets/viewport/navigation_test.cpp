@@ -5,7 +5,7 @@
 
 #include "model/scene/camera_flight.h"
 #include "tests/support/suite.h"
-#include "widgets/viewport/navigation.h"
+#include "widgets/viewport/tools/navigation.h"
 
 using namespace sline;
 using namespace sline::widgets;

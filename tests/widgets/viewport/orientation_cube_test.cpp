@@ -6,8 +6,8 @@
 
 #include "render/lettering/orientation_letters.h"
 #include "tests/support/suite.h"
-#include "widgets/viewport/navigation.h"
 #include "widgets/viewport/orientation_cube.h"
+#include "widgets/viewport/tools/navigation.h"
 
 using namespace sline;
 using namespace sline::widgets;

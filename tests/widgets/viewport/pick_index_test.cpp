@@ -3,8 +3,8 @@
 
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
-#include "widgets/viewport/pick_index.h"
-#include "widgets/viewport/picker.h"
+#include "widgets/viewport/tools/pick_index.h"
+#include "widgets/viewport/tools/picker.h"
 
 using namespace sline;
 using namespace sline::widgets;

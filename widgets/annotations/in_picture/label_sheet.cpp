@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/viewport/label_sheet.h"
+#include "widgets/annotations/in_picture/label_sheet.h"
 
 #include <algorithm>
 #include <cmath>

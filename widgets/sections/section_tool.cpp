@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/viewport/section_tool.h"
+#include "widgets/sections/section_tool.h"
 
 #include <QLocale>
 #include <glm/geometric.hpp>
@@ -17,6 +17,43 @@ bool turns(SectionGrip grip) {
 }
 
 }  // namespace
+
+SectionTool::SectionTool(Session& session, const ViewControl& view)
+    : m_session(session), m_view(view) {
+  connect(&session, &Session::activeSectionChanged, this, [this] { show(m_picture); });
+}
+
+void SectionTool::showOver(QWidget& picture) {
+  m_mark = new SectionMark(&picture);
+  m_mark->lower();
+}
+
+void SectionTool::setDark(bool dark) {
+  if (m_mark)
+    m_mark->setDark(dark);
+}
+
+void SectionTool::show(const ShownPicture& picture) {
+  m_picture = picture;
+  if (!m_mark)
+    return;
+  m_mark->setGeometry(m_mark->parentWidget()->rect());
+  const auto there = handles(picture.size, picture.camera);
+  const SectionGrip under =
+      there && picture.mouse ? widgets::gripAt(*there, *picture.mouse) : SectionGrip::none;
+  m_mark->show({.handles = there,
+                .grip = dragging() ? m_grip : under,
+                .dragging = dragging(),
+                .readout = m_readout});
+}
+
+bool SectionTool::grips(const Pointer& pointer) const {
+  return gripAt(pointer) != SectionGrip::none;
+}
+
+std::optional<Qt::CursorShape> SectionTool::cursor(const Pointer& pointer) const {
+  return grips(pointer) ? std::optional(Qt::PointingHandCursor) : std::nullopt;
+}
 
 const model::Section* SectionTool::active() const {
   const auto id = m_session.activeSection();
@@ -109,3 +146,5 @@ void SectionTool::finish() {
 }
 
 }  // namespace sline::widgets
+
+#include "moc_section_tool.cpp"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/viewport/label_layer.h"
+#include "widgets/annotations/in_picture/label_layer.h"
 
 #include <QPainter>
 #include <glm/geometric.hpp>
 
-#include "widgets/viewport/points.h"
+#include "widgets/viewport/tools/points.h"
 
 namespace sline::widgets {
 

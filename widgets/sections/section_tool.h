@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <QPointer>
 #include <QString>
 
+#include "widgets/sections/section_mark.h"
 #include "widgets/session/session.h"
-#include "widgets/viewport/section_handles.h"
-#include "widgets/viewport/tool.h"
+#include "widgets/viewport/tools/tool.h"
 
 namespace sline::widgets {
 
 /// Moves, tilts and flips the active section by its handles; each drag is one undo step.
-class SectionTool : public Tool {
+class SectionTool : public QObject, public Tool {
+  Q_OBJECT
  public:
-  SectionTool(Session& session, const ViewControl& view) : m_session(session), m_view(view) {}
+  SectionTool(Session& session, const ViewControl& view);
+  /// Shows its handles over the picture, beneath all that lies there so far.
+  void showOver(QWidget& picture);
+  /// What it shows; null where it was never told to.
+  const SectionMark* mark() const { return m_mark; }
 
   /// The active section's handles in a picture of that size; absent where there is none.
   std::optional<SectionHandles> handles(const glm::vec2& size) const {
@@ -30,6 +36,12 @@ class SectionTool : public Tool {
   void move(const Pointer& pointer) override;
   void release(const Pointer& pointer) override;
   void cancel() override;
+  bool grips(const Pointer& pointer) const override;
+  std::optional<Qt::CursorShape> cursor(const Pointer& pointer) const override;
+  bool movesAtOnce() const override { return true; }
+  bool keepsClicks() const override { return true; }
+  void show(const ShownPicture& picture) override;
+  void setDark(bool dark) override;
 
  private:
   const model::Section* active() const;
@@ -42,6 +54,8 @@ class SectionTool : public Tool {
   SectionGrip m_grip = SectionGrip::none;
   glm::vec2 m_pressed{0.0f};
   QString m_readout;
+  QPointer<SectionMark> m_mark;
+  ShownPicture m_picture;
 };
 
 }  // namespace sline::widgets

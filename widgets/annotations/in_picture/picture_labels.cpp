@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/viewport/picture_labels.h"
+#include "widgets/annotations/in_picture/picture_labels.h"
 
 #include <QKeyEvent>
 #include <algorithm>
@@ -9,9 +9,9 @@
 #include "render/lettering/column_widths.h"
 #include "render/lettering/label_style.h"
 #include "widgets/annotations/annotation_texts.h"
-#include "widgets/viewport/navigation.h"
-#include "widgets/viewport/points.h"
-#include "widgets/viewport/presented_letters.h"
+#include "widgets/annotations/in_picture/presented_letters.h"
+#include "widgets/viewport/tools/navigation.h"
+#include "widgets/viewport/tools/points.h"
 
 namespace sline::widgets {
 

@@ -31,6 +31,11 @@ SmallLines smallLines(int height, double ratio, double pen);
 /// Looks as the other camera does, at the middle of the subject, which fills the picture.
 model::Camera previewCamera(const model::Scene& subject, const model::Camera& camera, float aspect);
 
+class StageStrip;
+
+/// The strip's pictures come from the picture's renderer from now on.
+void drawStages(Session& session, Viewport& viewport, StageStrip& stages);
+
 class StagePreviews : public QObject {
   Q_OBJECT
  public:

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/viewport/section_mark.h"
+#include "widgets/sections/section_mark.h"
 
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "widgets/viewport/points.h"
+#include "widgets/viewport/tools/points.h"
 
 namespace sline::widgets {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/viewport/mouse_preset.h"
+#include "widgets/viewport/tools/mouse_preset.h"
 
 #include <QKeySequence>
 #include <QLocale>

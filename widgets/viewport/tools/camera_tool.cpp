@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/viewport/camera_tool.h"
+#include "widgets/viewport/tools/camera_tool.h"
 
 namespace sline::widgets {
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <memory>
 
-#include "widgets/viewport/pick_index.h"
+#include "widgets/viewport/tools/pick_index.h"
 
 namespace sline::widgets {
 

@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 
 #include "tests/support/suite.h"
-#include "widgets/viewport/navigation.h"
-#include "widgets/viewport/section_handles.h"
+#include "widgets/sections/section_handles.h"
+#include "widgets/viewport/tools/navigation.h"
 
 using namespace sline;
 using namespace sline::widgets;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/viewport/section_handles.h"
+#include "widgets/sections/section_handles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "render/lettering/scale_length.h"
-#include "widgets/viewport/navigation.h"
+#include "widgets/viewport/tools/navigation.h"
 
 namespace sline::widgets {
 

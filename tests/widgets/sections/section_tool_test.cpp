@@ -7,8 +7,8 @@
 #include "model/edit/sections.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
-#include "widgets/viewport/navigation.h"
-#include "widgets/viewport/section_tool.h"
+#include "widgets/sections/section_tool.h"
+#include "widgets/viewport/tools/navigation.h"
 
 using namespace sline;
 using namespace sline::widgets;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/viewport/picker.h"
+#include "widgets/viewport/tools/picker.h"
 
 #include <array>
 #include <glm/geometric.hpp>
 
 #include "model/geometry/nearest_point.h"
-#include "widgets/viewport/navigation.h"
+#include "widgets/viewport/tools/navigation.h"
 
 namespace sline::widgets {
 

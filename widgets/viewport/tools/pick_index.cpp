@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/viewport/pick_index.h"
+#include "widgets/viewport/tools/pick_index.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/viewport/stage_previews.h"
+#include "widgets/gamma/stage_previews.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -7,6 +7,7 @@
 #include "model/scene/resolved_styles.h"
 #include "model/scene/style_fields.h"
 #include "render/lines/hatching.h"
+#include "widgets/gamma/stage_strip.h"
 
 namespace sline::widgets {
 
@@ -171,6 +172,16 @@ void StagePreviews::ask() {
                                 .samples = samples});
   m_asked = std::move(key);
   m_viewport.askPreviews(std::move(request));
+}
+
+void drawStages(Session& session, Viewport& viewport, StageStrip& stages) {
+  auto* previews = new StagePreviews(session, viewport, &stages);
+  QObject::connect(&stages, &StageStrip::picturesWanted, previews,
+                   [previews, &stages](QSize size, double ratio) {
+                     previews->want(stages.pictured(), size, ratio);
+                   });
+  QObject::connect(previews, &StagePreviews::made, &stages, &StageStrip::showPicture);
+  QObject::connect(previews, &StagePreviews::cleared, &stages, &StageStrip::clearPictures);
 }
 
 }  // namespace sline::widgets

@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "widgets/viewport/label_sheet.h"
+#include "widgets/annotations/in_picture/label_sheet.h"
 
 namespace sline::widgets {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/viewport/label_tool.h"
+#include "widgets/annotations/in_picture/label_tool.h"
 
 #include "model/edit/annotations.h"
 

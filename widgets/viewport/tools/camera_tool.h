@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "widgets/viewport/mouse_preset.h"
-#include "widgets/viewport/tool.h"
+#include "widgets/viewport/tools/mouse_preset.h"
+#include "widgets/viewport/tools/tool.h"
 
 namespace sline::widgets {
 

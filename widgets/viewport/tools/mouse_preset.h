@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "widgets/viewport/navigation.h"
+#include "widgets/viewport/tools/navigation.h"
 
 namespace sline::widgets {
 

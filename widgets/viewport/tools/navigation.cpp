@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/viewport/navigation.h"
+#include "widgets/viewport/tools/navigation.h"
 
 #include <algorithm>
 #include <cmath>

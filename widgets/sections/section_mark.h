@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "widgets/viewport/section_handles.h"
+#include "widgets/sections/section_handles.h"
 
 namespace sline::widgets {
 

@@ -4,9 +4,9 @@
 #include <QObject>
 #include <functional>
 
-#include "widgets/viewport/label_editor.h"
-#include "widgets/viewport/label_tool.h"
-#include "widgets/viewport/picker.h"
+#include "widgets/annotations/in_picture/label_editor.h"
+#include "widgets/annotations/in_picture/label_tool.h"
+#include "widgets/viewport/tools/picker.h"
 
 class QKeyEvent;
 

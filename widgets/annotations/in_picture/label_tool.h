@@ -3,9 +3,9 @@
 
 #include <functional>
 
+#include "widgets/annotations/in_picture/label_layer.h"
 #include "widgets/session/session.h"
-#include "widgets/viewport/label_layer.h"
-#include "widgets/viewport/tool.h"
+#include "widgets/viewport/tools/tool.h"
 
 namespace sline::widgets {
 
@@ -26,6 +26,7 @@ class LabelTool : public QObject, public Tool {
   void move(const Pointer& pointer) override;
   void release(const Pointer& pointer) override;
   void cancel() override;
+  bool keepsClicks() const override { return true; }
 
  private:
   const model::Annotation* before() const;
