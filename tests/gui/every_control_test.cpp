@@ -26,7 +26,7 @@
 #include "tests/support/suite.h"
 #include "widgets/language/language_switch.h"
 #include "widgets/language/languages.h"
-#include "widgets/window/message_bar.h"
+#include "widgets/shell/message_bar.h"
 
 namespace sline::test {
 

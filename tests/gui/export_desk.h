@@ -18,7 +18,7 @@
 #include "tests/support/shapes.h"
 #include "widgets/export/export_dialog.h"
 #include "widgets/export/export_preview.h"
-#include "widgets/window/message_bar.h"
+#include "widgets/shell/message_bar.h"
 
 namespace sline::test {
 

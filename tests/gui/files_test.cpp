@@ -12,8 +12,8 @@
 #include "model/files/scene_file.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/suite.h"
+#include "widgets/shell/message_bar.h"
 #include "widgets/window/file_actions.h"
-#include "widgets/window/message_bar.h"
 
 namespace sline::test {
 

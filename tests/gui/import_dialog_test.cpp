@@ -21,7 +21,7 @@
 #include "tests/support/suite.h"
 #include "widgets/import_dialog/import_dialog.h"
 #include "widgets/import_dialog/plan_tree.h"
-#include "widgets/window/message_bar.h"
+#include "widgets/shell/message_bar.h"
 
 namespace sline::test {
 

@@ -16,11 +16,11 @@
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 #include "widgets/gamma/gamma_slider.h"
+#include "widgets/shell/message_bar.h"
 #include "widgets/structure_tree/structure_tree.h"
 #include "widgets/structure_tree/structure_tree_model.h"
 #include "widgets/structure_tree/structure_tree_view.h"
 #include "widgets/theme/theme.h"
-#include "widgets/window/message_bar.h"
 
 namespace sline::test {
 

@@ -11,6 +11,7 @@
 #include "model/scene/visible_structures.h"
 #include "render/export/pdf/sheet_layout.h"
 #include "render/export/pdf/sheet_options.h"
+#include "widgets/text/path_text.h"
 
 namespace sline::widgets {
 
@@ -46,10 +47,6 @@ ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const mo
   if (pageUseOf(draft.kind) != render::PageUse::none)
     order.camera = reframed(order.camera, source.aspect, aspect);
   return file;
-}
-
-std::filesystem::path pathOf(const QString& text) {
-  return std::filesystem::path(text.toStdString());
 }
 
 }  // namespace

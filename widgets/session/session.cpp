@@ -435,6 +435,7 @@ void Session::cancelJob() {
     return;
   // It is let go at once and deletes itself when its thread has noticed.
   connect(m_job, &SceneJob::cancelled, m_job, &QObject::deleteLater);
+  connect(m_job, &SceneJob::done, m_job, &QObject::deleteLater);
   m_job->cancel();
   m_job = nullptr;
   emit jobEnded();

@@ -8,8 +8,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "widgets/window/menu_table.h"
-#include "widgets/window/window_actions.h"
+#include "widgets/shell/menu_table.h"
+#include "widgets/shell/window_actions.h"
 
 namespace sline::widgets {
 

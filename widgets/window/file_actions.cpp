@@ -12,13 +12,13 @@
 
 #include "widgets/preferences/preferences.h"
 #include "widgets/session/demo_scenes.h"
+#include "widgets/shell/file_dialogs.h"
+#include "widgets/shell/message_bar.h"
+#include "widgets/shell/window_actions.h"
 #include "widgets/start/recovery_dialog.h"
 #include "widgets/text/path_text.h"
 #include "widgets/viewport/viewport.h"
-#include "widgets/window/file_dialogs.h"
-#include "widgets/window/message_bar.h"
 #include "widgets/window/saved_camera.h"
-#include "widgets/window/window_actions.h"
 
 namespace sline::widgets {
 

@@ -7,9 +7,9 @@
 #include <QUrl>
 #include <algorithm>
 
+#include "widgets/import_dialog/import_actions.h"
 #include "widgets/instance/hand_over.h"
 #include "widgets/window/file_actions.h"
-#include "widgets/window/import_actions.h"
 #include "widgets/window/main_window.h"
 
 namespace sline::widgets {

@@ -13,41 +13,39 @@
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
-#include <QUndoView>
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "model/files/cache_folder.h"
+#include "widgets/annotations/in_picture/label_actions.h"
+#include "widgets/export/export_actions.h"
 #include "widgets/focus/focus_context.h"
-#include "widgets/focus/focus_panel.h"
-#include "widgets/gamma/gamma_panel.h"
-#include "widgets/gamma/stage_previews.h"
 #include "widgets/help/help_key.h"
+#include "widgets/import_dialog/import_actions.h"
 #include "widgets/language/languages.h"
 #include "widgets/preferences/preferences_dialog.h"
+#include "widgets/sections/section_actions.h"
 #include "widgets/sections/section_tool.h"
 #include "widgets/sections/sections_panel.h"
 #include "widgets/session/demo_scenes.h"
+#include "widgets/shell/message_bar.h"
 #include "widgets/start/start_page.h"
+#include "widgets/structure_tree/structure_actions.h"
 #include "widgets/structure_tree/structure_tree.h"
 #include "widgets/structure_tree/structure_tree_view.h"
 #include "widgets/viewport/viewport.h"
+#include "widgets/views/tour_actions.h"
+#include "widgets/views/view_actions.h"
 #include "widgets/views/view_tour.h"
+#include "widgets/views/views_panel.h"
 #include "widgets/window/about_dialog.h"
 #include "widgets/window/controls_dialog.h"
 #include "widgets/window/controls_memory.h"
-#include "widgets/window/export_actions.h"
 #include "widgets/window/file_actions.h"
-#include "widgets/window/import_actions.h"
-#include "widgets/window/label_actions.h"
-#include "widgets/window/message_bar.h"
+#include "widgets/window/panel_table.h"
 #include "widgets/window/picture_habits.h"
 #include "widgets/window/picture_menu.h"
-#include "widgets/window/section_actions.h"
-#include "widgets/window/structure_actions.h"
-#include "widgets/window/tour_actions.h"
-#include "widgets/window/view_actions.h"
 
 namespace sline::widgets {
 
@@ -56,14 +54,6 @@ namespace {
 constexpr const char* geometryKey = "window/geometry";
 constexpr const char* stateKey = "window/state";
 constexpr const char* demoPicturesKey = "start/demoPictures";
-
-QDockWidget* dock(const QString& title, const char* name, QWidget* content) {
-  auto* panel = new QDockWidget(title);
-  panel->setObjectName(QLatin1String(name));
-  panel->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
-  panel->setWidget(content);
-  return panel;
-}
 
 QString summaryOf(const model::Scene& scene) {
   std::size_t structures = 0;
@@ -123,29 +113,24 @@ void MainWindow::makeCentre() {
 }
 
 void MainWindow::makePanels() {
-  m_tree = new StructureTree(m_session);
-  m_gamma = new GammaPanel(m_session, m_settings);
-  addDockWidget(Qt::LeftDockWidgetArea, dock(tr("Structures"), "structuresPanel", m_tree));
-  addDockWidget(Qt::RightDockWidgetArea, dock(tr("Line Style"), "gammaPanel", m_gamma));
-  auto* focus = new FocusPanel(m_session, *m_focus);
-  QDockWidget* focusPanel = dock(tr("Focus and Context"), "focusPanel", focus);
-  addDockWidget(Qt::RightDockWidgetArea, focusPanel);
-  m_sectionsPanel = new SectionsPanel(m_session);
-  // Behind the other: the right side has no height for three.
-  tabifyDockWidget(focusPanel, dock(tr("Sections"), "sectionsPanel", m_sectionsPanel));
-  connect(focus, &FocusPanel::focusWanted, &m_actions[QStringLiteral("focus")], &QAction::trigger);
-  auto* history = new QUndoView(&m_session.history());
-  history->setObjectName(QStringLiteral("history"));
-  history->setAccessibleName(tr("History"));
-  history->setEmptyLabel(tr("As opened"));
-  QDockWidget* steps = dock(tr("History"), "historyPanel", history);
-  addDockWidget(Qt::RightDockWidgetArea, steps);
-  // Three above each other would be too tall for a small screen.
-  tabifyDockWidget(focusPanel, steps);
-  steps->hide();
-  focusPanel->raise();
-  m_tours = new TourActions(*this, m_session, *m_viewport, m_actions, m_parts);
-  addLabelsPanel(*this, m_session, m_preferences, m_actions);
+  auto* tour = new ViewTour(m_session, *m_viewport, m_parts);
+  addPanels(*this, {.session = m_session,
+                    .settings = m_settings,
+                    .preferences = m_preferences,
+                    .viewport = *m_viewport,
+                    .focus = *m_focus,
+                    .tour = *tour,
+                    .actions = m_actions});
+  m_tree = findChild<StructureTree*>();
+  m_tour = tour;
+  new TourActions({.window = *this,
+                   .session = m_session,
+                   .viewport = *m_viewport,
+                   .actions = m_actions,
+                   .tour = *tour,
+                   .dock = *findChild<QDockWidget*>(QStringLiteral("viewsPanel")),
+                   .panel = *findChild<ViewsPanel*>()},
+                  m_parts);
 }
 
 void MainWindow::sizePanels() {
@@ -262,13 +247,19 @@ void MainWindow::makeMenus() {
     m_tree->view().addAction(action);
   m_views = new ViewActions(m_session, *m_viewport, m_settings, m_actions,
                             menus[QStringLiteral("savedViews")]);
-  connect(m_views, &ViewActions::viewChosen, &m_tours->tour(), &ViewTour::goTo);
-  m_structures = new StructureActions(m_session, *m_tree, *m_viewport, m_actions, m_parts);
+  connect(m_views, &ViewActions::viewChosen, m_tour, &ViewTour::goTo);
+  new StructureActions(m_session, *m_tree, *m_viewport, m_actions, m_parts);
   m_sections = new SectionActions(m_session, *m_viewport, m_actions, m_parts);
   connect(m_sections, &SectionActions::refused, m_message, &MessageBar::showError);
-  m_sections->fillAddMenu(m_sectionsPanel->addButton());
-  new LabelActions({*this, m_session, *m_viewport, m_preferences, m_actions,
-                    menus[QStringLiteral("labelModeMenu")]},
+  m_sections->fillAddMenu(findChild<SectionsPanel*>()->addButton());
+  new LabelActions({.window = *this,
+                    .session = m_session,
+                    .picture = *m_viewport,
+                    .view = *m_viewport,
+                    .labels = m_viewport->labels(),
+                    .preferences = m_preferences,
+                    .actions = m_actions,
+                    .shown = menus[QStringLiteral("labelModeMenu")]},
                    m_parts);
   new PictureHabits(*m_viewport, m_preferences, m_actions, menus[QStringLiteral("backgroundMenu")],
                     m_parts);
@@ -402,7 +393,10 @@ void MainWindow::connectActions() {
   };
   on("undo", [this] { m_session.undo(); });
   on("redo", [this] { m_session.redo(); });
-  on("find", [this] { m_tree->find(); });
+  on("find", [this] {
+    findChild<QDockWidget*>(QStringLiteral("structuresPanel"))->raise();
+    m_tree->find();
+  });
   on("focus", [this] { m_focus->focusOn(m_session.selection()); });
   on("fit", [this] { m_viewport->fitAll(); });
   on("help", [this] { showHelp(); });
@@ -425,9 +419,6 @@ void MainWindow::connectViews() {
     constexpr int readable = 4000;  // milliseconds
     statusBar()->showMessage(tr("Turning around this place on %1").arg(structure), readable);
   });
-  connect(m_gamma, &GammaPanel::focusWanted, &m_actions[QStringLiteral("focus")],
-          &QAction::trigger);
-  drawStages(m_session, *m_viewport, m_gamma->stages());
 }
 
 void MainWindow::showHelp() {

@@ -9,8 +9,8 @@
 
 #include "widgets/preferences/preferences.h"
 #include "widgets/session/session.h"
-#include "widgets/window/menu_table.h"
-#include "widgets/window/window_actions.h"
+#include "widgets/shell/menu_table.h"
+#include "widgets/shell/window_actions.h"
 
 class QLabel;
 class QProgressBar;
@@ -23,16 +23,13 @@ class ExportActions;
 class FileActions;
 class FocusContext;
 struct HandedFiles;
-class GammaPanel;
 class ImportActions;
 class MessageBar;
 class SectionActions;
 class StartPage;
-class StructureActions;
-class SectionsPanel;
 class StructureTree;
-class TourActions;
 class ViewActions;
+class ViewTour;
 class Viewport;
 
 class MainWindow : public QMainWindow {
@@ -105,14 +102,11 @@ class MainWindow : public QMainWindow {
   ExportActions* m_exports = nullptr;
   StartPage* m_start = nullptr;
   StructureTree* m_tree = nullptr;
-  GammaPanel* m_gamma = nullptr;
   FocusContext* m_focus = nullptr;
   ImportActions* m_imports = nullptr;
   SectionActions* m_sections = nullptr;
-  StructureActions* m_structures = nullptr;
-  SectionsPanel* m_sectionsPanel = nullptr;
   ViewActions* m_views = nullptr;
-  TourActions* m_tours = nullptr;
+  ViewTour* m_tour = nullptr;
   QLabel* m_summary = nullptr;
   QLabel* m_job = nullptr;
   QProgressBar* m_progress = nullptr;

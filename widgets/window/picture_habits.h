@@ -4,7 +4,7 @@
 #include <QObject>
 
 #include "widgets/preferences/preferences.h"
-#include "widgets/window/window_actions.h"
+#include "widgets/shell/window_actions.h"
 
 class QMenu;
 

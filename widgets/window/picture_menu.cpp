@@ -5,8 +5,8 @@
 #include <QMenu>
 #include <algorithm>
 
+#include "widgets/sections/section_actions.h"
 #include "widgets/viewport/viewport.h"
-#include "widgets/window/section_actions.h"
 
 namespace sline::widgets {
 

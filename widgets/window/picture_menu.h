@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "widgets/session/session.h"
+#include "widgets/shell/menu_table.h"
 #include "widgets/viewport/tools/pick_index.h"
-#include "widgets/window/menu_table.h"
 
 class QMenu;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/window/export_actions.h"
+#include "widgets/export/export_actions.h"
 
 #include <QAction>
 #include <QDesktopServices>
@@ -22,10 +22,10 @@
 #include "widgets/export/page_presets.h"
 #include "widgets/export/picture_copier.h"
 #include "widgets/export/print_proof_dialog.h"
+#include "widgets/shell/message_bar.h"
+#include "widgets/shell/window_actions.h"
 #include "widgets/text/path_text.h"
 #include "widgets/viewport/viewport.h"
-#include "widgets/window/message_bar.h"
-#include "widgets/window/window_actions.h"
 
 namespace sline::widgets {
 

@@ -6,7 +6,7 @@
 #include "widgets/preferences/preferences.h"
 #include "widgets/session/background_queue.h"
 #include "widgets/session/session.h"
-#include "widgets/window/window_actions.h"
+#include "widgets/shell/window_actions.h"
 
 class QMainWindow;
 class QMenu;
@@ -14,11 +14,10 @@ class QMenu;
 namespace sline::widgets {
 
 class PictureLabels;
-class Viewport;
+class ViewControl;
 
-/// The list of labels, beside that of structures.
-void addLabelsPanel(QMainWindow& window, Session& session, Preferences& preferences,
-                    const WindowActions& actions);
+/// The actions that make labels, one for each kind, and the one that labels what is selected.
+std::vector<QAction*> labelMakers(const WindowActions& actions);
 
 /// Labels in the window: what the actions do with them, and how the picture shows them, which the
 /// preferences say.
@@ -28,7 +27,9 @@ class LabelActions : public QObject {
   struct Parts {
     QMainWindow& window;
     Session& session;
-    Viewport& viewport;
+    QWidget& picture;
+    const ViewControl& view;
+    PictureLabels& labels;
     Preferences& preferences;
     const WindowActions& actions;
     QMenu& shown;  ///< takes one entry for each way to show labels
@@ -51,7 +52,8 @@ class LabelActions : public QObject {
 
   QMainWindow& m_window;
   Session& m_session;
-  Viewport& m_viewport;
+  QWidget& m_picture;
+  const ViewControl& m_view;
   PictureLabels& m_labels;
   Preferences& m_preferences;
   const WindowActions& m_actions;

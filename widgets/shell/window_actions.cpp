@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/window/window_actions.h"
+#include "widgets/shell/window_actions.h"
 
 #include <QAction>
 #include <QWidget>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/window/message_bar.h"
+#include "widgets/shell/message_bar.h"
 
 #include <QAction>
 #include <QApplication>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/window/label_actions.h"
+#include "widgets/annotations/in_picture/label_actions.h"
 
 #include <QAction>
-#include <QDockWidget>
 #include <QLocale>
 #include <QMainWindow>
 #include <QMenu>
@@ -14,10 +13,10 @@
 #include "model/edit/annotations.h"
 #include "render/labels/best_place.h"
 #include "widgets/annotations/annotation_texts.h"
-#include "widgets/annotations/annotations_panel.h"
+#include "widgets/annotations/in_picture/picture_labels.h"
 #include "widgets/annotations/label_look.h"
 #include "widgets/preferences/choice_actions.h"
-#include "widgets/viewport/viewport.h"
+#include "widgets/viewport/tools/tool.h"
 
 namespace sline::widgets {
 
@@ -72,33 +71,21 @@ std::vector<model::Annotation> labelsFor(const model::Scene& scene, const NodeId
 
 }  // namespace
 
-void addLabelsPanel(QMainWindow& window, Session& session, Preferences& preferences,
-                    const WindowActions& actions) {
-  auto* panel = new AnnotationsPanel(session, preferences);
+std::vector<QAction*> labelMakers(const WindowActions& actions) {
   std::vector<QAction*> makers;
   for (const KindAction& row : kinds)
     makers.push_back(&actions[QLatin1String(row.id)]);
   makers.push_back(&actions[QStringLiteral("labelSelected")]);
-  panel->addButtons(makers);
-  auto* dock = new QDockWidget(LabelActions::tr("Labels"));
-  dock->setObjectName(QStringLiteral("annotationsPanel"));
-  dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
-  dock->setWidget(panel);
-  window.addDockWidget(Qt::LeftDockWidgetArea, dock);
-  // Behind the structures: a list of labels is as long, and the right side has no height left.
-  auto* structures = window.findChild<QDockWidget*>(QStringLiteral("structuresPanel"));
-  window.tabifyDockWidget(structures, dock);
-  structures->raise();
-  QObject::connect(&actions[QStringLiteral("find")], &QAction::triggered, structures,
-                   [structures] { structures->raise(); });
+  return makers;
 }
 
 LabelActions::LabelActions(const Parts& parts, QObject* parent)
     : QObject(parent),
       m_window(parts.window),
       m_session(parts.session),
-      m_viewport(parts.viewport),
-      m_labels(parts.viewport.labels()),
+      m_picture(parts.picture),
+      m_view(parts.view),
+      m_labels(parts.labels),
       m_preferences(parts.preferences),
       m_actions(parts.actions) {
   makeTools();
@@ -121,7 +108,7 @@ void LabelActions::makeTools() {
     action.installEventFilter(this);
     connect(&action, &QAction::triggered, this, [this, kind = row.kind](bool on) {
       m_labels.make(on ? std::optional(kind) : std::nullopt);
-      m_viewport.setFocus(Qt::OtherFocusReason);
+      m_picture.setFocus(Qt::OtherFocusReason);
       showMaking();
     });
   }
@@ -155,7 +142,7 @@ bool LabelActions::eventFilter(QObject* watched, QEvent* event) {
   const auto* action = qobject_cast<const QAction*>(watched);
   if (event->type() != QEvent::Shortcut || !action || !action->isChecked())
     return QObject::eventFilter(watched, event);
-  m_viewport.setFocus(Qt::OtherFocusReason);
+  m_picture.setFocus(Qt::OtherFocusReason);
   return true;
 }
 
@@ -194,7 +181,7 @@ void LabelActions::labelSelected() {
           std::find(structures.begin(), structures.end(), structure) == structures.end())
         structures.push_back(structure);
   const LabelWish wish = m_labels.wish();
-  const render::Screen screen(m_viewport.camera(), wish.size / wish.pixelsPerMm);
+  const render::Screen screen(m_view.camera(), wish.size / wish.pixelsPerMm);
   m_queue.add([this, scene, structures, screen, opening = m_session.document().opening](
                   const std::stop_token& stop) -> BackgroundQueue::Sequel {
     return [this, opening, found = labelsFor(scene, structures, screen, stop)] {

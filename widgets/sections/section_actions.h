@@ -4,21 +4,20 @@
 #include <QObject>
 
 #include "widgets/sections/new_section.h"
-#include "widgets/window/window_actions.h"
+#include "widgets/shell/window_actions.h"
+#include "widgets/viewport/tools/tool.h"
 
 class QMenu;
 class QToolButton;
 
 namespace sline::widgets {
 
-class Viewport;
-
 /// What the actions of section planes do: one section along each axis of the body, through the
 /// middle of what is shown, and as many as wanted by menus; each is an undo step.
 class SectionActions : public QObject {
   Q_OBJECT
  public:
-  SectionActions(Session& session, const Viewport& viewport, const WindowActions& actions,
+  SectionActions(Session& session, const ViewControl& view, const WindowActions& actions,
                  QObject* parent);
 
   /// Entries that add a section of each kind as the wish says else.
@@ -40,7 +39,7 @@ class SectionActions : public QObject {
   void showState();
 
   Session& m_session;
-  const Viewport& m_viewport;
+  const ViewControl& m_view;
   const WindowActions& m_actions;
 };
 

@@ -5,7 +5,7 @@
 
 #include "model/edit/emphasis.h"
 #include "widgets/session/session.h"
-#include "widgets/window/window_actions.h"
+#include "widgets/shell/window_actions.h"
 
 namespace sline::widgets {
 

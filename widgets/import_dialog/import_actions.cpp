@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/window/import_actions.h"
+#include "widgets/import_dialog/import_actions.h"
 
 #include <QAction>
 #include <QFileInfo>
@@ -8,9 +8,9 @@
 
 #include "model/files/scene_file.h"
 #include "widgets/preferences/preferences.h"
-#include "widgets/window/file_dialogs.h"
-#include "widgets/window/message_bar.h"
-#include "widgets/window/window_actions.h"
+#include "widgets/shell/file_dialogs.h"
+#include "widgets/shell/message_bar.h"
+#include "widgets/shell/window_actions.h"
 
 namespace sline::widgets {
 

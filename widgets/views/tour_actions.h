@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "widgets/session/session.h"
-#include "widgets/window/window_actions.h"
+#include "widgets/shell/window_actions.h"
 
 class QDockWidget;
 class QMainWindow;
@@ -23,26 +23,31 @@ class ViewTour;
 class TourActions : public QObject {
   Q_OBJECT
  public:
-  TourActions(QMainWindow& window, Session& session, Viewport& viewport,
-              const WindowActions& actions, QObject* parent);
-
-  ViewTour& tour() { return *m_tour; }
+  struct Parts {
+    QMainWindow& window;
+    Session& session;
+    Viewport& viewport;
+    const WindowActions& actions;
+    ViewTour& tour;
+    QDockWidget& dock;
+    ViewsPanel& panel;
+  };
+  TourActions(const Parts& parts, QObject* parent);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void makeDock(QMainWindow& window, Viewport& viewport);
   void documentChange(const Document& before, const Document& now);
   void showState();
 
   Session& m_session;
   QAction& m_add;
   QAction& m_present;
-  ViewTour* m_tour;
+  ViewTour& m_tour;
   Presentation* m_presentation;
-  ViewsPanel* m_panel = nullptr;
-  QDockWidget* m_dock = nullptr;
+  ViewsPanel& m_panel;
+  QDockWidget& m_dock;
   std::optional<bool> m_wanted;  ///< the panel, as somebody said
 };
 

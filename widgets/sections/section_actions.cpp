@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/window/section_actions.h"
+#include "widgets/sections/section_actions.h"
 
 #include <QAction>
 #include <QMenu>
@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "widgets/sections/section_position.h"
-#include "widgets/viewport/viewport.h"
 
 namespace sline::widgets {
 
@@ -41,9 +40,9 @@ QString kindText(SectionKind kind) {
 
 }  // namespace
 
-SectionActions::SectionActions(Session& session, const Viewport& viewport,
+SectionActions::SectionActions(Session& session, const ViewControl& view,
                                const WindowActions& actions, QObject* parent)
-    : QObject(parent), m_session(session), m_viewport(viewport), m_actions(actions) {
+    : QObject(parent), m_session(session), m_view(view), m_actions(actions) {
   for (int axis = 0; axis < 3; ++axis) {
     actionOf(axis).setCheckable(true);
     connect(&actionOf(axis), &QAction::triggered, this, [this, axis] { toggle(axis); });
@@ -78,7 +77,7 @@ void SectionActions::toggle(int axis) {
 
 void SectionActions::add(const SectionWish& wish) {
   const model::Scene& scene = m_session.scene();
-  const model::Section section = newSection(scene, m_viewport.camera(), wish);
+  const model::Section section = newSection(scene, m_view.camera(), wish);
   const QString name = QString::fromStdString(section.name);
   if (!m_session.apply(name, model::withSection(scene, section)))
     emit refused({.reason = tr("%1 cannot be added: a structure can have %2 sections at most")

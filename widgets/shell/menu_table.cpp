@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/window/menu_table.h"
+#include "widgets/shell/menu_table.h"
 
 #include <QAction>
 #include <QMainWindow>
@@ -8,8 +8,8 @@
 #include <QToolBar>
 #include <set>
 
+#include "widgets/shell/window_actions.h"
 #include "widgets/text/tr.h"
-#include "widgets/window/window_actions.h"
 
 namespace sline::widgets {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/window/view_actions.h"
+#include "widgets/views/view_actions.h"
 
 #include <QAction>
 #include <QMenu>

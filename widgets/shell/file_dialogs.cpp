@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/window/file_dialogs.h"
+#include "widgets/shell/file_dialogs.h"
 
 #include <QFileDialog>
 #include <QFileInfo>

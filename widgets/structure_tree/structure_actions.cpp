@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "widgets/window/structure_actions.h"
+#include "widgets/structure_tree/structure_actions.h"
 
 #include <QAction>
 #include <algorithm>

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/views/tour_actions.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QEvent>
+#include <QMainWindow>
+#include <QPointer>
+#include <algorithm>
+
+#include "widgets/viewport/viewport.h"
+#include "widgets/views/presentation.h"
+#include "widgets/views/view_tour.h"
+#include "widgets/views/views_panel.h"
+
+namespace sline::widgets {
+
+TourActions::TourActions(const Parts& parts, QObject* parent)
+    : QObject(parent),
+      m_session(parts.session),
+      m_add(parts.actions[QStringLiteral("addView")]),
+      m_present(parts.actions[QStringLiteral("present")]),
+      m_tour(parts.tour),
+      m_presentation(new Presentation(parts.window, parts.session, parts.viewport, this)),
+      m_panel(parts.panel),
+      m_dock(parts.dock) {
+  m_dock.installEventFilter(this);
+  m_dock.setVisible(m_tour.count() > 0);
+  connect(m_dock.toggleViewAction(), &QAction::triggered, this, [this](bool on) { m_wanted = on; });
+  connect(&m_add, &QAction::triggered, &m_tour, &ViewTour::add);
+  connect(&m_present, &QAction::triggered, this,
+          [this] { m_presentation->begin(std::max(0, m_panel.current())); });
+  connect(&m_session, &Session::documentChanged, this, &TourActions::documentChange);
+  parts.viewport.labels().setCurrentView([panel = QPointer(&m_panel)] {
+    const int current = panel ? panel->current() : -1;
+    return current < 0 ? std::nullopt : std::optional(std::size_t(current));
+  });
+  showState();
+}
+
+bool TourActions::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == &m_dock && event->type() == QEvent::Close)
+    m_wanted = false;
+  return QObject::eventFilter(watched, event);
+}
+
+void TourActions::documentChange(const Document& before, const Document& now) {
+  const bool another = before.opening != now.opening;
+  if (another)
+    m_wanted.reset();
+  const bool were = !before.scene.views().empty();
+  const bool are = !now.scene.views().empty();
+  if (!another && were == are)
+    return;
+  showState();
+  if (!m_presentation->running())
+    m_dock.setVisible(m_wanted.value_or(are));
+}
+
+void TourActions::showState() {
+  m_add.setEnabled(m_session.document().opening != 0);
+  m_present.setEnabled(m_tour.count() > 0);
+}
+
+}  // namespace sline::widgets
+
+#include "moc_tour_actions.cpp"

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "widgets/window/panel_table.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QUndoView>
+
+#include "widgets/annotations/annotations_panel.h"
+#include "widgets/annotations/in_picture/label_actions.h"
+#include "widgets/focus/focus_panel.h"
+#include "widgets/gamma/gamma_panel.h"
+#include "widgets/gamma/stage_previews.h"
+#include "widgets/sections/sections_panel.h"
+#include "widgets/shell/window_actions.h"
+#include "widgets/structure_tree/structure_tree.h"
+#include "widgets/views/tour_actions.h"
+#include "widgets/views/views_panel.h"
+#include "widgets/window/main_window.h"
+
+namespace sline::widgets {
+
+namespace {
+
+QWidget* makeGamma(const PanelPlace& place) {
+  auto* panel = new GammaPanel(place.session, place.settings);
+  QObject::connect(panel, &GammaPanel::focusWanted, &place.actions[QStringLiteral("focus")],
+                   &QAction::trigger);
+  drawStages(place.session, place.viewport, panel->stages());
+  return panel;
+}
+
+QWidget* makeFocus(const PanelPlace& place) {
+  auto* panel = new FocusPanel(place.session, place.focus);
+  QObject::connect(panel, &FocusPanel::focusWanted, &place.actions[QStringLiteral("focus")],
+                   &QAction::trigger);
+  return panel;
+}
+
+QWidget* makeHistory(const PanelPlace& place) {
+  auto* history = new QUndoView(&place.session.history());
+  history->setObjectName(QStringLiteral("history"));
+  history->setAccessibleName(MainWindow::tr("History"));
+  history->setEmptyLabel(MainWindow::tr("As opened"));
+  return history;
+}
+
+QWidget* makeViews(const PanelPlace& place) {
+  auto* panel = new ViewsPanel(place.session, place.viewport, place.tour);
+  panel->addButtons(place.actions[QStringLiteral("addView")],
+                    place.actions[QStringLiteral("present")]);
+  return panel;
+}
+
+QWidget* makeLabels(const PanelPlace& place) {
+  auto* panel = new AnnotationsPanel(place.session, place.preferences);
+  panel->addButtons(labelMakers(place.actions));
+  return panel;
+}
+
+QDockWidget* dockOf(const PanelRow& row, QWidget* content) {
+  auto* dock = new QDockWidget(row.title);
+  dock->setObjectName(QLatin1String(row.id));
+  dock->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetClosable);
+  dock->setWidget(content);
+  if (row.area == Qt::BottomDockWidgetArea) {
+    // Its title stands beside it: the picture needs the height.
+    dock->setFeatures(dock->features() | QDockWidget::DockWidgetVerticalTitleBar);
+    dock->setAllowedAreas(Qt::BottomDockWidgetArea | Qt::TopDockWidgetArea);
+  }
+  return dock;
+}
+
+}  // namespace
+
+std::vector<PanelRow> panelRows() {
+  constexpr Qt::DockWidgetArea left = Qt::LeftDockWidgetArea;
+  constexpr Qt::DockWidgetArea right = Qt::RightDockWidgetArea;
+  // The right side has no height for three, and a list of labels is as long as that of structures.
+  return {
+      {"structuresPanel", MainWindow::tr("Structures"), left, "", true,
+       [](const PanelPlace& place) { return new StructureTree(place.session); }},
+      {"gammaPanel", MainWindow::tr("Line Style"), right, "", true, makeGamma},
+      {"focusPanel", MainWindow::tr("Focus and Context"), right, "", true, makeFocus},
+      {"sectionsPanel", MainWindow::tr("Sections"), right, "focusPanel", true,
+       [](const PanelPlace& place) { return new SectionsPanel(place.session); }},
+      {"historyPanel", MainWindow::tr("History"), right, "focusPanel", false, makeHistory},
+      {"viewsPanel", TourActions::tr("Views"), Qt::BottomDockWidgetArea, "", true, makeViews},
+      {"annotationsPanel", LabelActions::tr("Labels"), left, "structuresPanel", true, makeLabels}};
+}
+
+void addPanels(QMainWindow& window, const PanelPlace& place) {
+  // Below the picture alone: what stands at the sides needs its height.
+  window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  for (const PanelRow& row : panelRows()) {
+    QDockWidget* dock = dockOf(row, row.make(place));
+    window.addDockWidget(row.area, dock);
+    if (*row.beside) {
+      auto* front = window.findChild<QDockWidget*>(QLatin1String(row.beside));
+      window.tabifyDockWidget(front, dock);
+      front->raise();
+    }
+    if (!row.shown)
+      dock->hide();
+  }
+}
+
+}  // namespace sline::widgets
