@@ -11,9 +11,9 @@
 #include "model/edit/annotations.h"
 #include "model/edit/views.h"
 #include "model/edit/visibility.h"
-#include "model/files/scene_file.h"
 #include "model/geometry/nearest_point.h"
 #include "model/scene/markup.h"
+#include "model/scene_file/scene_file.h"
 #include "render/labels/best_place.h"
 
 namespace sline::cli {
@@ -295,7 +295,7 @@ Exit runAnnotate(const AnnotateFlags& flags) {
     const auto document = openedScene(flags.scene);
     return document.ok() ? list(document->scene) : complain(document.error(), Exit::failed);
   }
-  const auto lock = model::SceneLock::acquire(flags.scene);
+  const auto lock = model::FileLock::acquire(flags.scene);
   if (!lock.ok())
     return complain(lock.error(), Exit::failed);
   Result<model::SceneDocument> document = openedScene(flags.scene);

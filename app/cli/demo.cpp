@@ -12,8 +12,8 @@
 #include "app/cli/targets.h"
 #include "app/cli/thumbnail.h"
 #include "model/demo/demo.h"
-#include "model/files/cache_folder.h"
-#include "model/files/scene_file.h"
+#include "model/disk/cache_folder.h"
+#include "model/scene_file/scene_file.h"
 
 namespace sline::cli {
 

@@ -5,9 +5,9 @@
 #include "app/cli/plan_report.h"
 #include "app/cli/targets.h"
 #include "app/cli/thumbnail.h"
-#include "model/files/scene_file.h"
 #include "model/import/plan/kept_scans.h"
 #include "model/import/plan/plan.h"
+#include "model/scene_file/scene_file.h"
 
 namespace sline::cli {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/json_values.h"
 
-#include "model/files/json_value.h"
+#include "model/scene_file/json_value.h"
 
 namespace sline::cli {
 

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The `sline` program: line illustrations of anatomy without a display.
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -12,6 +9,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command.h"
 #include "app/cli/option_kinds.h"
+#include "model/disk/process.h"
 
 namespace {
 
@@ -26,15 +24,6 @@ constexpr const char* footer =
     "Exit codes: 0 done (parts that are missing or broken are left out, with a warning);\n"
     "1 nothing could be read, drawn or written; 2 wrong use.\n"
     "`sline COMMAND --help` explains a command.";
-
-/// Streams that were closed are opened on nothing: else a file that is written might get the number
-/// of standard output and, within it, what is printed. Printing there fails, as it should.
-void keepStandardStreams() {
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if (fcntl(stream, F_GETFD) < 0 &&
-        open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY) < 0)
-      return;
-}
 
 /// The exit code, and a message where what was printed went nowhere.
 int afterOutput(int code) {
@@ -105,7 +94,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  keepStandardStreams();
+  sline::model::keepStandardStreams();
   try {
     return afterOutput(run(argc, argv));
   } catch (const std::bad_alloc&) {

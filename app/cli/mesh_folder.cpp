@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/cli/text_file.h"
-#include "model/files/ply_writer.h"
+#include "model/scene_file/ply_writer.h"
 
 namespace sline::cli {
 

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/cli/progress.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <iostream>
 #include <string>
 
 #include "app/cli/names.h"
+#include "model/disk/process.h"
 
 namespace sline::cli {
 
-Progress::Progress() : m_terminal(isatty(STDERR_FILENO) == 1) {}
+Progress::Progress() : m_terminal(model::errorsGoToTerminal()) {}
 
 Progress::~Progress() {
   wipe();

@@ -14,7 +14,7 @@
 #include "app/cli/thumbnail.h"
 #include "model/base/colour_text.h"
 #include "model/edit/views.h"
-#include "model/files/scene_file.h"
+#include "model/scene_file/scene_file.h"
 #include "render/export/pixels/image_file.h"
 #include "render/gpu/headless/context.h"
 #include "render/measures/proof/print_proof.h"

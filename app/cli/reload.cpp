@@ -4,8 +4,8 @@
 
 #include "app/cli/command.h"
 #include "app/cli/thumbnail.h"
-#include "model/files/scene_file.h"
 #include "model/import/plan/reload.h"
+#include "model/scene_file/scene_file.h"
 
 namespace sline::cli {
 
@@ -54,7 +54,7 @@ bool anyFailed(const model::Reloaded& reloaded) {
 }
 
 /// Reads, reloads and writes; what is written to is locked all the while.
-Exit reloadInto(const ReloadFlags& flags, const model::SceneLock* lock) {
+Exit reloadInto(const ReloadFlags& flags, const model::FileLock* lock) {
   Result<model::SceneDocument> document = openedScene(flags.scene);
   if (!document.ok())
     return complain(document.error(), Exit::failed);
@@ -83,7 +83,7 @@ Exit runReload(const ReloadFlags& flags) {
           Exit::wrongUse);
   if (flags.dryRun)
     return reloadInto(flags, nullptr);
-  const auto lock = model::SceneLock::acquire(flags.output.empty() ? flags.scene : flags.output);
+  const auto lock = model::FileLock::acquire(flags.output.empty() ? flags.scene : flags.output);
   if (!lock.ok())
     return complain(lock.error(), Exit::failed);
   return reloadInto(flags, &*lock);

@@ -7,8 +7,8 @@
 
 #include "app/cli/progress.h"
 #include "model/base/result.h"
-#include "model/files/scene_file.h"
 #include "model/import/plan/import.h"
+#include "model/scene_file/scene_file.h"
 
 namespace sline::cli {
 

@@ -8,9 +8,9 @@
 #include <string_view>
 
 #include "model/base/letters.h"
-#include "model/files/scene_file.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/slicer/fiducials.h"
+#include "model/scene_file/scene_file.h"
 #include "render/export/formats/export_formats.h"
 
 namespace sline::cli {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "model/files/whole_file.h"
+#include "model/disk/whole_file.h"
 
 namespace sline::cli {
 

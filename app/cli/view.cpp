@@ -9,8 +9,8 @@
 #include "app/cli/picture_options.h"
 #include "app/cli/thumbnail.h"
 #include "model/edit/views.h"
-#include "model/files/scene_file.h"
 #include "model/scene/markup.h"
+#include "model/scene_file/scene_file.h"
 
 namespace sline::cli {
 
@@ -266,7 +266,7 @@ Exit list(const ViewFlags& flags) {
 
 /// Reads, edits and writes; what is written to is locked all the while.
 Exit edit(const ViewFlags& flags) {
-  const auto lock = model::SceneLock::acquire(flags.output.empty() ? flags.scene : flags.output);
+  const auto lock = model::FileLock::acquire(flags.output.empty() ? flags.scene : flags.output);
   if (!lock.ok())
     return complain(lock.error(), Exit::failed);
   Result<model::SceneDocument> document = openedScene(flags.scene);

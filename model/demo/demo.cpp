@@ -7,7 +7,7 @@
 #include "model/demo/kidney.h"
 #include "model/demo/pelvis.h"
 #include "model/demo/stopping.h"
-#include "model/files/scene_file.h"
+#include "model/scene_file/scene_file.h"
 
 namespace sline::model {
 

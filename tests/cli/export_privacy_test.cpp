@@ -9,8 +9,8 @@
 #include <QTest>
 #include <filesystem>
 
-#include "model/files/scene_file.h"
 #include "model/import/plan/import.h"
+#include "model/scene_file/scene_file.h"
 #include "render/export/formats/export_formats.h"
 #include "tests/cli/sline_process.h"
 #include "tests/model/import/dicom/written_dicom.h"

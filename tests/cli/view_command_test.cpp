@@ -7,9 +7,9 @@
 #include <QTest>
 
 #include "model/edit/views.h"
-#include "model/files/scene_file.h"
+#include "model/scene_file/scene_file.h"
 #include "tests/cli/sline_process.h"
-#include "tests/model/files/sample_scene.h"
+#include "tests/model/scene_file/sample_scene.h"
 #include "tests/support/suite.h"
 
 namespace sline::test {

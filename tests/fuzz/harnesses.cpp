@@ -7,17 +7,17 @@
 #include <glm/matrix.hpp>
 
 #include "model/edit/letter_style.h"
-#include "model/files/mesh_codec.h"
-#include "model/files/scan_codec.h"
-#include "model/files/scene_file.h"
-#include "model/files/scene_json.h"
-#include "model/files/scene_migration.h"
 #include "model/import/dicom/dicom.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/plan/import.h"
 #include "model/import/slicer/bundle.h"
 #include "model/import/slicer/fiducials.h"
 #include "model/import/slicer/mrml_scene.h"
+#include "model/scene_file/mesh_codec.h"
+#include "model/scene_file/scan_codec.h"
+#include "model/scene_file/scene_file.h"
+#include "model/scene_file/scene_json.h"
+#include "model/scene_file/scene_migration.h"
 #include "tests/fuzz/input_folder.h"
 
 namespace sline::fuzz {
@@ -168,8 +168,7 @@ std::string sceneJson(std::string_view bytes) {
   const Result<int> schema = model::schemaOf(*root);
   if (!schema.ok())
     return faultOf(schema.error());
-  if (const Status done = model::migrate(*root, model::sceneMigrations(), model::sceneSchema);
-      !done.ok())
+  if (const Status done = model::migrate(*root); !done.ok())
     return faultOf(done.error());
   static const MeshPtr mesh = std::make_shared<const model::Mesh>(
       std::move(*model::Mesh::create({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}})));

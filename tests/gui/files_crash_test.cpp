@@ -7,8 +7,8 @@
 #include <QtTest>
 
 #include "model/edit/views.h"
-#include "model/files/autosave.h"
-#include "model/files/scene_file.h"
+#include "model/scene_file/autosave.h"
+#include "model/scene_file/scene_file.h"
 #include "tests/gui/foreign_window.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/suite.h"

@@ -9,7 +9,7 @@
 #include <QtTest>
 
 #include "model/edit/emphasis.h"
-#include "model/files/scene_file.h"
+#include "model/scene_file/scene_file.h"
 #include "tests/gui/window_fixture.h"
 #include "tests/support/suite.h"
 #include "widgets/shell/message_bar.h"
@@ -104,13 +104,13 @@ class FilesTest : public QObject {
     QVERIFY(press(f, Qt::Key_W));
     QVERIFY(startVisible(f));
     QVERIFY(f.session.scene().nodes().empty());
-    QVERIFY(!model::SceneLock::held(path.toStdString()));
+    QVERIFY(!model::FileLock::held(path.toStdString()));
     QTest::mouseClick(&f.control<QWidget>("startRecent-0"), Qt::LeftButton);
     QVERIFY(f.settled());
     QVERIFY(bytesOf(f.session.scene()) == saved);
     QVERIFY(f.viewport().camera() == camera);
     QVERIFY(!f.window.isWindowModified());
-    QVERIFY(model::SceneLock::held(path.toStdString()));
+    QVERIFY(model::FileLock::held(path.toStdString()));
   }
 
   void theMarkFollowsUndo() {

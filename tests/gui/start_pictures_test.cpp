@@ -5,7 +5,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "model/files/scene_file.h"
+#include "model/scene_file/scene_file.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"

@@ -6,7 +6,7 @@
 #include <QTimer>
 #include <algorithm>
 
-#include "widgets/session/background_thread.h"
+#include "model/disk/process.h"
 
 namespace sline::widgets {
 
@@ -54,7 +54,7 @@ void FocusContext::analyse(const NodeIds& targets, bool fromCamera, const QStrin
   m_pool.start([this, question, targets, camera, step, forms = m_forms,
                 scene = m_session.sceneBeforePreview(), stop = m_stop.get_token()] {
     // A thread of the pool serves many questions and stands back once.
-    static thread_local const bool stoodBack = (standBack(), true);
+    static thread_local const bool stoodBack = (model::standBack(), true);
     static_cast<void>(stoodBack);
     auto analysis = model::analysed(scene, {targets, camera}, *forms, stop);
     forms->trim();

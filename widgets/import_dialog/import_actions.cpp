@@ -6,7 +6,7 @@
 #include <QSettings>
 #include <algorithm>
 
-#include "model/files/scene_file.h"
+#include "model/scene_file/scene_file.h"
 #include "widgets/preferences/preferences.h"
 #include "widgets/shell/file_dialogs.h"
 #include "widgets/shell/message_bar.h"

@@ -6,7 +6,7 @@
 #include <QTimer>
 #include <memory>
 
-#include "model/files/autosave.h"
+#include "model/scene_file/autosave.h"
 #include "widgets/session/background_queue.h"
 #include "widgets/session/session.h"
 

@@ -6,7 +6,7 @@
 #include <new>
 #include <utility>
 
-#include "widgets/session/background_thread.h"
+#include "model/disk/process.h"
 
 namespace sline::widgets {
 
@@ -25,7 +25,7 @@ void BackgroundJob::end() {
 
 void BackgroundJob::start() {
   m_thread = std::thread([this] {
-    standBack();
+    model::standBack();
     std::optional<Error> error;
     const Status over =
         m_work([this](double share, std::string_view what) { return report(share, what); });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/session/background_queue.h"
 
-#include "widgets/session/background_thread.h"
+#include "model/disk/process.h"
 
 namespace sline::widgets {
 
@@ -37,7 +37,7 @@ void BackgroundQueue::drop() {
 }
 
 void BackgroundQueue::run() {
-  standBack();
+  model::standBack();
   for (;;) {
     std::unique_lock guard(m_mutex);
     m_wake.wait(guard, [this] { return m_quit || !m_work.empty(); });

@@ -2,7 +2,7 @@
 #include "widgets/session/demo_scenes.h"
 
 #include "model/demo/demo.h"
-#include "model/files/cache_folder.h"
+#include "model/disk/cache_folder.h"
 #include "widgets/text/tr.h"
 
 namespace sline::widgets {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "widgets/session/document_file.h"
 
-#include <unistd.h>
-
 #include <system_error>
 
+#include "model/disk/whole_file.h"
 #include "widgets/text/tr.h"
 
 namespace sline::widgets {
@@ -17,36 +16,25 @@ std::shared_ptr<const std::string> textOrNone(std::string text) {
   return text.empty() ? nullptr : std::make_shared<const std::string>(std::move(text));
 }
 
-/// By its rights; root may write whatever they say, but was asked not to.
-bool mayBeWritten(const fs::path& file) {
-  std::error_code fault;
-  if (!fs::exists(file, fault))
-    return true;  // its folder decides
-  const fs::perms rights = fs::status(file, fault).permissions();
-  constexpr fs::perms anybody =
-      fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
-  return fault || ((rights & anybody) != fs::perms::none && access(file.c_str(), W_OK) == 0);
-}
-
 void deny(DocumentFile& file, Writable why, const QString& reason) {
   file.writable = why;
   file.reason = reason;
   file.lock.reset();
 }
 
-void lock(DocumentFile& file, std::shared_ptr<const model::SceneLock> held) {
-  if (!mayBeWritten(file.path))
+void lock(DocumentFile& file, std::shared_ptr<const model::FileLock> held) {
+  if (!model::mayBeWritten(file.path))
     return deny(file, Writable::notPermitted, tr("Its rights do not let it be written to"));
   if (held && isLockOf(*held, file.path)) {
     file.lock = std::move(held);
     return;
   }
-  const bool taken = model::SceneLock::held(file.path);
-  Result<model::SceneLock> lock = model::SceneLock::acquire(file.path);
+  const bool taken = model::FileLock::held(file.path);
+  Result<model::FileLock> lock = model::FileLock::acquire(file.path);
   if (lock.ok()) {
     file.writable = Writable::yes;
     file.reason.clear();
-    file.lock = std::make_shared<const model::SceneLock>(std::move(*lock));
+    file.lock = std::make_shared<const model::FileLock>(std::move(*lock));
     return;
   }
   QString reason = QString::fromStdString(lock.error().reason);
@@ -65,14 +53,14 @@ std::optional<FileStamp> stampOf(const fs::path& file) {
   return fault ? std::nullopt : std::optional(FileStamp{bytes, when});
 }
 
-bool isLockOf(const model::SceneLock& lock, const fs::path& file) {
+bool isLockOf(const model::FileLock& lock, const fs::path& file) {
   std::error_code fault;
   const fs::path real = fs::weakly_canonical(file, fault);
   return lock.file() == (fault ? file : real);
 }
 
 Result<ReadDocument> readDocument(const fs::path& path,
-                                  std::shared_ptr<const model::SceneLock> held) {
+                                  std::shared_ptr<const model::FileLock> held) {
   ReadDocument read;
   read.file.path = path;
   // First the lock: what is read then stays what is on the disk.
@@ -93,7 +81,7 @@ Result<ReadDocument> readDocument(const fs::path& path,
 }
 
 Result<ReadDocument> readRecovered(const model::Recoverable& found,
-                                   std::shared_ptr<const model::SceneLock> held) {
+                                   std::shared_ptr<const model::FileLock> held) {
   Result<model::SceneDocument> document = model::recovered(found);
   if (!document.ok())
     return document.error();

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "model/files/autosave.h"
-#include "model/files/scene_file.h"
+#include "model/scene_file/autosave.h"
+#include "model/scene_file/scene_file.h"
 
 namespace sline::widgets {
 
@@ -43,9 +43,9 @@ struct DocumentFile {
   std::shared_ptr<const std::string> thumbnail;  ///< PNG; null: none
   /// The scene as it came in or was saved last; absent: no file has it (it was recovered).
   std::optional<model::Scene> saved;
-  std::optional<FileStamp> stamp;          ///< of the file as it was read or written last
-  std::optional<model::Recoverable> copy;  ///< of unsaved work, which the document was made of
-  std::shared_ptr<const model::SceneLock> lock;  ///< held while the document is open
+  std::optional<FileStamp> stamp;               ///< of the file as it was read or written last
+  std::optional<model::Recoverable> copy;       ///< of unsaved work, which the document was made of
+  std::shared_ptr<const model::FileLock> lock;  ///< held while the document is open
 };
 
 struct ReadDocument {
@@ -56,16 +56,16 @@ struct ReadDocument {
 /// Reads a scene file and locks it, or says why it cannot be saved again. `held` is a lock that the
 /// caller has already, perhaps of this file; null: none.
 Result<ReadDocument> readDocument(const std::filesystem::path& path,
-                                  std::shared_ptr<const model::SceneLock> held);
+                                  std::shared_ptr<const model::FileLock> held);
 
 /// The same for a copy of unsaved work. Its file is the one that it is a copy of.
 Result<ReadDocument> readRecovered(const model::Recoverable& found,
-                                   std::shared_ptr<const model::SceneLock> held);
+                                   std::shared_ptr<const model::FileLock> held);
 
 /// Locks the file again, which was let go, unless it has changed since.
 void relock(DocumentFile& file);
 
 /// Who a lock is of: the same file under whatever name.
-bool isLockOf(const model::SceneLock& lock, const std::filesystem::path& file);
+bool isLockOf(const model::FileLock& lock, const std::filesystem::path& file);
 
 }  // namespace sline::widgets

@@ -91,12 +91,12 @@ SceneSaver::Outcome SceneSaver::carryOut(const Order& order) {
   if (!file.lock || !isLockOf(*file.lock, order.path))
     file.lock = before.lock.lock();
   if (!file.lock) {
-    Result<model::SceneLock> lock = model::SceneLock::acquire(order.path);
+    Result<model::FileLock> lock = model::FileLock::acquire(order.path);
     if (!lock.ok()) {
       outcome.error = lock.error();
       return outcome;
     }
-    file.lock = std::make_shared<const model::SceneLock>(std::move(*lock));
+    file.lock = std::make_shared<const model::FileLock>(std::move(*lock));
   } else if (const auto now = stampOf(order.path);
              now && now != order.file.stamp && now != before.stamp) {
     outcome.error = notSaved(order.path, "another program has changed it since it was opened");

@@ -50,7 +50,7 @@ class SceneSaver : public QObject {
   /// may have been asked for before the one of the same file before it was done.
   struct Written {
     std::optional<FileStamp> stamp;
-    std::weak_ptr<const model::SceneLock> lock;
+    std::weak_ptr<const model::FileLock> lock;
   };
   std::map<std::filesystem::path, Written> m_written;  ///< of the queue's thread
   BackgroundQueue m_queue;

@@ -6,8 +6,8 @@
 #include <QMessageBox>
 #include <QPushButton>
 
-#include "model/files/scene_file.h"
 #include "model/import/kinds/file_kinds.h"
+#include "model/scene_file/scene_file.h"
 #include "widgets/text/tr.h"
 
 namespace sline::widgets {

@@ -5,7 +5,7 @@
 #include <QImageReader>
 #include <system_error>
 
-#include "model/files/whole_file.h"
+#include "model/disk/whole_file.h"
 
 namespace sline::widgets {
 

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "model/files/autosave.h"
+#include "model/scene_file/autosave.h"
 
 class QVBoxLayout;
 

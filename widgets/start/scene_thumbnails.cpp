@@ -5,8 +5,8 @@
 #include <QDateTime>
 #include <QFileInfo>
 
-#include "model/files/scene_file.h"
-#include "model/files/whole_file.h"
+#include "model/disk/whole_file.h"
+#include "model/scene_file/scene_file.h"
 
 namespace sline::widgets {
 

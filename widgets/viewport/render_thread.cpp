@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <exception>
 
-#include "widgets/session/background_thread.h"
+#include "model/disk/process.h"
 
 namespace sline::widgets {
 
@@ -206,7 +206,7 @@ void RenderThread::drawPreview(PicturePainter& painter, const PreviewRequest::Pr
 }
 
 void RenderThread::run() {
-  standBack();
+  model::standBack();
   if (!m_context->isValid() || !m_context->makeCurrent(&m_surface)) {
     emit failed({.reason = "the graphics driver gives no second OpenGL context",
                  .remedy = "Update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1"});

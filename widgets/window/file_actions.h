@@ -5,7 +5,7 @@
 #include <QPointer>
 #include <functional>
 
-#include "model/files/autosave.h"
+#include "model/scene_file/autosave.h"
 #include "widgets/session/autosaver.h"
 #include "widgets/session/recent_files.h"
 #include "widgets/session/scene_saver.h"

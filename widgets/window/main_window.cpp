@@ -17,7 +17,7 @@
 #include <array>
 #include <utility>
 
-#include "model/files/cache_folder.h"
+#include "model/disk/cache_folder.h"
 #include "widgets/annotations/in_picture/label_actions.h"
 #include "widgets/export/export_actions.h"
 #include "widgets/focus/focus_context.h"

@@ -4,12 +4,12 @@
 #include <cstdio>
 
 #include "model/base/letters.h"
-#include "model/files/json_value.h"
 #include "model/import/molecules/entry_files.h"
 #include "model/import/molecules/entry_rows.h"
 #include "model/import/molecules/molecules.h"
 #include "model/import/source/packed_bytes.h"
 #include "model/import/source/text_cursor.h"
+#include "model/scene_file/json_value.h"
 
 namespace sline::model {
 

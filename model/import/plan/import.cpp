@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/import/plan/import.h"
 
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
-
 #include <utility>
 
+#include "model/disk/process.h"
 #include "model/import/plan/import_steps.h"
 
 namespace sline::model {
@@ -46,9 +43,7 @@ Result<Imported> importInputs(std::span<const std::filesystem::path> inputs,
   ProgressMeter meter(rest, expectedWork(decided.parts, options));
   Result<Imported> imported = makeScene(plan, std::move(decided), *read, meter);
   // Hundreds of files' intermediate copies are free now; the system may have them back.
-#if defined(__GLIBC__)
-  malloc_trim(0);
-#endif
+  giveMemoryBack();
   return imported;
 }
 

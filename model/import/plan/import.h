@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "model/base/result.h"
-#include "model/files/zip_archive.h"
+#include "model/disk/zip_archive.h"
 #include "model/import/source/raw_mesh.h"
 #include "model/import/source/read_options.h"
 #include "model/scene/scene.h"

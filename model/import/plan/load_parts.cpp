@@ -7,7 +7,6 @@
 #include <set>
 #include <utility>
 
-#include "model/files/fingerprint.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/naming/laterality.h"
 #include "model/import/naming/names.h"
@@ -15,6 +14,7 @@
 #include "model/import/volumes/volume_surfaces.h"
 #include "model/import/worker/reading_child.h"
 #include "model/meshing/repair.h"
+#include "model/scene_file/fingerprint.h"
 
 namespace sline::model {
 

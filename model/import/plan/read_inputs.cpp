@@ -6,8 +6,8 @@
 #include <map>
 #include <utility>
 
-#include "model/files/scene_file.h"
 #include "model/import/plan/scene_inputs.h"
+#include "model/scene_file/scene_file.h"
 
 namespace sline::model {
 

@@ -6,13 +6,13 @@
 #include <map>
 #include <set>
 
-#include "model/files/fingerprint.h"
 #include "model/geometry/nearest_point.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/plan/load_parts.h"
 #include "model/import/plan/shape_parts.h"
 #include "model/meshing/repair.h"
 #include "model/meshing/windowed_sinc.h"
+#include "model/scene_file/fingerprint.h"
 
 namespace sline::model {
 

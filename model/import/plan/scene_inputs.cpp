@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "model/files/scene_file.h"
+#include "model/scene_file/scene_file.h"
 
 namespace sline::model {
 

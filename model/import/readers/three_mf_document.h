@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "model/files/zip_archive.h"
+#include "model/disk/zip_archive.h"
 #include "model/import/source/source.h"
 
 namespace sline::model {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "model/base/letters.h"
-#include "model/files/whole_file.h"
-#include "model/files/zip_archive.h"
+#include "model/disk/whole_file.h"
+#include "model/disk/zip_archive.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/slicer/fiducials.h"
 #include "model/import/source/text_cursor.h"

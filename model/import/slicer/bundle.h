@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "model/files/temporary_folder.h"
+#include "model/disk/temporary_folder.h"
 #include "model/import/source/read_options.h"
 
 namespace sline::model {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "model/files/json_value.h"
 #include "model/import/slicer/fiducial_files.h"
+#include "model/scene_file/json_value.h"
 
 namespace sline::model {
 

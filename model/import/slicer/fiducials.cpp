@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/import/slicer/fiducials.h"
 
-#include "model/files/whole_file.h"
+#include "model/disk/whole_file.h"
 #include "model/import/kinds/file_kinds.h"
 #include "model/import/slicer/fiducial_files.h"
 #include "model/import/source/text_cursor.h"

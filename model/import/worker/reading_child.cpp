@@ -17,6 +17,7 @@
 #include <cstring>
 #include <string>
 
+#include "model/disk/process.h"
 #include "model/import/worker/child_main.h"
 #include "model/import/worker/confinement.h"
 
@@ -188,8 +189,7 @@ std::filesystem::path readerProgram() {
   if (const char* named = std::getenv("SLINE_READER"); named && *named)
     return named;
   std::error_code code;
-  const std::filesystem::path here =
-      std::filesystem::read_symlink("/proc/self/exe", code).parent_path();
+  const std::filesystem::path here = programFile().parent_path();
   for (const char* place : {"sline-reader", "../lib/sline/sline-reader"})
     if (std::filesystem::is_regular_file(here / place, code))
       return here / place;

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "model/files/zip_archive.h"
+#include "model/disk/zip_archive.h"
 
 namespace sline::render {
 

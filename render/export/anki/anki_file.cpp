@@ -2,8 +2,8 @@
 #include "render/export/anki/anki_file.h"
 
 #include "model/base/letters.h"
-#include "model/files/whole_file.h"
-#include "model/files/whole_folder.h"
+#include "model/disk/whole_file.h"
+#include "model/disk/whole_folder.h"
 #include "render/export/anki/anki_cards.h"
 #include "render/export/anki/anki_package.h"
 #include "render/export/anki/anki_text.h"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <system_error>
 
-#include "model/files/whole_file.h"
-#include "model/files/whole_folder.h"
+#include "model/disk/whole_file.h"
+#include "model/disk/whole_folder.h"
 #include "render/export/motion/film_painter.h"
 #include "render/export/motion/film_sink.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 
-#include "model/files/whole_file.h"
+#include "model/disk/whole_file.h"
 #include "render/export/encoding/png_image.h"
 #include "render/export/motion/film_sink.h"
 

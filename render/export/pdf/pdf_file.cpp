@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/pdf/pdf_file.h"
 
-#include "model/files/whole_file.h"
+#include "model/disk/whole_file.h"
 #include "render/export/pdf/sheet.h"
 #include "render/export/pdf/sheet_options.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "model/base/letters.h"
-#include "model/files/whole_file.h"
+#include "model/disk/whole_file.h"
 #include "render/export/encoding/xmp_packet.h"
 #include "render/export/pixels/colour_profile.h"
 #include "render/export/pixels/pixel_module.h"

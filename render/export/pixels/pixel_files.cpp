@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "model/files/whole_file.h"
+#include "model/disk/whole_file.h"
 #include "render/export/pixels/image_file.h"
 #include "render/export/pixels/page_bands.h"
 #include "render/export/pixels/pixel_options.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/pixels/pixel_module.h"
 
-#include <dlfcn.h>
-
 #include <system_error>
+
+#include "model/disk/process.h"
 
 namespace sline::render {
 
@@ -23,19 +23,16 @@ Error absent(const std::string& reason) {
 
 Result<const PixelModule*> loaded() {
   std::error_code none;
-  const fs::path folder = fs::read_symlink("/proc/self/exe", none).parent_path();
+  const fs::path folder = model::programFile().parent_path();
   fs::path file = folder / moduleFile;
   if (!fs::exists(file, none))
     file = folder.parent_path() / "lib/sline" / moduleFile;
   if (!fs::exists(file, none))
     return absent("there is no " + file.string());
-  // It stays loaded: libraries below it do not like to go.
-  void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (!library) {
-    const char* reason = dlerror();
-    return absent(reason ? reason : "no reason is said");
-  }
-  const auto entry = reinterpret_cast<PixelModuleEntry>(dlsym(library, pixelModuleEntryName));
+  const Result<void*> function = model::functionOf(file, pixelModuleEntryName);
+  if (!function.ok())
+    return absent(function.error().reason);
+  const auto entry = reinterpret_cast<PixelModuleEntry>(*function);
   const PixelModule* module = entry ? entry(SLINE_VERSION) : nullptr;
   return module ? Result<const PixelModule*>(module)
                 : absent(file.string() + " belongs to another version");

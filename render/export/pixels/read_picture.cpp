@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/pixels/read_picture.h"
 
-#include "model/files/whole_file.h"
+#include "model/disk/whole_file.h"
 
 namespace sline::render {
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "model/files/whole_file.h"
+#include "model/disk/whole_file.h"
 #include "render/export/encoding/xmp_packet.h"
 #include "render/export/pixels/row_file.h"
 

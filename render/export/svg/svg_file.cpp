@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/svg/svg_file.h"
 
-#include "model/files/whole_file.h"
+#include "model/disk/whole_file.h"
 #include "render/export/plate/figure_plate.h"
 #include "render/export/svg/svg_document.h"
 #include "render/vectors/vector_drawing.h"

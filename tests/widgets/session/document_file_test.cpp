@@ -82,7 +82,7 @@ class DocumentFileTest : public QObject {
     QVERIFY(save(session, path));
     QVERIFY(!session.modified());
     QCOMPARE(session.title(), QStringLiteral("balls.sline"));
-    QVERIFY(model::SceneLock::held(path));
+    QVERIFY(model::FileLock::held(path));
     Session again;
     QVERIFY(open(again, path));
     QVERIFY(same(again.scene(), session.scene()));
@@ -130,14 +130,14 @@ class DocumentFileTest : public QObject {
     QVERIFY(session.modified());
     QVERIFY(save(session, file("other.sline")));
     QCOMPARE(session.title(), QStringLiteral("other.sline"));
-    QVERIFY(!model::SceneLock::held(file("named.sline")));
-    QVERIFY(model::SceneLock::held(file("other.sline")));
+    QVERIFY(!model::FileLock::held(file("named.sline")));
+    QVERIFY(model::FileLock::held(file("other.sline")));
     session.redo();
     QVERIFY(session.modified());
     QVERIFY(save(session, file("copy.sline"), SceneSaver::As::copy));
     QCOMPARE(session.title(), QStringLiteral("other.sline"));
     QVERIFY(session.modified());
-    QVERIFY(!model::SceneLock::held(file("copy.sline")));
+    QVERIFY(!model::FileLock::held(file("copy.sline")));
     QVERIFY(same(onDisk(file("copy.sline")), session.scene()));
   }
 
@@ -148,19 +148,19 @@ class DocumentFileTest : public QObject {
       QVERIFY(model::writeSceneFile(path, {.scene = balls()}).ok());
     Session session;
     QVERIFY(open(session, a));
-    QVERIFY(model::SceneLock::held(a));
+    QVERIFY(model::FileLock::held(a));
     QVERIFY(open(session, b));
-    QVERIFY(!model::SceneLock::held(a) && model::SceneLock::held(b));
+    QVERIFY(!model::FileLock::held(a) && model::FileLock::held(b));
     session.undo();
-    QVERIFY(model::SceneLock::held(a) && !model::SceneLock::held(b));
+    QVERIFY(model::FileLock::held(a) && !model::FileLock::held(b));
     QCOMPARE(session.title(), QStringLiteral("a.sline"));
     QVERIFY(open(session, a));  // again: the lock is its own
     QVERIFY(session.file().writable == Writable::yes);
     session.closeDocument();
-    QVERIFY(!model::SceneLock::held(a));
+    QVERIFY(!model::FileLock::held(a));
     QCOMPARE(session.document().opening, 0);
     session.undo();
-    QVERIFY(model::SceneLock::held(a));
+    QVERIFY(model::FileLock::held(a));
     QVERIFY(session.file().writable == Writable::yes);
     session.redo();
     // Meanwhile somebody else writes it: what undo brings back must not go over that.

@@ -3,11 +3,11 @@
 #include <QtTest>
 #include <array>
 
-#include "model/files/scene_file.h"
-#include "model/files/zip_archive.h"
+#include "model/disk/zip_archive.h"
 #include "model/import/plan/import.h"
 #include "model/import/plan/plan.h"
 #include "model/import/plan/read_inputs.h"
+#include "model/scene_file/scene_file.h"
 #include "tests/model/import/dicom/surface_facts.h"
 #include "tests/model/import/dicom/written_images.h"
 #include "tests/support/suite.h"

@@ -4,11 +4,11 @@
 #include <QtTest>
 #include <array>
 
-#include "model/files/scene_file.h"
 #include "model/geometry/spatial_order.h"
 #include "model/geometry/topology.h"
 #include "model/import/plan/import.h"
 #include "model/meshing/simplification.h"
+#include "model/scene_file/scene_file.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"

@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "model/import/plan/plan.h"
-#include "tests/model/files/sample_scene.h"
 #include "tests/model/import/written_meshes.h"
+#include "tests/model/scene_file/sample_scene.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 

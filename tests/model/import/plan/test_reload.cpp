@@ -6,7 +6,7 @@
 #include <array>
 #include <glm/geometric.hpp>
 
-#include "model/files/fingerprint.h"
+#include "model/scene_file/fingerprint.h"
 #include "tests/model/import/written_meshes.h"
 #include "tests/support/suite.h"
 

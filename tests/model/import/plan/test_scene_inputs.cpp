@@ -3,11 +3,11 @@
 #include <array>
 #include <cmath>
 
-#include "model/files/scene_file.h"
 #include "model/import/plan/import.h"
 #include "model/import/plan/plan.h"
-#include "tests/model/files/sample_scene.h"
+#include "model/scene_file/scene_file.h"
 #include "tests/model/import/written_meshes.h"
+#include "tests/model/scene_file/sample_scene.h"
 #include "tests/support/shapes.h"
 #include "tests/support/suite.h"
 

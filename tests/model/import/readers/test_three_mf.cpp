@@ -4,7 +4,7 @@
 #include <array>
 #include <glm/geometric.hpp>
 
-#include "model/files/zip_archive.h"
+#include "model/disk/zip_archive.h"
 #include "model/import/plan/import.h"
 #include "tests/model/import/readers/mesh_files.h"
 #include "tests/support/suite.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "model/disk/zip_archive.h"
 #include "model/edit/views.h"
-#include "model/files/zip_archive.h"
 #include "model/import/plan/import.h"
 #include "model/import/slicer/fiducials.h"
 #include "tests/model/import/written_meshes.h"

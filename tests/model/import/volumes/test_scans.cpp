@@ -8,14 +8,14 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "model/files/scene_file.h"
-#include "model/files/scene_json.h"
 #include "model/import/plan/kept_scans.h"
 #include "model/import/plan/plan.h"
 #include "model/import/plan/reload.h"
 #include "model/import/volumes/threshold_presets.h"
 #include "model/import/volumes/volume_readers.h"
 #include "model/import/volumes/volume_surfaces.h"
+#include "model/scene_file/scene_file.h"
+#include "model/scene_file/scene_json.h"
 #include "tests/model/import/readers/mesh_files.h"
 #include "tests/model/import/volumes/written_volumes.h"
 #include "tests/model/import/written_meshes.h"

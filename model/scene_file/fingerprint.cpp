@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/scene_file/fingerprint.h"
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace sline::model {
+
+namespace {
+/// CRC-32 of IEEE 802.3, bits reflected, byte by byte (Sarwate, "Computation of cyclic redundancy
+/// checks via table look-up", CACM 31(8), 1988).
+constexpr std::uint32_t polynomial = 0xedb88320u;
+
+constexpr std::array<std::uint32_t, 256> remainders() {
+  std::array<std::uint32_t, 256> table{};
+  for (std::uint32_t byte = 0; byte < 256; ++byte) {
+    std::uint32_t rest = byte;
+    for (int bit = 0; bit < 8; ++bit)
+      rest = rest >> 1 ^ ((rest & 1) != 0 ? polynomial : 0);
+    table[byte] = rest;
+  }
+  return table;
+}
+
+class Checksum {
+ public:
+  void add(std::string_view bytes) {
+    static constexpr std::array<std::uint32_t, 256> table = remainders();
+    for (const char c : bytes)
+      m_rest = m_rest >> 8 ^ table[(m_rest ^ static_cast<unsigned char>(c)) & 0xff];
+    m_bytes += bytes.size();
+  }
+  Fingerprint fingerprint() const { return {m_bytes, ~m_rest}; }
+
+ private:
+  std::uint32_t m_rest = 0xffffffffu;
+  std::uint64_t m_bytes = 0;
+};
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+}  // namespace
+
+Fingerprint fingerprintOf(std::string_view bytes) {
+  Checksum sum;
+  sum.add(bytes);
+  return sum.fingerprint();
+}
+
+Result<Fingerprint> fingerprintOfFile(const std::filesystem::path& file) {
+  const std::unique_ptr<std::FILE, CloseFile> handle(std::fopen(file.string().c_str(), "rb"));
+  std::vector<char> piece(std::size_t(1) << 16);
+  Checksum sum;
+  std::size_t got = 0;
+  while (handle && (got = std::fread(piece.data(), 1, piece.size(), handle.get())) > 0)
+    sum.add({piece.data(), got});
+  if (!handle || std::ferror(handle.get()) != 0)
+    return Error{.file = file.string(),
+                 .reason = "it cannot be read: " + std::generic_category().message(errno),
+                 .remedy = "Check the path and its permissions"};
+  return sum.fingerprint();
+}
+
+}  // namespace sline::model

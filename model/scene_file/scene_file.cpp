@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/scene_file/scene_file.h"
+
+#include <algorithm>
+#include <set>
+
+#include "model/base/letters.h"
+#include "model/disk/whole_file.h"
+#include "model/scene_file/mesh_codec.h"
+#include "model/scene_file/scan_codec.h"
+#include "model/scene_file/scene_json.h"
+#include "model/scene_file/scene_migration.h"
+
+namespace sline::model {
+
+namespace fs = std::filesystem;
+
+namespace {
+constexpr std::string_view sceneMember = "scene.json";
+constexpr std::string_view thumbnailMember = "thumbnail.png";
+constexpr std::size_t largestFile = std::size_t(4) << 30;
+constexpr const char* unreadable = "Open an older copy of it, or import the meshes again";
+
+Error placed(Error error, std::string_view member) {
+  error.where = std::string(member) + (error.where.empty() ? "" : ": " + error.where);
+  return error;
+}
+
+Result<Json> sceneJsonOf(const ZipReader& zip) {
+  const ZipReader::Entry* entry = zip.find(sceneMember);
+  if (!entry)
+    return Error{.reason = "it holds no scene.json: it is a ZIP file, but no scene"};
+  if (entry->size > JsonLimits().bytes)
+    return Error{.where = std::string(sceneMember), .reason = "it is too large"};
+  const Result<std::string> text = zip.read(*entry);
+  if (!text.ok())
+    return text.error();
+  Result<Json> root = parseJson(*text);
+  return root.ok() ? std::move(root) : placed(root.error(), sceneMember);
+}
+
+Result<MeshesByName> meshesOf(const ZipReader& zip, const Json& root) {
+  MeshesByName meshes;
+  for (const std::string& name : meshesCalledFor(root)) {
+    const ZipReader::Entry* entry = zip.find(name);
+    if (!entry)
+      continue;  // scene.json's reader tells where it was called for
+    const Result<std::string> bytes = zip.read(*entry);
+    if (!bytes.ok())
+      return bytes.error();
+    Result<Mesh> mesh = decodedMesh(*bytes);
+    if (!mesh.ok())
+      return placed(mesh.error(), name);
+    meshes[name] = std::make_shared<const Mesh>(std::move(*mesh));
+  }
+  return meshes;
+}
+
+Result<VoxelsByName> voxelsOf(const ZipReader& zip, const Json& root) {
+  VoxelsByName voxels;
+  for (const std::string& name : voxelsCalledFor(root)) {
+    const ZipReader::Entry* entry = zip.find(name);
+    if (!entry || voxels.contains(name))
+      continue;
+    const Result<std::string> bytes = zip.read(*entry);
+    if (!bytes.ok())
+      return bytes.error();
+    Result<std::vector<std::int16_t>> decoded = decodedVoxels(*bytes);
+    if (!decoded.ok())
+      return placed(decoded.error(), name);
+    voxels[name] = std::make_shared<const std::vector<std::int16_t>>(std::move(*decoded));
+  }
+  return voxels;
+}
+
+/// The thumbnail and what is neither scene nor called for by it.
+Status takeRest(const ZipReader& zip, const std::set<std::string, std::less<>>& known,
+                SceneDocument& document) {
+  for (const ZipReader::Entry& entry : zip.entries()) {
+    if (entry.name == sceneMember || known.contains(entry.name))
+      continue;
+    Result<std::string> bytes = zip.read(entry);
+    if (!bytes.ok())
+      return bytes.error();
+    if (entry.name == thumbnailMember)
+      document.thumbnail = std::move(*bytes);
+    else
+      document.others.push_back({entry.name, std::move(*bytes)});
+  }
+  return Unit{};
+}
+
+Result<SceneDocument> documentFrom(const ZipReader& zip) {
+  Result<Json> root = sceneJsonOf(zip);
+  if (!root.ok())
+    return root.error();
+  const Result<int> schema = schemaOf(*root);
+  if (!schema.ok())
+    return placed(schema.error(), sceneMember);
+  if (const Status migrated = migrate(*root); !migrated.ok())
+    return placed(migrated.error(), sceneMember);
+  const Result<MeshesByName> meshes = meshesOf(zip, *root);
+  if (!meshes.ok())
+    return meshes.error();
+  const Result<VoxelsByName> voxels = voxelsOf(zip, *root);
+  if (!voxels.ok())
+    return voxels.error();
+  Result<Scene> scene = sceneFromJson(*root, *meshes, *voxels);
+  if (!scene.ok())
+    return placed(scene.error(), sceneMember);
+  SceneDocument document{.scene = std::move(*scene), .schema = *schema};
+  std::set<std::string, std::less<>> known;
+  for (const auto& [name, mesh] : *meshes)
+    known.insert(name);
+  for (const auto& [name, numbers] : *voxels)
+    known.insert(name);
+  if (const Status taken = takeRest(zip, known, document); !taken.ok())
+    return taken.error();
+  return document;
+}
+
+/// Refuses to write over what a newer program has written; what cannot be read is no such file.
+Status mayReplace(const fs::path& file) {
+  std::error_code unknown;
+  if (!fs::is_regular_file(file, unknown))
+    return Unit{};
+  const Result<std::string> bytes = readText(file, largestFile);
+  if (!bytes.ok())
+    return Unit{};
+  const Result<ZipReader> zip = ZipReader::open(*bytes);
+  if (!zip.ok())
+    return Unit{};
+  const Result<Json> root = sceneJsonOf(*zip);
+  if (!root.ok())
+    return Unit{};
+  const Result<int> schema = schemaOf(*root);
+  if (schema.ok() && *schema > sceneSchema)
+    return Error{.file = file.string(),
+                 .reason =
+                     "a newer version of the program has written it, with more than this one "
+                     "would write",
+                 .remedy = "Save under another name"};
+  return Unit{};
+}
+
+/// Beside the file lie what writers that were killed have left, named like writeBeside does; with
+/// the lock held nobody is writing.
+void removeLeftovers(const fs::path& file) {
+  const std::string start = "." + file.filename().string() + ".";
+  std::error_code fault;
+  fs::directory_iterator entry(file.parent_path(), fault);
+  std::vector<fs::path> left;
+  for (const fs::directory_iterator end; !fault && entry != end; entry.increment(fault)) {
+    const std::string name = entry->path().filename().string();
+    if (name.size() > start.size() && name.starts_with(start) &&
+        name.find_first_not_of("0123456789", start.size()) == std::string::npos)
+      left.push_back(entry->path());
+  }
+  for (const fs::path& path : left)
+    fs::remove(path, fault);
+}
+}  // namespace
+
+bool isSceneFile(const fs::path& file) {
+  return lowerExtension(file) == sceneExtension;
+}
+
+bool SceneDocument::isNewer() const {
+  return schema > sceneSchema;
+}
+
+std::string SceneDocument::warning() const {
+  return isNewer() ? "a newer version of the program has written it (schema " +
+                         std::to_string(schema) + ", known here: " + std::to_string(sceneSchema) +
+                         "); what is unknown is not shown, and it can only be saved under another "
+                         "name"
+                   : "";
+}
+
+Result<std::string> sceneFileBytes(const SceneDocument& document) {
+  std::vector<ZipMember> members{{std::string(sceneMember), sceneJson(document.scene)}};
+  if (!document.thumbnail.empty())
+    members.push_back({std::string(thumbnailMember), document.thumbnail});
+  std::map<MeshPtr, std::string> names = meshNames(document.scene);
+  for (const Node& node : document.scene.nodes()) {
+    const auto name = names.find(node.mesh);
+    if (name == names.end())
+      continue;
+    members.push_back({name->second, encodedMesh(*node.mesh)});
+    names.erase(name);  // written once, however many have it
+  }
+  for (std::size_t n = 0; n < document.scene.scans().size(); ++n)
+    members.push_back({voxelsName(n), encodedVoxels(*document.scene.scans()[n].voxels)});
+  std::vector<const ZipMember*> all;
+  std::set<std::string_view> taken;
+  const auto add = [&](const ZipMember& member) {
+    if (taken.insert(member.name).second)
+      all.push_back(&member);
+  };
+  std::for_each(members.begin(), members.end(), add);
+  std::for_each(document.others.begin(), document.others.end(), add);
+  return zipped(all);
+}
+
+Result<SceneDocument> documentFromBytes(std::string_view bytes) {
+  const Result<ZipReader> zip = ZipReader::open(bytes);
+  Result<SceneDocument> document =
+      zip.ok() ? documentFrom(*zip) : Result<SceneDocument>(zip.error());
+  if (document.ok())
+    return document;
+  Error error = document.error();
+  error.remedy = unreadable;
+  return error;
+}
+
+Result<SceneDocument> readSceneFile(const fs::path& file) {
+  const Result<std::string> bytes = readText(file, largestFile);
+  if (!bytes.ok())
+    return bytes.error();
+  Result<SceneDocument> document = documentFromBytes(*bytes);
+  if (document.ok())
+    return document;
+  Error error = document.error();
+  error.file = file.string();
+  return error;
+}
+
+Status writeSceneFile(const FileLock& lock, const SceneDocument& document) {
+  if (Status allowed = mayReplace(lock.file()); !allowed.ok())
+    return allowed;
+  Result<std::string> bytes = sceneFileBytes(document);
+  if (!bytes.ok()) {
+    Error error = bytes.error();
+    error.file = lock.file().string();
+    return error;
+  }
+  removeLeftovers(lock.file());
+  return writeText(lock.file(), *bytes);
+}
+
+Status writeSceneFile(const fs::path& file, const SceneDocument& document) {
+  const Result<FileLock> lock = FileLock::acquire(file);
+  return lock.ok() ? writeSceneFile(*lock, document) : Status(lock.error());
+}
+
+}  // namespace sline::model

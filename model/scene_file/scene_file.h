@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene file: one ZIP with scene.json, the meshes and a small picture.
+// resources/help/scene_file.md describes it for whoever writes another reader.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/base/result.h"
+#include "model/disk/file_lock.h"
+#include "model/disk/zip_archive.h"
+#include "model/scene/scene.h"
+
+namespace sline::model {
+
+inline constexpr std::string_view sceneExtension = ".sline";
+/// By its extension; case is ignored.
+bool isSceneFile(const std::filesystem::path& file);
+
+struct SceneDocument {
+  Scene scene;
+  std::string thumbnail;          ///< PNG; may be empty
+  std::vector<ZipMember> others;  ///< members without a meaning here, by name; kept for saving
+  int schema = 0;                 ///< of the file it came from; 0: from none
+
+  /// From a program that knows more: it can be looked at and saved under another name.
+  bool isNewer() const;
+  /// What to tell the user about a newer file; empty for others.
+  std::string warning() const;
+};
+
+/// The same document always gives the same bytes, and they read back to the same document.
+Result<std::string> sceneFileBytes(const SceneDocument& document);
+
+/// The bytes are not trusted. An error's `where` is the member and the place in it:
+/// "scene.json: nodes[3].style.gamma".
+Result<SceneDocument> documentFromBytes(std::string_view bytes);
+
+Result<SceneDocument> readSceneFile(const std::filesystem::path& file);
+
+/// Writes the lock's file whole or not at all, through to the disk. A file of a newer program is
+/// not overwritten.
+Status writeSceneFile(const FileLock& lock, const SceneDocument& document);
+/// The same with a lock for as long as it takes.
+Status writeSceneFile(const std::filesystem::path& file, const SceneDocument& document);
+
+}  // namespace sline::model

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+
+#include "model/base/colour_text.h"
+#include "model/scene_file/scene_json.h"
+#include "model/scene_file/scene_json_names.h"
+#include "model/scene_file/style_json.h"
+
+namespace sline::model {
+
+namespace {
+/// Keys stay in the order they are written in.
+using Ordered = nlohmann::ordered_json;
+
+/// The same value; its keys, sorted and unlike each other, are not looked for again one by one.
+Ordered orderedOf(const Json& json) {
+  if (json.is_array()) {
+    Ordered list = Ordered::array();
+    for (const Json& value : json)
+      list.push_back(orderedOf(value));
+    return list;
+  }
+  if (!json.is_object())
+    return Ordered::parse(json.dump());
+  Ordered object = Ordered::object();
+  for (const auto& [key, value] : json.items())
+    object.get_ref<Ordered::object_t&>().push_back({key, orderedOf(value)});
+  return object;
+}
+
+/// Adds what `unread` has and `target` has not, object by object.
+void addUnread(Ordered& target, const Json& unread) {
+  auto& keys = target.get_ref<Ordered::object_t&>();
+  const std::size_t known = keys.size();
+  for (const auto& [key, value] : unread.items()) {
+    auto own = keys.begin();
+    const auto end = own + std::ptrdiff_t(known);
+    while (own != end && own->first != key)
+      ++own;
+    if (own == end)
+      keys.push_back({key, orderedOf(value)});
+    else if (own->second.is_object() && value.is_object())
+      addUnread(own->second, value);
+  }
+}
+
+void addUnread(Ordered& target, const std::string& unread) {
+  if (unread.empty())
+    return;
+  const Result<Json> kept = parseJson(unread);
+  if (kept.ok() && kept->is_object())
+    addUnread(target, *kept);
+}
+
+Ordered pointOf(const glm::vec3& p) {
+  return Ordered::array({jsonNumber(p.x), jsonNumber(p.y), jsonNumber(p.z)});
+}
+
+Ordered provenanceOf(const Provenance& p) {
+  Ordered json = {{"file", p.file},
+                  {"frame", p.frame},
+                  {"frame_reason", p.frameReason},
+                  {"mm_per_unit", jsonNumber(p.mmPerUnit)},
+                  {"unit_reason", p.unitReason},
+                  {"smoothing_steps", p.smoothingSteps},
+                  {"refinement_steps", p.refinementSteps},
+                  {"repaired_faces", p.repairedFaces},
+                  {"displacement_mm", jsonNumber(p.displacementMm)}};
+  if (p.decimatedFrom != 0) {
+    json["decimated_from"] = p.decimatedFrom;
+    json["decimation_mm"] = jsonNumber(p.decimationMm);
+  }
+  if (!p.part.empty())
+    json["part"] = p.part;
+  if (p.fingerprint)
+    json["fingerprint"] = {{"bytes", p.fingerprint->bytes}, {"crc32", p.fingerprint->crc}};
+  if (p.intensities) {
+    json["intensities"] = Ordered::object();
+    if (p.intensities->low)
+      json["intensities"]["low"] = jsonNumber(*p.intensities->low);
+    if (p.intensities->high)
+      json["intensities"]["high"] = jsonNumber(*p.intensities->high);
+  }
+  if (p.transform) {
+    json["transform"] = Ordered::array();
+    for (const float number : *p.transform)
+      json["transform"].push_back(jsonNumber(number));
+  }
+  return json;
+}
+
+Ordered nodeOf(const Node& node, const std::map<MeshPtr, std::string>& names) {
+  Ordered json = {{"id", node.id.value}};
+  if (node.parent != rootId)
+    json["parent"] = node.parent.value;
+  json["name"] = node.name;
+  if (!node.isGroup())
+    json["mesh"] = {{"file", names.at(node.mesh)},
+                    {"vertices", node.mesh->vertexCount()},
+                    {"triangles", node.mesh->triangleCount()}};
+  if (node.style != Style())
+    json["style"] = styleJson(node.style);
+  if (node.locked)
+    json["locked"] = true;
+  if (node.provenance != Provenance())
+    json["provenance"] = provenanceOf(node.provenance);
+  addUnread(json, node.unread);
+  return json;
+}
+
+Ordered sectionsOf(const std::vector<Section>& sections) {
+  Ordered list = Ordered::array();
+  for (const Section& section : sections) {
+    Ordered json = {{"id", section.id.value},
+                    {"name", section.name},
+                    {"normal", pointOf(section.plane.normal)},
+                    {"offset_mm", jsonNumber(section.plane.offset)}};
+    if (section.scope != rootId)
+      json["scope"] = section.scope.value;
+    json["enabled"] = section.enabled;
+    json["hatched"] = section.hatched;
+    addUnread(json, section.unread);
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+Ordered anchorOf(const Anchor& anchor) {
+  if (const auto* place = std::get_if<glm::vec3>(&anchor))
+    return {{"point_mm", pointOf(*place)}};
+  const SurfacePoint& point = std::get<SurfacePoint>(anchor);
+  return {{"structure", point.structure.value},
+          {"triangle", point.triangle},
+          {"weights", {jsonNumber(point.weights[0]), jsonNumber(point.weights[1])}}};
+}
+
+Ordered annotationOf(const Annotation& annotation) {
+  Ordered json = {{"id", annotation.id.value},
+                  {"kind", annotationKindNames[std::size_t(annotation.kind)]},
+                  {"at", anchorOf(annotation.anchors[0])}};
+  if (annotation.anchors.size() > 1)
+    json["to"] = anchorOf(annotation.anchors[1]);
+  json["text"] = annotation.text;
+  if (!annotation.texts.empty())
+    json["texts"] = annotation.texts;
+  if (annotation.colour)
+    json["colour"] = colourText(*annotation.colour);
+  json["visible"] = annotation.visible;
+  json["locked"] = annotation.locked;
+  if (annotation.offset)
+    json["offset"] = {jsonNumber(annotation.offset->x), jsonNumber(annotation.offset->y)};
+  addUnread(json, annotation.unread);
+  return json;
+}
+
+Ordered keyLightOf(const KeyLight& light) {
+  Ordered json = {{"towards", pointOf(light.towards)}, {"shades", light.shades}};
+  addUnread(json, light.unread);
+  return json;
+}
+
+Ordered cameraOf(const Camera& camera) {
+  return {{"projection", projectionNames[std::size_t(camera.projection)]},
+          {"eye_mm", pointOf(camera.eye)},
+          {"target_mm", pointOf(camera.target)},
+          {"up", pointOf(camera.up)},
+          {"opening_degrees", jsonNumber(camera.fovyDegrees)},
+          {"height_mm", jsonNumber(camera.heightMm)}};
+}
+
+Ordered viewOf(const View& view) {
+  Ordered json = {{"name", view.name}, {"camera", cameraOf(view.camera)}};
+  if (view.sections)
+    json["sections"] = sectionsOf(*view.sections);
+  if (view.looks) {
+    json["looks"] = Ordered::array();
+    for (const Look& look : *view.looks) {
+      json["looks"].push_back({{"node", look.node.value}, {"style", styleJson(look.style)}});
+      addUnread(json["looks"].back(), look.unread);
+    }
+  }
+  if (view.annotations) {
+    json["annotations"] = Ordered::array();
+    for (const AnnotationId id : *view.annotations)
+      json["annotations"].push_back(id.value);
+  }
+  addUnread(json, view.unread);
+  return json;
+}
+}  // namespace
+
+std::map<MeshPtr, std::string> meshNames(const Scene& scene) {
+  std::map<MeshPtr, std::string> names;
+  for (const Node& node : scene.nodes())
+    if (!node.isGroup())
+      names.try_emplace(node.mesh, "meshes/" + std::to_string(node.id.value) + ".mesh");
+  return names;
+}
+
+std::string sceneJson(const Scene& scene) {
+  const std::map<MeshPtr, std::string> names = meshNames(scene);
+  Ordered root = {
+      {"format", formatName}, {"schema", sceneSchema}, {"frame", "LPS"}, {"unit", "mm"}};
+  root["nodes"] = Ordered::array();
+  for (const Node& node : scene.nodes())
+    root["nodes"].push_back(nodeOf(node, names));
+  root["sections"] = sectionsOf(scene.sections());
+  root["annotations"] = Ordered::array();
+  for (const Annotation& annotation : scene.annotations())
+    root["annotations"].push_back(annotationOf(annotation));
+  root["views"] = Ordered::array();
+  for (const View& view : scene.views())
+    root["views"].push_back(viewOf(view));
+  if (scene.keyLight())
+    root["key_light"] = keyLightOf(*scene.keyLight());
+  if (!scene.scans().empty())
+    root["scans"] = Ordered::array();
+  for (std::size_t n = 0; n < scene.scans().size(); ++n) {
+    Ordered json = scanJson(scene.scans()[n], voxelsName(n));
+    addUnread(json, scene.scans()[n].unread);
+    root["scans"].push_back(std::move(json));
+  }
+  addUnread(root, scene.unread());
+  return root.dump(1, ' ', false, Ordered::error_handler_t::replace) + "\n";
+}
+
+}  // namespace sline::model

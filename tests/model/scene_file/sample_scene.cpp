@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/model/scene_file/sample_scene.h"
+
+#include <cstring>
+
+#include "tests/support/shapes.h"
+
+namespace sline::test {
+
+using namespace model;
+
+Scene sampleScene() {
+  Scene scene;
+  const NodeId vessels = scene.append({.name = "Vessels"});
+  const NodeId arteries = scene.append({.parent = vessels, .name = "Arteries"});
+  Node artery{.parent = arteries, .name = "Ärterie \"a\"", .mesh = sphere(7.3f, 2)};
+  artery.style = {.colour = Colour{1, 2, 3},
+                  .inkColour = Colour{250, 251, 252},
+                  .gamma = Gamma::clamped(3.3f),
+                  .opacity = Opacity::clamped(0.7f),
+                  .fill = Fill::tint,
+                  .visible = false,
+                  .penWeight = 1.7f,
+                  .hatchDensity = HatchDensity::clamped(0.6f),
+                  .hatchTone = HatchTone::clamped(1.3f)};
+  artery.locked = true;
+  artery.provenance = {"a.ply", "LPS",   "said so",      3,    2,     1,
+                       0.25f,   1000.0f, "glTF: metres", 4321, 0.125f};
+  artery.provenance.part = "artery";
+  artery.provenance.fingerprint = Fingerprint{12'345'678'901, 0xfedcba98u};
+  artery.provenance.transform = {1, 0, 0, 0.1f, 0, -1, 0, 0, 0, 0, 1, -7};
+  const NodeId one = scene.append(artery);
+  scene.append({.name = "its twin", .style = {.visible = true}, .mesh = artery.mesh});
+  scene.append({.name = "loose", .style = {.fill = Fill::veil}, .mesh = torus(9, 2, 12, 8)});
+  const Section half{.id = {5},
+                     .name = "half",
+                     .plane = {.normal = {0, 1, 0}, .offset = 2.5f},
+                     .scope = vessels,
+                     .enabled = false,
+                     .hatched = true};
+  scene.setSections({half});
+  const Camera camera{.projection = Projection::orthographic,
+                      .eye = {1, -500, 0.1f},
+                      .target = {0.3f, 0, 2},
+                      .up = {-0.0f, 0.1f, 1},
+                      .fovyDegrees = 21.5f,
+                      .heightMm = 333.25f};
+  scene.setViews({{.name = "Overview", .camera = camera},
+                  {.name = "Cut", .sections = std::vector<Section>{half}},
+                  {.name = "Whole", .sections = std::vector<Section>{}},
+                  {.name = "Bare",
+                   .looks = std::vector<Look>{{.node = one, .style = {.visible = true}},
+                                              {.node = vessels, .style = {.fill = Fill::paper}}},
+                   .annotations = std::vector<AnnotationId>{AnnotationId{4}}}});
+  scene.setAnnotations({{.id = {4},
+                         .kind = AnnotationKind::callout,
+                         .anchors = {SurfacePoint{one, 17, {0.25f, 0.5f}}},
+                         .text = "Artery",
+                         .texts = {{"de", "Schlagader"}, {"la", "Arteria"}},
+                         .colour = Colour{9, 99, 199},
+                         .offset = glm::vec2(0.25f, -0.125f)},
+                        {.id = {2},
+                         .kind = AnnotationKind::distance,
+                         .anchors = {glm::vec3(1, 2.5f, -3), SurfacePoint{one, 0, {0, 1}}},
+                         .visible = false,
+                         .locked = true}});
+  scene.setKeyLight(KeyLight{.towards = {0, 0.6f, 0.8f}, .shades = true});
+  return scene;
+}
+
+namespace {
+bool sameBits(const Mesh& a, const Mesh& b) {
+  return a.vertexCount() == b.vertexCount() && a.triangleCount() == b.triangleCount() &&
+         std::memcmp(a.positions().data(), b.positions().data(), a.positions().size_bytes()) == 0 &&
+         std::memcmp(a.triangles().data(), b.triangles().data(), a.triangles().size_bytes()) == 0;
+}
+}  // namespace
+
+std::string difference(const Scene& a, const Scene& b) {
+  if (a.views() != b.views())
+    return "views";
+  if (a.sections() != b.sections())
+    return "sections";
+  if (a.annotations() != b.annotations())
+    return "annotations";
+  if (a.keyLight() != b.keyLight())
+    return "key light";
+  if (a.unread() != b.unread())
+    return "unread: " + a.unread() + " / " + b.unread();
+  if (a.nodes().size() != b.nodes().size())
+    return "count of nodes";
+  for (std::size_t i = 0; i < a.nodes().size(); ++i) {
+    Node x = a.nodes()[i];
+    Node y = b.nodes()[i];
+    if (x.isGroup() != y.isGroup() || (!x.isGroup() && !sameBits(*x.mesh, *y.mesh)))
+      return "mesh of " + x.name;
+    x.mesh = y.mesh = nullptr;
+    if (x != y)
+      return x.name + " / " + y.name + ", " + x.unread + " / " + y.unread;
+  }
+  return {};
+}
+
+std::string withMember(const std::string& file, const std::string& name, const std::string& bytes) {
+  const auto zip = ZipReader::open(file);
+  std::vector<ZipMember> members;
+  if (zip.ok())
+    for (const ZipReader::Entry& entry : zip->entries())
+      if (auto unpacked = zip->read(entry); entry.name != name && unpacked.ok())
+        members.push_back({entry.name, std::move(*unpacked)});
+  members.push_back({name, bytes});
+  std::vector<const ZipMember*> all;
+  all.reserve(members.size());
+  for (const ZipMember& member : members)
+    all.push_back(&member);
+  auto packed = zipped(all);
+  return packed.ok() ? std::move(*packed) : std::string();
+}
+
+std::string memberOf(const std::string& file, const std::string& name) {
+  const auto zip = ZipReader::open(file);
+  const ZipReader::Entry* entry = zip.ok() ? zip->find(name) : nullptr;
+  if (!entry)
+    return {};
+  auto unpacked = zip->read(*entry);
+  return unpacked.ok() ? std::move(*unpacked) : std::string();
+}
+
+}  // namespace sline::test

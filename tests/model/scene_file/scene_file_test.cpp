@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/scene_file/scene_file.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <random>
+
+#include "model/disk/whole_file.h"
+#include "model/scene_file/json_value.h"
+#include "model/scene_file/scene_json.h"
+#include "tests/model/scene_file/sample_scene.h"
+#include "tests/support/suite.h"
+
+using namespace sline;
+using namespace sline::model;
+namespace fs = std::filesystem;
+
+namespace {
+std::string sampleFile() {
+  auto bytes = sceneFileBytes({.scene = test::sampleScene(), .thumbnail = "no real picture"});
+  return bytes.ok() ? std::move(*bytes) : std::string();
+}
+
+std::string newerFile() {
+  const std::string file = sampleFile();
+  Json root = Json::parse(test::memberOf(file, "scene.json"));
+  root["schema"] = sceneSchema + 1;
+  root["narrations"] = {{{"text", "liver"}, {"picture", "pictures/1.png"}}};
+  return test::withMember(test::withMember(file, "scene.json", root.dump()), "pictures/1.png",
+                          "a picture");
+}
+}  // namespace
+
+class SceneFileTest : public QObject {
+  Q_OBJECT
+ private slots:
+  void roundTrip();
+  void savingAgainGivesTheSameBytes();
+  void storedExampleOfEachSchema_data();
+  void storedExampleOfEachSchema();
+  void newerFileIsForReading();
+  void unknownMembersAreKept();
+  void refuses_data();
+  void refuses();
+  void everyCutIsRefused();
+  void mutationsNeverCrash();
+  void extensions();
+};
+
+void SceneFileTest::roundTrip() {
+  const auto document = documentFromBytes(sampleFile());
+  QVERIFY2(document.ok(), document.ok() ? "" : document.error().text().c_str());
+  QCOMPARE(test::difference(document->scene, test::sampleScene()), std::string());
+  QCOMPARE(document->thumbnail, std::string("no real picture"));
+  QCOMPARE(document->schema, sceneSchema);
+  QVERIFY(document->others.empty() && !document->isNewer() && document->warning().empty());
+  // A shared mesh is shared again, and ids go on where they were.
+  const auto& nodes = document->scene.nodes();
+  QVERIFY(nodes[2].mesh == nodes[3].mesh);
+  const NodeId added = Scene(document->scene).append({.name = "new"});
+  QVERIFY(!test::sampleScene().find(added));
+}
+
+void SceneFileTest::savingAgainGivesTheSameBytes() {
+  std::string bytes = sampleFile();
+  for (int round = 0; round < 20; ++round) {
+    const auto document = documentFromBytes(bytes);
+    QVERIFY(document.ok());
+    const auto again = sceneFileBytes(*document);
+    QVERIFY(again.ok() && *again == bytes);
+    bytes = *again;
+  }
+}
+
+void SceneFileTest::storedExampleOfEachSchema_data() {
+  QTest::addColumn<QString>("file");
+  const QDir examples(SLINE_EXAMPLES);
+  for (const QString& name : examples.entryList({"*.sline"}, QDir::Files))
+    QTest::newRow(qPrintable(name)) << examples.filePath(name);
+  QCOMPARE(int(examples.entryList({"*.sline"}, QDir::Files).size()), sceneSchema);
+}
+
+void SceneFileTest::storedExampleOfEachSchema() {
+  QFETCH(QString, file);
+  const auto document = readSceneFile(file.toStdString());
+  QVERIFY2(document.ok(), document.ok() ? "" : document.error().text().c_str());
+  QCOMPARE(test::difference(document->scene, test::sampleScene()), std::string());
+}
+
+void SceneFileTest::newerFileIsForReading() {
+  const QTemporaryDir folder;
+  const fs::path file = folder.filePath("a.sline").toStdString();
+  QVERIFY(writeText(file, newerFile()).ok());
+  const auto document = readSceneFile(file);
+  QVERIFY2(document.ok(), document.ok() ? "" : document.error().text().c_str());
+  QVERIFY(document->isNewer());
+  QVERIFY(document->warning().find("newer version") != std::string::npos);
+  const Status over = writeSceneFile(file, *document);
+  QVERIFY(!over.ok() && over.error().remedy.find("another name") != std::string::npos);
+  QVERIFY(!writeSceneFile(file, {}).ok());  // whatever it is that is saved there
+  QCOMPARE(*readText(file, 1 << 20), newerFile());
+  // Under another name it keeps what is unknown here.
+  const fs::path other = folder.filePath("b.sline").toStdString();
+  QVERIFY(writeSceneFile(other, *document).ok());
+  const std::string saved = *readText(other, 1 << 20);
+  Json expected = Json::parse(test::memberOf(newerFile(), "scene.json"));
+  expected["schema"] = sceneSchema;
+  QVERIFY(Json::parse(test::memberOf(saved, "scene.json")) == expected);
+  QCOMPARE(test::memberOf(saved, "pictures/1.png"), std::string("a picture"));
+}
+
+void SceneFileTest::unknownMembersAreKept() {
+  const std::string file = test::withMember(sampleFile(), "notes/by hand.txt", "keep me");
+  const auto document = documentFromBytes(file);
+  QVERIFY(document.ok());
+  const auto saved = sceneFileBytes(*document);
+  QVERIFY(saved.ok());
+  QCOMPARE(test::memberOf(*saved, "notes/by hand.txt"), std::string("keep me"));
+}
+
+void SceneFileTest::refuses_data() {
+  QTest::addColumn<QByteArray>("bytes");
+  QTest::addColumn<QString>("message");
+  const auto row = [](const char* name, const std::string& bytes, const char* message) {
+    QTest::newRow(name) << QByteArray::fromStdString(bytes) << QString(message);
+  };
+  const std::string good = sampleFile();
+  row("no ZIP file", "solid cube", "no whole ZIP file");
+  row("nothing", "", "it is empty");
+  const ZipMember member{"word/document.xml", "<w/>"};
+  row("a document of others", *zipped({&member}), "holds no scene.json");
+  row("no JSON", test::withMember(good, "scene.json", "[1,"), "scene.json: byte 4");
+  row("another JSON", test::withMember(good, "scene.json", "{}"), "\"format\" is missing");
+  row("a broken mesh", test::withMember(good, "meshes/3.mesh", "x"),
+      "meshes/3.mesh: it is no mesh");
+  Json root = Json::parse(test::memberOf(good, "scene.json"));
+  root["nodes"][2]["style"]["gamma"] = 7;
+  row("a value out of range", test::withMember(good, "scene.json", root.dump()),
+      "scene.json: nodes[2].style.gamma: a number from 0 to 5 is expected here");
+  root["nodes"][2]["mesh"]["file"] = "../secret";
+  row("a mesh elsewhere", test::withMember(good, "scene.json", root.dump()),
+      "nodes[2].mesh.file: the file holds no such mesh");
+}
+
+void SceneFileTest::refuses() {
+  QFETCH(QByteArray, bytes);
+  QFETCH(QString, message);
+  const QTemporaryDir folder;
+  const fs::path file = folder.filePath("a.sline").toStdString();
+  QVERIFY(writeText(file, bytes.toStdString()).ok());
+  const auto document = readSceneFile(file);
+  QVERIFY(!document.ok());
+  QCOMPARE(document.error().file, file.string());
+  QVERIFY(!document.error().remedy.empty());
+  QVERIFY2(QString::fromStdString(document.error().text()).contains(message),
+           document.error().text().c_str());
+}
+
+void SceneFileTest::everyCutIsRefused() {
+  const std::string bytes = sampleFile();
+  for (std::size_t size = 0; size < bytes.size(); size += size < 200 ? 1 : 61)
+    QVERIFY2(!documentFromBytes(std::string_view(bytes).substr(0, size)).ok(),
+             std::to_string(size).c_str());
+}
+
+/// Bytes changed, cut out and put in, in the ZIP file and – packed again, so that they get past its
+/// checksums – in scene.json and in a mesh. Each gives a scene or a message.
+void SceneFileTest::mutationsNeverCrash() {
+  const std::string good = sampleFile();
+  const std::string json = test::memberOf(good, "scene.json");
+  const std::string mesh = test::memberOf(good, "meshes/3.mesh");
+  std::mt19937 random(11);
+  const auto mutated = [&random](std::string bytes) {
+    constexpr std::string_view telling = "[]{}\",:-0e9\xff\x80\x01\x7f";
+    for (std::size_t changes = 1 + random() % 4; changes > 0 && !bytes.empty(); --changes) {
+      const std::size_t at = random() % bytes.size();
+      const std::size_t length = 1 + random() % 8;
+      switch (random() % 4) {
+        case 0:
+          bytes[at] = char(bytes[at] ^ (1 << random() % 8));
+          break;
+        case 1:
+          bytes[at] = telling[random() % telling.size()];
+          break;
+        case 2:
+          bytes.erase(at, length);
+          break;
+        default:
+          bytes.insert(at, bytes.substr(random() % bytes.size(), length));
+      }
+    }
+    return bytes;
+  };
+  int refused = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const std::string bytes = i % 3 == 0   ? mutated(good)
+                              : i % 3 == 1 ? test::withMember(good, "scene.json", mutated(json))
+                                           : test::withMember(good, "meshes/3.mesh", mutated(mesh));
+    const auto document = documentFromBytes(bytes);
+    refused += !document.ok();
+    QVERIFY(document.ok() || !document.error().reason.empty());
+    QVERIFY(!document.ok() || sceneFileBytes(*document).ok());
+  }
+  QVERIFY2(refused > 1000, std::to_string(refused).c_str());
+}
+
+void SceneFileTest::extensions() {
+  QVERIFY(isSceneFile("a.sline") && isSceneFile("b/A.SLINE"));
+  QVERIFY(!isSceneFile("sline") && !isSceneFile("a.sline.ply") && !isSceneFile(""));
+}
+
+SLINE_TEST(SceneFileTest)
+#include "scene_file_test.moc"
