@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "app/cli/command.h"
-#include "app/cli/names.h"
-#include "app/cli/picture_flags.h"
+#include "app/cli/files/names.h"
+#include "app/cli/flags/picture_flags.h"
 #include "model/anatomy/anatomical_names.h"
 #include "model/edit/annotations.h"
 #include "model/edit/views.h"

@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
-#include "app/cli/names.h"
-#include "app/cli/scene_input.h"
+#include "app/cli/files/names.h"
+#include "app/cli/flags/scene_input.h"
 #include "model/base/result.h"
 
 namespace sline::cli {

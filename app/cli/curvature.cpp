@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // `sline curvature`: principal curvatures and their derivatives of each vertex, as CSV.
 #include "model/geometry/curvature.h"
+#include "model/disk/whole_file.h"
 
 #include <array>
 #include <charconv>
 #include <glm/geometric.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/targets.h"
-#include "app/cli/text_file.h"
+#include "app/cli/files/targets.h"
 #include "model/geometry/normals.h"
 
 namespace sline::cli {
@@ -75,7 +75,7 @@ Exit runCurvature(const CurvatureFlags& flags) {
   for (const model::Node& node : imported->scene.nodes())
     if (!node.isGroup())
       appendMesh(text, *node.mesh);
-  const Status written = writeText(flags.output, text);
+  const Status written = model::writeText(flags.output, text);
   return written.ok() ? Exit::done : complain(written.error(), Exit::failed);
 }
 

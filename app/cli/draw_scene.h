@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/cli/command.h"
-#include "app/cli/picture_flags.h"
+#include "app/cli/flags/picture_flags.h"
 
 namespace sline::cli {
 

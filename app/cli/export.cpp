@@ -5,13 +5,13 @@
 
 #include "app/cli/command.h"
 #include "app/cli/draw_scene.h"
-#include "app/cli/export_notes.h"
-#include "app/cli/film_flags.h"
-#include "app/cli/interruption.h"
-#include "app/cli/page_flags.h"
-#include "app/cli/picture_options.h"
-#include "app/cli/targets.h"
-#include "app/cli/typed_options.h"
+#include "app/cli/files/export_notes.h"
+#include "app/cli/files/interruption.h"
+#include "app/cli/files/targets.h"
+#include "app/cli/flags/film_flags.h"
+#include "app/cli/flags/page_flags.h"
+#include "app/cli/flags/picture_options.h"
+#include "app/cli/flags/typed_options.h"
 #include "render/export/encoding/xml_text.h"
 #include "render/export/formats/export_formats.h"
 #include "render/export/order/common_options.h"
@@ -108,7 +108,8 @@ Result<Wanted> wanted(const ExportFlags& flags) {
   if (!order.ok())
     return order.error();
   wish.order = *order;
-  wish.job.look = {order->background, order->light, order->keyLight, order->blackAndWhite};
+  wish.job.environment = order->environment;
+  wish.job.pureInk = order->blackAndWhite;
   wish.job.labels = order->labels.style;
   wish.job.marks = order->labels.marks;
   return wish;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // `sline import`: whatever can be read in, a scene file out.
 #include "app/cli/command.h"
-#include "app/cli/option_kinds.h"
+#include "app/cli/files/targets.h"
+#include "app/cli/files/thumbnail.h"
+#include "app/cli/flags/option_kinds.h"
 #include "app/cli/plan_report.h"
-#include "app/cli/targets.h"
-#include "app/cli/thumbnail.h"
 #include "model/import/plan/kept_scans.h"
 #include "model/import/plan/plan.h"
 #include "model/scene_file/scene_file.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // `sline info`: what is in the files.
 #include "app/cli/command.h"
-#include "app/cli/scene_summary.h"
-#include "app/cli/values.h"
+#include "app/cli/files/scene_summary.h"
+#include "app/cli/flags/values.h"
 
 namespace sline::cli {
 

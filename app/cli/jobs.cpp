@@ -6,9 +6,9 @@
 #include <set>
 
 #include "app/cli/command.h"
-#include "app/cli/film_flags.h"
-#include "app/cli/job_list.h"
-#include "app/cli/targets.h"
+#include "app/cli/files/targets.h"
+#include "app/cli/flags/film_flags.h"
+#include "app/cli/jobs/job_list.h"
 #include "model/base/letters.h"
 #include "render/export/formats/export_formats.h"
 

@@ -2,13 +2,13 @@
 // `sline lines`: the line segments and strokes of a mesh for one camera, as JSON.
 #include <algorithm>
 
-#include "app/cli/camera_file.h"
 #include "app/cli/command.h"
-#include "app/cli/json_values.h"
-#include "app/cli/section_options.h"
-#include "app/cli/targets.h"
-#include "app/cli/text_file.h"
-#include "app/cli/values.h"
+#include "app/cli/files/camera_file.h"
+#include "app/cli/files/json_values.h"
+#include "app/cli/files/targets.h"
+#include "app/cli/flags/section_options.h"
+#include "app/cli/flags/values.h"
+#include "model/disk/whole_file.h"
 #include "model/geometry/mesh_trees.h"
 #include "render/lines/clipping.h"
 #include "render/lines/cut_faces.h"
@@ -234,7 +234,7 @@ Exit runLines(const LinesFlags& flags) {
   for (const model::Node& node : scene->nodes())
     if (!node.isGroup())
       document.add(node.mesh, model::planesOf(scene->sectionsOf(node.id)));
-  const Status written = writeText(flags.output, document.text());
+  const Status written = model::writeText(flags.output, document.text());
   return written.ok() ? Exit::done : complain(written.error(), Exit::failed);
 }
 

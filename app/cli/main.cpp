@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <new>
 
-#include "app/cli/arguments.h"
 #include "app/cli/command.h"
-#include "app/cli/option_kinds.h"
+#include "app/cli/flags/arguments.h"
+#include "app/cli/flags/option_kinds.h"
 #include "model/disk/process.h"
 
 namespace {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "app/cli/command.h"
-#include "app/cli/completions.h"
-#include "app/cli/man_page.h"
-#include "app/cli/option_table.h"
-#include "app/cli/text_file.h"
+#include "app/cli/manual/completions.h"
+#include "app/cli/manual/man_page.h"
+#include "app/cli/manual/option_table.h"
+#include "model/disk/whole_file.h"
 
 namespace sline::cli {
 
@@ -48,7 +48,7 @@ Exit writeManual(const ProgramTable& tables, const fs::path& folder) {
     if (failed)
       return complain({.file = file.parent_path().string(), .reason = failed.message()},
                       Exit::failed);
-    if (const Status written = writeText(file, text); !written.ok())
+    if (const Status written = model::writeText(file, text); !written.ok())
       return complain(written.error(), Exit::failed);
   }
   return Exit::done;

@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/command.h"
-#include "app/cli/measure_flags.h"
+#include "app/cli/flags/measure_flags.h"
 
 namespace sline::cli {
 

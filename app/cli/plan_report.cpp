@@ -5,7 +5,7 @@
 #include <map>
 #include <sstream>
 
-#include "app/cli/values.h"
+#include "app/cli/flags/values.h"
 
 namespace sline::cli {
 

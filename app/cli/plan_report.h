@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "app/cli/json_values.h"
+#include "app/cli/files/json_values.h"
 #include "model/import/plan/plan.h"
 
 namespace sline::cli {

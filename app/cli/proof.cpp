@@ -7,18 +7,17 @@
 
 #include "app/cli/command.h"
 #include "app/cli/draw_scene.h"
-#include "app/cli/json_values.h"
-#include "app/cli/option_kinds.h"
-#include "app/cli/picture_options.h"
-#include "app/cli/targets.h"
-#include "app/cli/thumbnail.h"
+#include "app/cli/files/json_values.h"
+#include "app/cli/files/targets.h"
+#include "app/cli/files/thumbnail.h"
+#include "app/cli/flags/option_kinds.h"
+#include "app/cli/flags/picture_options.h"
 #include "model/base/colour_text.h"
 #include "model/edit/views.h"
 #include "model/scene_file/scene_file.h"
 #include "render/export/pixels/image_file.h"
-#include "render/gpu/headless/context.h"
 #include "render/measures/proof/print_proof.h"
-#include "render/picture/picture.h"
+#include "render/picture/headless/headless_picture.h"
 
 namespace sline::cli {
 
@@ -57,7 +56,7 @@ render::ExportOrder exportOrder(const ArrangedScene& arranged, const PictureOrde
   job.camera = arranged.camera;
   job.page = {.sizeMm = pixelMm * glm::vec2(float(order.size.width), float(order.size.height)),
               .dpi = 96.0f};
-  job.look = {order.background, order.light, order.keyLight};
+  job.environment = order.environment;
   return job;
 }
 
@@ -182,25 +181,18 @@ Status writeVisions(const render::ExportOrder& job, const PictureOrder& order,
     return Error{.file = folder.string(),
                  .reason = "the folder cannot be made: " + failure.message(),
                  .remedy = "Choose a place that you may write to"};
-  const auto context = render::gpu::HeadlessContext::create();
-  if (!context.ok())
-    return context.error();
-  const auto picture = render::Picture::create();
+  const auto picture = render::HeadlessPicture::create();
   if (!picture.ok())
     return picture.error();
-  const Result<render::Image> drawn =
-      (*picture)->render(job.scene, job.camera,
-                         {.width = order.samples * order.size.width,
-                          .height = order.samples * order.size.height,
-                          .background = order.background,
-                          .light = order.light,
-                          .keyLight = order.keyLight});
-  if (!drawn.ok())
-    return drawn.error();
-  const render::Image image = render::averaged(*drawn, order.samples);
+  const Result<render::Image> image = (*picture)->render(
+      job.scene, job.camera,
+      {.width = order.size.width, .height = order.size.height, .environment = order.environment},
+      order.samples);
+  if (!image.ok())
+    return image.error();
   for (const render::Vision vision : render::visions)
     if (const Status written =
-            render::writeImage(render::seen(image, vision),
+            render::writeImage(render::seen(*image, vision),
                                folder / ("proof_" + std::string(render::nameOf(vision)) + ".png"));
         !written.ok())
       return written;

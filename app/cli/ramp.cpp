@@ -9,11 +9,11 @@
 #include <cstdio>
 #include <optional>
 
-#include "app/cli/json_values.h"
+#include "app/cli/files/json_values.h"
+#include "app/cli/files/targets.h"
 #include "app/cli/measure_options.h"
-#include "app/cli/targets.h"
 #include "render/measures/contact_sheet.h"
-#include "render/picture/picture.h"
+#include "render/picture/headless/headless_picture.h"
 
 namespace sline::cli {
 
@@ -240,9 +240,9 @@ struct RampReport {
 /// into one JSON object. Leaves an exit code where it cannot go on.
 std::optional<Exit> measureAll(const MeasureOrder& order, const RampFlags& flags,
                                Progress& progress, RampReport& report) {
-  const Result<Studio> studio = openStudio();
-  if (!studio.ok())
-    return complain(studio.error(), Exit::failed);
+  const Result<render::HeadlessPicture> picture = render::HeadlessPicture::create();
+  if (!picture.ok())
+    return complain(picture.error(), Exit::failed);
   std::vector<render::SheetPicture> pictures;
   for (const model::NodeId id : order.structures) {
     progress.show(double(report.structures.size()) / double(order.structures.size()),
@@ -251,7 +251,7 @@ std::optional<Exit> measureAll(const MeasureOrder& order, const RampFlags& flags
     if (!subject.ok())
       return complain(subject.error(), Exit::wrongUse);
     Result<MeasuredRamp> measured =
-        measure(*studio->picture, *subject, flags.sheet.empty() ? nullptr : &pictures);
+        measure(**picture, *subject, flags.sheet.empty() ? nullptr : &pictures);
     progress.wipe();
     if (!measured.ok())
       return complain(measured.error(), Exit::failed);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/cli/command.h"
-#include "app/cli/thumbnail.h"
+#include "app/cli/files/thumbnail.h"
 #include "model/import/plan/reload.h"
 #include "model/scene_file/scene_file.h"
 

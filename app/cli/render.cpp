@@ -2,8 +2,8 @@
 // `sline render`: files in, a picture out.
 #include "app/cli/command.h"
 #include "app/cli/draw_scene.h"
-#include "app/cli/picture_options.h"
-#include "app/cli/targets.h"
+#include "app/cli/files/targets.h"
+#include "app/cli/flags/picture_options.h"
 
 namespace sline::cli {
 

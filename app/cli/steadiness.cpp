@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "app/cli/json_values.h"
+#include "app/cli/files/json_values.h"
+#include "app/cli/flags/option_kinds.h"
 #include "app/cli/measure_options.h"
-#include "app/cli/option_kinds.h"
-#include "render/picture/picture.h"
+#include "render/picture/headless/headless_picture.h"
 
 namespace sline::cli {
 
@@ -29,7 +29,7 @@ struct MeasuredSteadiness {
 };
 
 Json optionalNumber(const std::optional<double>& value) {
-  return value ? jsonNumber(float(*value)) : Json(nullptr);
+  return value ? Json(jsonNumber(float(*value))) : Json(nullptr);
 }
 
 Json flickerJson(const render::Flicker& flicker) {
@@ -95,9 +95,9 @@ Exit runSteadiness(const SteadinessFlags& flags) {
   const Result<MeasureOrder> order = measureOrder(flags.measure, progress, wrongUse);
   if (!order.ok())
     return complain(order.error(), wrongUse ? Exit::wrongUse : Exit::failed);
-  const Result<Studio> studio = openStudio();
-  if (!studio.ok())
-    return complain(studio.error(), Exit::failed);
+  const Result<render::HeadlessPicture> picture = render::HeadlessPicture::create();
+  if (!picture.ok())
+    return complain(picture.error(), Exit::failed);
   Json list = Json::array();
   bool passes = true;
   std::size_t done = 0;
@@ -106,7 +106,7 @@ Exit runSteadiness(const SteadinessFlags& flags) {
     const Result<render::Subject> subject = subjectOf(*order, id);
     if (!subject.ok())
       return complain(subject.error(), Exit::wrongUse);
-    Result<MeasuredSteadiness> measured = measure(*studio->picture, *subject, *gamma, flags);
+    Result<MeasuredSteadiness> measured = measure(**picture, *subject, *gamma, flags);
     progress.wipe();
     if (!measured.ok())
       return complain(measured.error(), Exit::failed);

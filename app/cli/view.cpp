@@ -4,12 +4,13 @@
 #include <charconv>
 
 #include "app/cli/command.h"
-#include "app/cli/json_values.h"
-#include "app/cli/names.h"
-#include "app/cli/picture_options.h"
-#include "app/cli/thumbnail.h"
+#include "app/cli/files/json_values.h"
+#include "app/cli/files/names.h"
+#include "app/cli/files/thumbnail.h"
+#include "app/cli/flags/picture_options.h"
 #include "model/edit/views.h"
 #include "model/scene/markup.h"
+#include "model/scene_file/camera_json.h"
 #include "model/scene_file/scene_file.h"
 
 namespace sline::cli {
@@ -204,18 +205,7 @@ Outcome edited(const model::Scene& scene, const ViewFlags& flags) {
 }
 
 Json jsonView(const model::Scene& scene, const model::View& view) {
-  const model::Camera& camera = view.camera;
-  Json place{{"eye", jsonPoint(camera.eye)},
-             {"target", jsonPoint(camera.target)},
-             {"up", jsonPoint(camera.up)}};
-  if (camera.projection == model::Projection::orthographic) {
-    place["projection"] = "orthographic";
-    place["height_mm"] = jsonNumber(camera.heightMm);
-  } else {
-    place["projection"] = "perspective";
-    place["fovy_deg"] = jsonNumber(camera.fovyDegrees);
-  }
-  Json json{{"name", view.name}, {"camera", std::move(place)}};
+  Json json{{"name", view.name}, {"camera", model::cameraJson(view.camera)}};
   json["looks"] = view.looks ? Json(view.looks->size()) : Json();
   json["sections"] = view.sections ? Json(view.sections->size()) : Json();
   json["labels"] = Json();

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "model/demo/abdomen.h"
-#include "model/demo/kidney.h"
-#include "model/demo/pelvis.h"
-#include "model/demo/stopping.h"
+#include "model/demo/abdomen/abdomen.h"
+#include "model/demo/kidney/kidney.h"
+#include "model/demo/pelvis/pelvis.h"
 #include "model/scene_file/scene_file.h"
+#include "model/sculpting/stopping.h"
 
 namespace sline::model {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "model/demo/demo_structure.h"
+#include "model/sculpting/demo_structure.h"
 
 namespace sline::model {
 

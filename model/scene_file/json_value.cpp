@@ -99,6 +99,10 @@ double jsonNumber(float value) {
   return float(nearest) == value ? nearest : double(value);
 }
 
+nlohmann::ordered_json jsonPoint(const glm::vec3& p) {
+  return nlohmann::ordered_json::array({jsonNumber(p.x), jsonNumber(p.y), jsonNumber(p.z)});
+}
+
 std::string JsonValue::place() const {
   if (!m_above)
     return {};

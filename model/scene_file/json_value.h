@@ -3,6 +3,7 @@
 // is remembered with it, and what nobody asked for is handed back.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
@@ -32,6 +33,9 @@ Result<Json> parseJson(std::string_view text, const JsonLimits& limits = {});
 /// The double that prints with no more digits than the float needs, so that 0.1f is written 0.1;
 /// made a float again it is the same bit for bit. The value must be finite.
 double jsonNumber(float value);
+
+/// Returns [x, y, z].
+nlohmann::ordered_json jsonPoint(const glm::vec3& p);
 
 /// The first thing that is wrong, and where: "nodes[3].style.gamma".
 struct JsonFault {
@@ -64,6 +68,17 @@ class JsonValue {
   std::int64_t whole(std::int64_t low, std::int64_t high) const;
   bool flag() const;
   glm::vec3 point() const;
+  /// Returns a list of exactly that many numbers.
+  template <std::size_t count>
+  std::array<float, count> numbers() const {
+    std::array<float, count> all{};
+    if (!m_json->is_array() || m_json->size() != count)
+      fail("a list of " + std::to_string(count) + " numbers is expected here");
+    else
+      for (std::size_t i = 0; i < count; ++i)
+        all[i] = JsonValue((*m_json)[i], *this, i).number();
+    return all;
+  }
   /// "#rrggbb".
   Colour colour() const;
   /// Which of the names it is; absent where it is none of them.

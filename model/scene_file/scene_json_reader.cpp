@@ -5,6 +5,8 @@
 #include <map>
 #include <set>
 
+#include "model/scene_file/camera_json.h"
+#include "model/scene_file/provenance_json.h"
 #include "model/scene_file/scene_json.h"
 #include "model/scene_file/scene_json_names.h"
 #include "model/scene_file/style_json.h"
@@ -41,7 +43,6 @@ class SceneReader {
   Annotation annotation(const JsonValue& value) const;
   std::vector<Annotation> annotations(const JsonValue& list, const std::vector<Node>& nodes) const;
   std::vector<Look> looks(const JsonValue& list) const;
-  Camera camera(JsonObject& object) const;
   View view(const JsonValue& value) const;
 
   const MeshesByName& m_meshes;
@@ -51,71 +52,6 @@ class SceneReader {
 
 std::uint64_t idOf(const JsonValue& value) {
   return std::uint64_t(value.whole(1, largestId));
-}
-
-/// A list of exactly that many.
-template <std::size_t count>
-std::array<float, count> numbersOf(const JsonValue& list) {
-  std::array<float, count> numbers{};
-  if (!list.json().is_array() || list.json().size() != count)
-    list.fail("a list of " + std::to_string(count) + " numbers is expected here");
-  else
-    for (std::size_t i = 0; i < count; ++i)
-      numbers[i] = JsonValue(list.json()[i], list, i).number();
-  return numbers;
-}
-
-std::optional<IntensityRange> rangeFrom(JsonObject& object) {
-  const auto value = object.take("intensities");
-  if (!value)
-    return std::nullopt;
-  IntensityRange range;
-  JsonObject inner(*value);
-  if (const auto low = inner.take("low"))
-    range.low = low->number();
-  if (const auto high = inner.take("high"))
-    range.high = high->number();
-  object.giveBack("intensities", inner.rest());
-  return range;
-}
-
-Provenance provenanceFrom(JsonObject& object) {
-  Provenance p;
-  const auto text = [&object](std::string_view key, std::string& target) {
-    if (const auto value = object.take(key))
-      target = value->text();
-  };
-  const auto count = [&object](std::string_view key, int& target) {
-    constexpr auto most = std::numeric_limits<std::int32_t>::max();
-    if (const auto value = object.take(key))
-      target = int(value->whole(0, most));
-  };
-  const auto number = [&object](std::string_view key, float& target) {
-    if (const auto value = object.take(key))
-      target = value->number();
-  };
-  text("file", p.file);
-  text("frame", p.frame);
-  text("frame_reason", p.frameReason);
-  number("mm_per_unit", p.mmPerUnit);
-  text("unit_reason", p.unitReason);
-  count("smoothing_steps", p.smoothingSteps);
-  count("refinement_steps", p.refinementSteps);
-  count("repaired_faces", p.repairedFaces);
-  number("displacement_mm", p.displacementMm);
-  count("decimated_from", p.decimatedFrom);
-  number("decimation_mm", p.decimationMm);
-  text("part", p.part);
-  p.intensities = rangeFrom(object);
-  if (const auto print = object.take("fingerprint")) {
-    JsonObject inner(*print);
-    p.fingerprint = Fingerprint{std::uint64_t(inner.need("bytes").whole(0, largestId)),
-                                std::uint32_t(inner.need("crc32").whole(0, std::uint32_t(-1)))};
-    object.giveBack("fingerprint", inner.rest());
-  }
-  if (const auto transform = object.take("transform"))
-    p.transform = numbersOf<12>(*transform);
-  return p;
 }
 
 MeshPtr SceneReader::mesh(JsonObject& object) const {
@@ -202,7 +138,7 @@ Anchor anchorFrom(JsonObject& object) {
   SurfacePoint point;
   point.structure.value = idOf(object.need("structure"));
   point.triangle = std::uint32_t(object.need("triangle").whole(0, std::uint32_t(-1)));
-  point.weights = numbersOf<2>(object.need("weights"));
+  point.weights = object.need("weights").numbers<2>();
   return point;
 }
 
@@ -235,7 +171,7 @@ Annotation SceneReader::annotation(const JsonValue& value) const {
   if (const auto locked = object.take("locked"))
     annotation.locked = locked->flag();
   if (const auto offset = object.take("offset")) {
-    const auto [right, down] = numbersOf<2>(*offset);
+    const auto [right, down] = offset->numbers<2>();
     annotation.offset = {right, down};
   }
   annotation.unread = object.unread();
@@ -302,29 +238,13 @@ KeyLight keyLightFrom(const JsonValue& value) {
   return light;
 }
 
-Camera SceneReader::camera(JsonObject& object) const {
-  Camera camera;
-  camera.projection =
-      choice<Projection>(object, "projection", projectionNames).value_or(camera.projection);
-  camera.eye = object.need("eye_mm").point();
-  camera.target = object.need("target_mm").point();
-  camera.up = object.need("up").point();
-  if (const auto opening = object.take("opening_degrees"))
-    camera.fovyDegrees = opening->number();
-  if (const auto height = object.take("height_mm"))
-    camera.heightMm = height->number();
-  if (const auto fault = cameraFault(camera))
-    object.value().fail(*fault);
-  return camera;
-}
-
 View SceneReader::view(const JsonValue& value) const {
   JsonObject object(value);
   View view;
   view.name = object.need("name").text();
   const JsonValue place = object.need("camera");
   JsonObject inner(place);
-  view.camera = camera(inner);
+  view.camera = cameraFrom(inner, m_newer);
   object.giveBack("camera", inner.rest());
   if (const auto list = object.take("sections"))
     view.sections = sections(*list);

@@ -2,6 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "model/base/colour_text.h"
+#include "model/scene_file/camera_json.h"
+#include "model/scene_file/provenance_json.h"
 #include "model/scene_file/scene_json.h"
 #include "model/scene_file/scene_json_names.h"
 #include "model/scene_file/style_json.h"
@@ -52,43 +54,6 @@ void addUnread(Ordered& target, const std::string& unread) {
     addUnread(target, *kept);
 }
 
-Ordered pointOf(const glm::vec3& p) {
-  return Ordered::array({jsonNumber(p.x), jsonNumber(p.y), jsonNumber(p.z)});
-}
-
-Ordered provenanceOf(const Provenance& p) {
-  Ordered json = {{"file", p.file},
-                  {"frame", p.frame},
-                  {"frame_reason", p.frameReason},
-                  {"mm_per_unit", jsonNumber(p.mmPerUnit)},
-                  {"unit_reason", p.unitReason},
-                  {"smoothing_steps", p.smoothingSteps},
-                  {"refinement_steps", p.refinementSteps},
-                  {"repaired_faces", p.repairedFaces},
-                  {"displacement_mm", jsonNumber(p.displacementMm)}};
-  if (p.decimatedFrom != 0) {
-    json["decimated_from"] = p.decimatedFrom;
-    json["decimation_mm"] = jsonNumber(p.decimationMm);
-  }
-  if (!p.part.empty())
-    json["part"] = p.part;
-  if (p.fingerprint)
-    json["fingerprint"] = {{"bytes", p.fingerprint->bytes}, {"crc32", p.fingerprint->crc}};
-  if (p.intensities) {
-    json["intensities"] = Ordered::object();
-    if (p.intensities->low)
-      json["intensities"]["low"] = jsonNumber(*p.intensities->low);
-    if (p.intensities->high)
-      json["intensities"]["high"] = jsonNumber(*p.intensities->high);
-  }
-  if (p.transform) {
-    json["transform"] = Ordered::array();
-    for (const float number : *p.transform)
-      json["transform"].push_back(jsonNumber(number));
-  }
-  return json;
-}
-
 Ordered nodeOf(const Node& node, const std::map<MeshPtr, std::string>& names) {
   Ordered json = {{"id", node.id.value}};
   if (node.parent != rootId)
@@ -103,7 +68,7 @@ Ordered nodeOf(const Node& node, const std::map<MeshPtr, std::string>& names) {
   if (node.locked)
     json["locked"] = true;
   if (node.provenance != Provenance())
-    json["provenance"] = provenanceOf(node.provenance);
+    json["provenance"] = provenanceJson(node.provenance);
   addUnread(json, node.unread);
   return json;
 }
@@ -113,7 +78,7 @@ Ordered sectionsOf(const std::vector<Section>& sections) {
   for (const Section& section : sections) {
     Ordered json = {{"id", section.id.value},
                     {"name", section.name},
-                    {"normal", pointOf(section.plane.normal)},
+                    {"normal", jsonPoint(section.plane.normal)},
                     {"offset_mm", jsonNumber(section.plane.offset)}};
     if (section.scope != rootId)
       json["scope"] = section.scope.value;
@@ -127,7 +92,7 @@ Ordered sectionsOf(const std::vector<Section>& sections) {
 
 Ordered anchorOf(const Anchor& anchor) {
   if (const auto* place = std::get_if<glm::vec3>(&anchor))
-    return {{"point_mm", pointOf(*place)}};
+    return {{"point_mm", jsonPoint(*place)}};
   const SurfacePoint& point = std::get<SurfacePoint>(anchor);
   return {{"structure", point.structure.value},
           {"triangle", point.triangle},
@@ -154,22 +119,13 @@ Ordered annotationOf(const Annotation& annotation) {
 }
 
 Ordered keyLightOf(const KeyLight& light) {
-  Ordered json = {{"towards", pointOf(light.towards)}, {"shades", light.shades}};
+  Ordered json = {{"towards", jsonPoint(light.towards)}, {"shades", light.shades}};
   addUnread(json, light.unread);
   return json;
 }
 
-Ordered cameraOf(const Camera& camera) {
-  return {{"projection", projectionNames[std::size_t(camera.projection)]},
-          {"eye_mm", pointOf(camera.eye)},
-          {"target_mm", pointOf(camera.target)},
-          {"up", pointOf(camera.up)},
-          {"opening_degrees", jsonNumber(camera.fovyDegrees)},
-          {"height_mm", jsonNumber(camera.heightMm)}};
-}
-
 Ordered viewOf(const View& view) {
-  Ordered json = {{"name", view.name}, {"camera", cameraOf(view.camera)}};
+  Ordered json = {{"name", view.name}, {"camera", cameraJson(view.camera)}};
   if (view.sections)
     json["sections"] = sectionsOf(*view.sections);
   if (view.looks) {

@@ -40,7 +40,7 @@ RampPictures rampPictures(const DrawPicture& draw, const Subject& subject,
     return draw(subject.at(gamma), subject.camera,
                 {.width = subject.width,
                  .height = subject.height,
-                 .background = Background::transparent,
+                 .environment = {.background = Background::transparent},
                  .parts = {.lines = false, .hatching = false, .fills = true}});
   };
   return pictures;

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <numeric>
 
+#include "model/base/srgb.h"
+
 namespace sline::render {
 
 namespace {
@@ -18,8 +20,7 @@ const std::uint8_t* pixel(const Image& image, int x, int y) {
 std::array<float, 256> linearLight() {
   std::array<float, 256> table{};
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const float value = float(i) / 255.0f;
-    table[i] = value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
+    table[i] = lightFromSrgb(float(i) / 255.0f);
   }
   return table;
 }

@@ -259,9 +259,9 @@ Status Picture::Data::picture(const model::Scene& scene, const model::Camera& ca
   layersDrawn = 0;
   const PictureInput input{.view = view,
                            .shown = visible,
-                           .background = settings.background,
-                           .light = settings.light.value_or(own.towards),
-                           .keyLight = settings.keyLight.value_or(own.shades),
+                           .background = settings.environment.background,
+                           .light = settings.environment.light.value_or(own.towards),
+                           .keyLight = settings.environment.keyLight.value_or(own.shades),
                            .parts = settings.parts,
                            .lines = whole ? nullptr : &lines,
                            .unwanted = output.unwanted};
@@ -304,7 +304,14 @@ void Picture::prepare(const model::Scene& scene) {
 }
 
 Result<Image> Picture::render(const model::Scene& scene, const model::Camera& camera,
-                              const PictureSettings& settings) {
+                              const PictureSettings& settings, int samples) {
+  if (samples > 1) {
+    PictureSettings larger = settings;
+    larger.width *= samples;
+    larger.height *= samples;
+    const Result<Image> drawn = render(scene, camera, larger);
+    return drawn.ok() ? averaged(*drawn, samples) : drawn;
+  }
   Image image{.width = settings.width, .height = settings.height, .rgba = {}};
   if (Status s = checkRequest(camera, settings); !s)
     return s.error();

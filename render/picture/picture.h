@@ -77,10 +77,11 @@ class Picture {
 
   /// Prepares and uploads what the scene's visible structures need and is not yet there.
   void prepare(const model::Scene& scene);
-  /// Draws; also reads the pixels back. Pictures larger than the driver's textures are drawn in
-  /// tiles without seams.
+  /// Draws and reads the pixels back. Pictures larger than the driver's textures are drawn in tiles
+  /// without seams. With `samples` the picture is drawn that many times as large both ways and
+  /// averaged to the settings' size.
   Result<Image> render(const model::Scene& scene, const model::Camera& camera,
-                       const PictureSettings& settings);
+                       const PictureSettings& settings, int samples = 1);
   /// Returns `render` as a function, which this must outlive.
   DrawPicture drawing();
   /// Draws piece by piece, so that a picture of any size needs little memory. Surfaces are prepared

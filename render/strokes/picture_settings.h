@@ -14,6 +14,17 @@ namespace sline::render {
 
 enum class Background { white, paper, dark, transparent };
 
+/// Describes what surrounds the anatomy: what lies behind it and where its light comes from.
+struct Environment {
+  Background background = Background::white;
+  /// Points towards the light that hatching's shadows turn away from, in the camera's frame (right,
+  /// up, back); absent: the scene's own, else from the upper left.
+  std::optional<glm::vec3> light;
+  /// Shading has that light, too, besides the headlight; absent: as the scene says, else not.
+  std::optional<bool> keyLight;
+  bool operator==(const Environment&) const = default;
+};
+
 /// How hatching is made: strokes along curves (ours), or S §3.4 as printed, which is grey and of
 /// one scale: a yardstick for measures.
 enum class HatchingMethod { strokes, asPrinted };
@@ -29,13 +40,8 @@ struct PictureParts {
 struct PictureSettings {
   int width = 1280;
   int height = 720;
-  Background background = Background::white;
+  Environment environment;
   HatchingMethod hatching = HatchingMethod::strokes;
-  /// Towards the light that hatching's shadows turn away from, in the camera's frame (right, up,
-  /// back); absent: the scene's own, else from the upper left.
-  std::optional<glm::vec3> light;
-  /// Shading has that light, too, besides the headlight; absent: as the scene says, else not.
-  std::optional<bool> keyLight;
   PictureParts parts;
 };
 

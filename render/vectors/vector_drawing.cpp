@@ -68,7 +68,7 @@ class Drawing {
     findShown();
     VectorDrawing drawing;
     drawing.sizeMm = m_settings.sizeMm;
-    if (m_settings.background != Background::transparent)
+    if (m_settings.environment.background != Background::transparent)
       drawing.background = backgroundAsColour();
     if (m_work.empty())
       return drawing;
@@ -77,7 +77,7 @@ class Drawing {
     parallelFor(m_work.size(), 1, [&](std::size_t i) { findLines(m_work[i]); });
     tell(0.5, "finding what hides what");
     std::vector<DepthLayer> layers(m_work.size());
-    const LayerInput input{*m_view, m_settings.background, m_keyLight, pixelsPerTone()};
+    const LayerInput input{*m_view, m_settings.environment.background, m_keyLight, pixelsPerTone()};
     parallelFor(m_work.size(), 1, [&](std::size_t i) {
       layers[i] = depthLayer(m_work[i].shown, input, m_work[i].area);
     });
@@ -118,13 +118,13 @@ class Drawing {
 
   /// A page without background is meant for white paper.
   glm::vec3 paper() const {
-    return m_settings.background == Background::transparent
+    return m_settings.environment.background == Background::transparent
                ? glm::vec3(1.0f)
-               : glm::vec3(backgroundColour(m_settings.background));
+               : glm::vec3(backgroundColour(m_settings.environment.background));
   }
 
   Colour backgroundAsColour() const {
-    const glm::vec4 c = 255.0f * backgroundColour(m_settings.background);
+    const glm::vec4 c = 255.0f * backgroundColour(m_settings.environment.background);
     return {std::uint8_t(std::lround(c.r)), std::uint8_t(std::lround(c.g)),
             std::uint8_t(std::lround(c.b))};
   }
@@ -188,8 +188,8 @@ class Drawing {
     }
     std::erase_if(m_work, [](const Work& work) { return work.area.empty(); });
     const model::KeyLight own = m_scene.keyLight().value_or(model::KeyLight());
-    m_light = m_settings.light.value_or(own.towards);
-    if (m_settings.keyLight.value_or(own.shades))
+    m_light = m_settings.environment.light.value_or(own.towards);
+    if (m_settings.environment.keyLight.value_or(own.shades))
       m_keyLight = m_view->toPatient(m_light);
     m_page = {.mmPerPixel = m_settings.sizeMm.y / m_view->size().y,
               .heightMm = m_settings.sizeMm.y};
@@ -237,7 +237,7 @@ class Drawing {
       return structure;
     const model::ResolvedStyle& style = work.shown.style;
     const float ink = transitions(style.gamma).lines;
-    const Colour colour = inkColour(style, m_settings.background);
+    const Colour colour = inkColour(style, m_settings.environment.background);
     StructureLines one;
     const auto add = [&](const char* kind, float opacity) {
       const StrokeScene scene{.stack = stack,

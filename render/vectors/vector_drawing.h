@@ -50,9 +50,7 @@ struct VectorDrawing {
 
 struct VectorSettings {
   glm::vec2 sizeMm{160.0f, 90.0f};
-  Background background = Background::white;
-  std::optional<glm::vec3> light;  ///< as in PictureSettings
-  std::optional<bool> keyLight;
+  Environment environment;
 };
 
 /// How far curves may lie off the lines that they stand for, in λ (1/720 of the page's height): on

@@ -5,6 +5,7 @@
 #include <QProcess>
 #include <QtTest>
 
+#include "tests/arch/house_drawing.h"
 #include "tests/arch/rules.h"
 #include "tests/support/suite.h"
 
@@ -153,8 +154,9 @@ class ArchTest : public QObject {
 
   void permissionRuleFails() {
     const House two = houseOf(
-        "| room | may include |\n|---|---|\n| model/base, anatomy | nothing of ours |\n"
-        "| model/scene | model/base, anatomy |\n");
+        "| room | what it is for | may include |\n|---|---|---|\n"
+        "| model/base, anatomy | x | nothing of ours |\n"
+        "| model/scene | x | model/base, anatomy |\n");
     const std::vector<File> files{{"model/base/a.h", ""},
                                   {"model/anatomy/a.h", ""},
                                   {"model/scene/a.cpp", "#include \"model/base/a.h\"\n"}};
@@ -253,6 +255,21 @@ class ArchTest : public QObject {
          top.entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden))
       names.push_back(name.toStdString());
     report(checkTopLevel(names));
+  }
+  void drawingIsOfTheTable() {
+    const House two = houseOf(
+        "| room | what it is for | may include |\n|---|---|---|\n"
+        "| model/base | x | nothing of ours |\n| model/scene | x | model/base |\n");
+    QCOMPARE(QString::fromStdString(drawingOf(two)).count("<path"), 1);
+    const QString path = QStringLiteral(SLINE_SOURCE_DIR "/tests/arch/house.svg");
+    const std::string drawing = drawingOf(house());
+    if (contents(path) == drawing)
+      return;
+    QFile candidate(QDir::current().filePath("house.svg"));
+    QVERIFY(candidate.open(QIODevice::WriteOnly));
+    candidate.write(drawing.data(), qint64(drawing.size()));
+    QFAIL(qPrintable("the drawing is not of ARCHITECTURE.md's table; copy " + candidate.fileName() +
+                     " to " + path));
   }
   void programNeedsFewLibraries() {
     QProcess process;

@@ -47,12 +47,16 @@ Room roomIn(const std::string& cell) {
   Room room;
   if (cell == "nothing of ours")
     return room;
+  std::string rooms = cell;
   if (cell.starts_with("all of ")) {
-    for (const std::string& layer : parts(cell.substr(7), ','))
+    const std::vector<std::string> both = parts(cell.substr(7), ';');
+    for (const std::string& layer : parts(both.front(), ','))
       room.wholeLayers.insert(layer);
-    return room;
+    if (both.size() == 1)
+      return room;
+    rooms = both.back();
   }
-  for (const std::string& name : names(cell))
+  for (const std::string& name : names(rooms))
     room.mayUse.insert(name);
   return room;
 }
@@ -114,9 +118,9 @@ House houseOf(const std::string& architecture) {
       part = Part::libraries;
     else if (line.starts_with("|-"))
       continue;
-    else if (part == Part::rooms && cells.size() == 2)
+    else if (part == Part::rooms && cells.size() == 3)
       for (const std::string& name : names(cells[0]))
-        house.rooms[name] = roomIn(cells[1]);
+        house.rooms[name] = roomIn(cells[2]);
     else if (part == Part::libraries && cells.size() == 3)
       house.libraries.push_back(libraryIn(cells));
   }

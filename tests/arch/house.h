@@ -31,8 +31,8 @@ struct House {
   std::set<std::string> largeFiles;  ///< that may pass the limits of size
 };
 
-/// Reads the tables under "| room | may include |" and "| library | its headers | only in |" and
-/// the list under "Exceptions from the sizes".
+/// Reads the tables under "| room | what it is for | may include |" and "| library | its headers |
+/// only in |" and the list under "Exceptions from the sizes".
 House houseOf(const std::string& architecture);
 
 /// Returns the room that a file of the tree lies in: itself, or its folder; empty where the table

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the mesh workshop makes of surfaces, beside what OpenMesh's own algorithms make of them: why
-// the one is used and the other not (ARCHITECTURE.md). Figures of one run are compared with each
+// the one is used and the other not (model/LIBRARIES.md). Figures of one run are compared with each
 // other; times are of the processor, the least of three.
 #pragma once
 

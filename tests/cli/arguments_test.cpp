@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/arguments.h"
+#include "app/cli/flags/arguments.h"
 
 #include <QTest>
 

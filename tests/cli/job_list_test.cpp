@@ -3,7 +3,7 @@
 #include <QElapsedTimer>
 #include <QTest>
 
-#include "app/cli/job_list.h"
+#include "app/cli/jobs/job_list.h"
 #include "tests/support/mutator.h"
 #include "tests/support/suite.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/names.h"
+#include "app/cli/files/names.h"
 
 #include <QTest>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/section_flags.h"
+#include "app/cli/flags/section_flags.h"
 
 #include <QTest>
 

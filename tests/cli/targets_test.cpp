@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/targets.h"
+#include "app/cli/files/targets.h"
 
 #include <sys/stat.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/cli/values.h"
+#include "app/cli/flags/values.h"
 
 #include <QTest>
 

@@ -83,7 +83,7 @@ void ViewCommandTest::addedAndListed() {
   QCOMPARE(names(), QString("Front|\u00C4hnlich <b>"));
   QCOMPARE(view({"--list"}).out, QByteArray("1  Front\n2  \xC3\x84hnlich <b>\n"));
   const QJsonObject second = listed()[1].toObject();
-  QVERIFY(second["camera"]["eye"][0].toDouble() > 50.0);  // from the patient's left
+  QVERIFY(second["camera"]["eye_mm"][0].toDouble() > 50.0);  // from the patient's left
   QCOMPARE(second["looks"].toInt(), int(scene().nodes().size()));
   QCOMPARE(second["absent"].toInt(), 0);
 }

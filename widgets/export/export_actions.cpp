@@ -103,8 +103,8 @@ void ExportActions::showProof() {
   order.scene = seen.scene;
   order.camera = seen.camera;
   order.page.sizeMm = render::usualHeightMm * glm::vec2(seen.aspect, 1.0f);
-  order.look.background = render::Background::white;
-  order.look.keyLight = seen.keyLight;
+  order.environment.background = render::Background::white;
+  order.environment.keyLight = seen.keyLight;
   order.labels.mode = render::LabelMode::off;
   order.marks = render::ExportMarks::none();
   auto* dialog = new PrintProofDialog(std::move(order), m_session.names(), m_viewport, &m_window);

@@ -30,15 +30,15 @@ ExportFile fileOf(const ExportDraft& draft, const ExportSource& source, const mo
   order.scene = view ? model::shown(source.scene, *view).scene : source.scene;
   order.camera = view ? view->camera : source.camera;
   order.viewName = view ? view->name : viewNameOf(source.camera);
-  order.look.keyLight = source.keyLight;
+  order.environment.keyLight = source.keyLight;
   // What was chosen for other kinds is not asked of this one.
   if (const render::ExportFormat* kind = formatOf(draft.kind))
     render::dropForeignOptions(order, *kind);
-  if (order.look.pureInk) {
+  if (order.pureInk) {
     order.scene = model::withInkAlone(order.scene).scene;
-    order.look.background = render::Background::white;
+    order.environment.background = render::Background::white;
   }
-  order.labels.onDark = order.look.background == render::Background::dark;
+  order.labels.onDark = order.environment.background == render::Background::dark;
   if (pageUseOf(draft.kind) == render::PageUse::shape)
     order.page.sizeMm = filmPage(order.page.sizeMm);
   if (isSheet(draft))

@@ -76,9 +76,7 @@ void ExportPreview::draw(int number, const render::ExportOrder& order) {
        .camera = order.camera,
        .settings = {.width = previewSamples * std::max(page.width(), leastPixels),
                     .height = previewSamples * std::max(page.height(), leastPixels),
-                    .background = order.look.background,
-                    .light = order.look.light,
-                    .keyLight = order.look.keyLight},
+                    .environment = order.environment},
        .samples = previewSamples});
   m_viewport->askPreviews(std::move(request));
 }
@@ -113,7 +111,7 @@ void ExportPreview::paintEvent(QPaintEvent*) {
     return;
   painter.fillRect(page.translated(2, 2), QColor(0, 0, 0, 40));
   painter.fillRect(page, Qt::white);
-  if (m_file->order.look.background == render::Background::transparent) {
+  if (m_file->order.environment.background == render::Background::transparent) {
     // What has no colour of its own shows squares, as everywhere.
     painter.setBrushOrigin(page.topLeft());
     painter.fillRect(page, QBrush(QColor(222, 222, 222), Qt::Dense4Pattern));

@@ -22,7 +22,7 @@ PictureCopier::PictureCopier(Viewport& viewport, QObject* parent)
 void PictureCopier::copy(const ExportSource& source, const render::ExportOrder& look) {
   ExportDraft draft;
   draft.order = look;
-  draft.order.look.background = m_viewport.background();
+  draft.order.environment.background = m_viewport.background();
   draft.order.page = {render::millimetresPerInch / dpi *
                           glm::vec2(float(m_viewport.width()), float(m_viewport.height())),
                       dpi};
@@ -34,8 +34,7 @@ void PictureCopier::copy(const ExportSource& source, const render::ExportOrder& 
                               .camera = m_order.camera,
                               .settings = {.width = copySamples * size.width(),
                                            .height = copySamples * size.height(),
-                                           .background = m_order.look.background,
-                                           .keyLight = m_order.look.keyLight},
+                                           .environment = m_order.environment},
                               .samples = copySamples});
   m_viewport.askPreviews(std::move(request));
 }

@@ -270,9 +270,7 @@ void PrintProofDialog::askPictures() {
          .camera = m_order.camera,
          .settings = {.width = proofSamples * std::max(width, 16),
                       .height = proofSamples * std::max(int(float(width) / aspect), 16),
-                      .background = m_order.look.background,
-                      .light = m_order.look.light,
-                      .keyLight = m_order.look.keyLight},
+                      .environment = m_order.environment},
          .samples = proofSamples});
   if (m_viewport)
     m_viewport->askPreviews(std::move(request));

@@ -104,7 +104,7 @@ model::Camera previewCamera(const model::Scene& subject, const model::Camera& ca
 bool StagePreviews::Key::operator==(const Key& other) const {
   return subject == other.subject && frame.right == other.frame.right &&
          frame.up == other.frame.up && projection == other.projection &&
-         background == other.background && keyLight == other.keyLight && size == other.size;
+         environment == other.environment && size == other.size;
 }
 
 StagePreviews::StagePreviews(Session& session, Viewport& viewport, QObject* parent)
@@ -130,8 +130,7 @@ StagePreviews::Key StagePreviews::keyNow() const {
   return {.subject = previewSubject(m_session.scene(), m_session.selection()),
           .frame = model::cameraFrame(m_viewport.camera()),
           .projection = m_viewport.camera().projection,
-          .background = m_viewport.background(),
-          .keyLight = m_viewport.keyLight(),
+          .environment = m_viewport.environment(),
           .size = m_size};
 }
 
@@ -162,14 +161,12 @@ void StagePreviews::ask() {
   const model::Camera camera =
       previewCamera(key.subject, m_viewport.camera(), float(width) / float(height));
   for (std::size_t i = 0; i < m_stages.size(); ++i)
-    request.previews.push_back({.id = m_round * mostStages + int(i),
-                                .scene = previewScene(key.subject, m_stages[i], height, m_ratio),
-                                .camera = camera,
-                                .settings = {.width = width,
-                                             .height = height,
-                                             .background = key.background,
-                                             .keyLight = key.keyLight},
-                                .samples = samples});
+    request.previews.push_back(
+        {.id = m_round * mostStages + int(i),
+         .scene = previewScene(key.subject, m_stages[i], height, m_ratio),
+         .camera = camera,
+         .settings = {.width = width, .height = height, .environment = key.environment},
+         .samples = samples});
   m_asked = std::move(key);
   m_viewport.askPreviews(std::move(request));
 }

@@ -55,8 +55,7 @@ class StagePreviews : public QObject {
     model::Scene subject;
     model::CameraFrame frame{};
     model::Projection projection = model::Projection::perspective;
-    render::Background background = render::Background::white;
-    bool keyLight = false;
+    render::Environment environment;
     QSize size;
     bool operator==(const Key& other) const;
   };

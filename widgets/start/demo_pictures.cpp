@@ -35,14 +35,13 @@ QImage drawn(const model::Scene& scene) {
       scene.views().empty() ? model::anatomicalCamera(model::AnatomicalView::anterior,
                                                       scene.visibleBounds(), float(width) / height)
                             : scene.views().front().camera;
-  const Result<render::Image> image = (*picture)->render(scene, camera,
-                                                         {.width = samples * width,
-                                                          .height = samples * height,
-                                                          .background = render::Background::paper});
+  const Result<render::Image> image = (*picture)->render(
+      scene, camera,
+      {.width = width, .height = height, .environment = {.background = render::Background::paper}},
+      samples);
   if (!image.ok())
     return {};
-  const render::Image small = render::averaged(*image, samples);
-  return QImage(small.rgba.data(), small.width, small.height, 4 * small.width,
+  return QImage(image->rgba.data(), image->width, image->height, 4 * image->width,
                 QImage::Format_RGBA8888)
       .convertToFormat(QImage::Format_RGB32);
 }

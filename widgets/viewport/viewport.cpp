@@ -179,8 +179,7 @@ void Viewport::refresh(model::Scene scene) {
                          .camera = m_camera,
                          .settings = {.width = scaled(size.width, m_askedScale),
                                       .height = scaled(size.height, m_askedScale),
-                                      .background = m_background,
-                                      .keyLight = keyLight()},
+                                      .environment = environment()},
                          .scale = m_askedScale,
                          .moving = m_moving,
                          .labels = m_labels->wish(m_moving)};

@@ -62,6 +62,10 @@ class Viewport : public QOpenGLWidget, public ViewControl {
   void fitTo(const NodeIds& ids);
 
   render::Background background() const { return m_background; }
+  /// Returns what surrounds the anatomy in this picture.
+  render::Environment environment() const {
+    return {.background = m_background, .light = {}, .keyLight = keyLight()};
+  }
   void setBackground(render::Background background);
   /// Whether what is shaded has the key light besides the headlight: as the scene says, else as it
   /// was set here.

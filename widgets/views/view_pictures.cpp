@@ -65,8 +65,7 @@ ViewPictures::Key ViewPictures::keyOf(int row) const {
   const model::View& view = scene.views()[std::size_t(row)];
   return {.scene = seenAlone(model::shown(scene, view).scene),
           .camera = view.camera,
-          .background = m_viewport.background(),
-          .keyLight = m_viewport.keyLight(),
+          .environment = m_viewport.environment(),
           .size = m_size};
 }
 
@@ -95,8 +94,7 @@ PreviewRequest::Preview ViewPictures::previewOf(int id, const Key& key) const {
           .camera = key.camera,
           .settings = {.width = samples * key.size.width(),
                        .height = height,
-                       .background = key.background,
-                       .keyLight = key.keyLight},
+                       .environment = key.environment},
           .samples = samples};
 }
 

@@ -32,8 +32,7 @@ class ViewPictures : public QObject {
   struct Key {
     model::Scene scene;
     model::Camera camera;
-    render::Background background = render::Background::white;
-    bool keyLight = false;
+    render::Environment environment;
     QSize size;
     bool operator==(const Key&) const = default;
   };

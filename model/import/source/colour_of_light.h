@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/vec3.hpp>
 
+#include "model/base/srgb.h"
 #include "model/base/units.h"
 
 namespace sline::model {
@@ -14,8 +15,7 @@ namespace sline::model {
 inline Colour colourOfLight(const glm::dvec3& linear) {
   const auto encoded = [](double light) {
     const double c = std::isnan(light) ? 0.0 : std::clamp(light, 0.0, 1.0);
-    const double value = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
-    return std::uint8_t(std::lround(255.0 * value));
+    return std::uint8_t(std::lround(255.0 * srgbFromLight(c)));
   };
   return {encoded(linear.x), encoded(linear.y), encoded(linear.z)};
 }

@@ -9,9 +9,8 @@
 
 #include "render/export/encoding/png_image.h"
 #include "render/export/plate/figure_plate.h"
-#include "render/gpu/headless/context.h"
 #include "render/lettering/typesetting.h"
-#include "render/picture/picture.h"
+#include "render/picture/headless/headless_picture.h"
 
 namespace sline::render {
 
@@ -22,25 +21,15 @@ constexpr int widestCard = 1600;
 
 /// Without a word on it, as pictures are drawn: averaged where pixels are not fine enough.
 Result<Image> groundOf(const ExportOrder& order) {
-  const auto context = gpu::HeadlessContext::create();
-  if (!context.ok())
-    return context.error();
-  const auto picture = Picture::create();
+  const Result<HeadlessPicture> picture = HeadlessPicture::create();
   if (!picture.ok())
     return picture.error();
   glm::ivec2 size = pixelsOf(order.page);
   if (size.x > widestCard)
     size = glm::max(size * widestCard / size.x, glm::ivec2(1));
-  const int samples = samplesAtOnce(size);
-  Result<Image> drawn = (*picture)->render(order.scene, order.camera,
-                                           {.width = samples * size.x,
-                                            .height = samples * size.y,
-                                            .background = order.look.background,
-                                            .light = order.look.light,
-                                            .keyLight = order.look.keyLight});
-  if (!drawn.ok() || samples == 1)
-    return drawn;
-  return averaged(*drawn, samples);
+  return (*picture)->render(order.scene, order.camera,
+                            {.width = size.x, .height = size.y, .environment = order.environment},
+                            samplesAtOnce(size));
 }
 
 /// The plate with those labels alone.

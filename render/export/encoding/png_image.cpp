@@ -1,33 +1,50 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/export/encoding/png_image.h"
 
-#include <QBuffer>
-#include <QImage>
+#include <span>
+#include <vector>
 
-#include "render/export/encoding/xmp_packet.h"
+#include "render/export/encoding/row_file.h"
 
 namespace sline::render {
 
+namespace {
+
+bool isOpaque(const Image& image) {
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+    if (image.rgba[i] != 255)
+      return false;
+  return true;
+}
+
+std::vector<std::uint8_t> withoutAlpha(const Image& image) {
+  std::vector<std::uint8_t> rgb;
+  rgb.reserve(image.rgba.size() / 4 * 3);
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+    rgb.insert(rgb.end(), {image.rgba[i], image.rgba[i + 1], image.rgba[i + 2]});
+  return rgb;
+}
+
+}  // namespace
+
 Result<std::string> pngOf(const Image& image, const ExportCredit& credit) {
-  bool opaque = true;
-  for (std::size_t i = 3; i < image.rgba.size() && opaque; i += 4)
-    opaque = image.rgba[i] == 255;
-  QImage pixels(image.rgba.data(), image.width, image.height, qsizetype(4) * image.width,
-                QImage::Format_RGBA8888);
-  if (opaque)
-    pixels = pixels.convertToFormat(QImage::Format_RGB888);
-  // Keywords of the PNG specification, 11.3.3.2.
-  for (const auto& [keyword, text] :
-       {std::pair("Author", credit.author), std::pair("Copyright", credit.copyright),
-        std::pair("XML:com.adobe.xmp", xmpPacket(credit))})
-    if (!text.empty())
-      pixels.setText(QLatin1String(keyword), QString::fromStdString(text));
-  QByteArray png;
-  QBuffer buffer(&png);
-  buffer.open(QIODevice::WriteOnly);
-  if (!pixels.save(&buffer, "PNG"))
-    return Error{.reason = "the PNG cannot be made", .remedy = "Make the picture smaller"};
-  return png.toStdString();
+  const bool opaque = isOpaque(image);
+  const PixelLayout layout{.width = image.width,
+                           .height = image.height,
+                           .channels = opaque ? 3 : 4,
+                           .credit = credit};
+  std::string bytes;
+  const std::unique_ptr<RowFile> png = pngRows(layout, [&bytes](std::string_view more) -> Status {
+    bytes += more;
+    return Unit{};
+  });
+  const std::vector<std::uint8_t> rgb =
+      opaque ? withoutAlpha(image) : std::vector<std::uint8_t>();
+  if (Status added = png->add(std::as_bytes(std::span(opaque ? rgb : image.rgba))); !added.ok())
+    return added.error();
+  if (Status finished = png->finish(); !finished.ok())
+    return finished.error();
+  return bytes;
 }
 
 }  // namespace sline::render

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "model/base/srgb.h"
+
 namespace sline::render {
 
 glm::dmat3 uprightFromLps() {
@@ -26,8 +28,7 @@ Json jsonPoint(const glm::vec3& p) {
 }
 
 double linearLight(std::uint8_t srgb) {
-  const double c = double(srgb) / 255.0;
-  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  return lightFromSrgb(double(srgb) / 255.0);
 }
 
 std::string jsonText(const Json& json) {

@@ -53,7 +53,7 @@ class Filming {
     return {.size = m_film->size(),
             .frames = m_film->frames(),
             .framesPerSecond = m_film->framesPerSecond(),
-            .transparent = m_order.look.background == Background::transparent,
+            .transparent = m_order.environment.background == Background::transparent,
             .credit = m_order.credit};
   }
 
@@ -130,7 +130,7 @@ Status writeFilm(Filming& filming, const fs::path& target, const Begin& newSink)
 ExportNotes filmNotes(const ExportOrder& order, bool transparency) {
   const auto& film = order.of<FilmOptions>();
   ExportNotes notes;
-  if (order.look.background == Background::transparent && !transparency)
+  if (order.environment.background == Background::transparent && !transparency)
     addNote(notes, {.kind = ExportNote::Kind::standsOnWhite, .names = {}, .detail = {}});
   const glm::ivec2 size = filmSize(order);
   if (size.y != film.height)

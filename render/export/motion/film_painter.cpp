@@ -8,8 +8,7 @@
 
 #include "render/export/plate/figure_plate.h"
 #include "render/export/plate/plate_image.h"
-#include "render/gpu/headless/context.h"
-#include "render/picture/picture.h"
+#include "render/picture/headless/headless_picture.h"
 
 namespace sline::render {
 
@@ -67,8 +66,7 @@ class Sightings {
 struct FilmPainter::Data {
   const ExportOrder& order;
   std::unique_ptr<Typesetting> typesetting;
-  std::unique_ptr<gpu::HeadlessContext> context;
-  std::unique_ptr<Picture> picture;  ///< goes before its context
+  HeadlessPicture picture;
   model::MeshTrees trees;
   std::optional<LabelLayout> layout;  ///< of the frame before
   EdgeRoom edges;                     ///< what marks take in any frame: labels keep out of it
@@ -86,21 +84,17 @@ FilmPainter::FilmPainter(std::unique_ptr<Data> data) : m_data(std::move(data)) {
 FilmPainter::~FilmPainter() = default;
 
 Result<std::unique_ptr<FilmPainter>> FilmPainter::create(const ExportOrder& order) {
-  std::unique_ptr<Data> data(new Data{order, nullptr, nullptr, nullptr, {}, std::nullopt, {}, {}});
+  Result<HeadlessPicture> picture = HeadlessPicture::create();
+  if (!picture.ok())
+    return picture.error();
+  std::unique_ptr<Data> data(
+      new Data{order, nullptr, std::move(picture).value(), {}, std::nullopt, {}, {}});
   if (!data->bare()) {
     Result<std::unique_ptr<Typesetting>> typesetting = Typesetting::create();
     if (!typesetting.ok())
       return typesetting.error();
     data->typesetting = std::move(*typesetting);
   }
-  Result<std::unique_ptr<gpu::HeadlessContext>> context = gpu::HeadlessContext::create();
-  if (!context.ok())
-    return context.error();
-  data->context = std::move(*context);
-  Result<std::unique_ptr<Picture>> picture = Picture::create();
-  if (!picture.ok())
-    return picture.error();
-  data->picture = std::move(*picture);
   return std::unique_ptr<FilmPainter>(new FilmPainter(std::move(data)));
 }
 
@@ -114,7 +108,7 @@ ExportOrder FilmPainter::Data::orderOf(const FilmFrame& frame) const {
   now.camera = frame.camera;
   now.viewName = frame.viewName;
   now.page = order.page;
-  now.look = order.look;
+  now.environment = order.environment;
   now.labels = order.labels;
   now.marks = order.marks;
   return now;
@@ -125,7 +119,7 @@ FigurePlate FilmPainter::Data::plateOf(const FilmFrame& frame) {
   if (!labelled())
     return plate;
   LabelStyle style = order.labels;
-  style.onDark = order.look.background == Background::dark;
+  style.onDark = order.environment.background == Background::dark;
   style.edges = edges;
   plate.labels = labelPlate(frame.scene, Screen(frame.camera, order.page.sizeMm), style, trees,
                             {.before = layout ? &*layout : nullptr, .moving = frame.moving});
@@ -153,16 +147,9 @@ void FilmPainter::settle(const Film& film) {
 
 Result<Image> FilmPainter::Data::drawn(const FilmFrame& frame, const glm::ivec2& size) {
   // As pictures are drawn: averaged where pixels are not fine enough by themselves.
-  const int samples = samplesAtOnce(size);
-  Result<Image> image = picture->render(frame.scene, frame.camera,
-                                        {.width = samples * size.x,
-                                         .height = samples * size.y,
-                                         .background = order.look.background,
-                                         .light = order.look.light,
-                                         .keyLight = order.look.keyLight});
-  if (!image.ok() || samples == 1)
-    return image;
-  return averaged(*image, samples);
+  return picture->render(frame.scene, frame.camera,
+                         {.width = size.x, .height = size.y, .environment = order.environment},
+                         samplesAtOnce(size));
 }
 
 void FilmPainter::Data::paint(Image& image, const FigurePlate& plate) const {

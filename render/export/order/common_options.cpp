@@ -137,7 +137,7 @@ constinit const ExportOption backgroundOption{
     .title = QT_TRANSLATE_NOOP("sline::render::ExportOption", "Back&ground"),
     .tip = QT_TRANSLATE_NOOP("sline::render::ExportOption", "What lies behind the drawing"),
     .kind = ChoiceOption{backgrounds},
-    .field = boundTo([](auto& o) -> auto& { return o.look.background; })};
+    .field = boundTo([](auto& o) -> auto& { return o.environment.background; })};
 
 // Which languages there are is a matter of the scene: a window offers those, and keeps none.
 constinit const ExportOption languageOption{
@@ -160,7 +160,7 @@ constinit const ExportOption pureInkOption{
     .tip = QT_TRANSLATE_NOOP(
         "sline::render::ExportOption",
         "For print without tones: each pixel is ink or paper; what is shaded is hatched instead"),
-    .field = boundTo([](auto& o) -> auto& { return o.look.pureInk; })};
+    .field = boundTo([](auto& o) -> auto& { return o.pureInk; })};
 
 OptionList pictureOptions() {
   static constexpr std::array all{&backgroundOption, &labels,   &languageOption, &labelSize, &sides,

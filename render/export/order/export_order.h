@@ -28,16 +28,6 @@ struct ExportPage {
 };
 inline constexpr Limits<float> dpiLimits{10.0f, 4800.0f};
 
-/// How the scene is drawn, besides what it says itself.
-struct ExportLook {
-  Background background = Background::white;
-  std::optional<glm::vec3> light;  ///< as in PictureSettings
-  std::optional<bool> keyLight;    ///< likewise
-  /// For print without tones: each pixel of PNG and TIFF is ink or paper, no grey at all. The scene
-  /// should be of ink alone (`model::withInkAlone`).
-  bool pureInk = false;
-};
-
 /// Of either side of a picture.
 inline constexpr Limits<int> pixelSideLimits{16, 20'000};
 
@@ -74,7 +64,10 @@ struct ExportOrder {
   model::Camera camera;
   std::string viewName;  ///< of the camera, as a person reads it; empty: none
   ExportPage page;
-  ExportLook look;
+  Environment environment;
+  /// For print without tones: each pixel of PNG and TIFF is ink or paper, no grey at all. The scene
+  /// should be of ink alone (`model::withInkAlone`).
+  bool pureInk = false;
   LabelStyle labels{.mode = LabelMode::off, .language = {}};
   ExportMarks marks;
   ExportCredit credit;

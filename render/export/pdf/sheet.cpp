@@ -23,15 +23,11 @@ constexpr float leastTitlePoints = 10.0f;
 Result<VectorDrawing> drawn(const ExportOrder& order, const std::filesystem::path& target,
                             const ExportProgress& progress) {
   bool wanted = true;
-  Result<VectorDrawing> drawing =
-      drawVectors(order.scene, order.camera,
-                  {.sizeMm = order.page.sizeMm,
-                   .background = order.look.background,
-                   .light = order.look.light,
-                   .keyLight = order.look.keyLight},
-                  [&](double share, std::string_view what) {
-                    wanted = wanted && (!progress || progress(0.8 * share, what));
-                  });
+  Result<VectorDrawing> drawing = drawVectors(
+      order.scene, order.camera, {.sizeMm = order.page.sizeMm, .environment = order.environment},
+      [&](double share, std::string_view what) {
+        wanted = wanted && (!progress || progress(0.8 * share, what));
+      });
   wanted = wanted && (!progress || progress(0.8, "setting the pages"));
   if (drawing.ok() && !wanted)
     return givenUp(target);

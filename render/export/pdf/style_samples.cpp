@@ -70,9 +70,7 @@ Result<std::vector<VectorDrawing>> styleSamples(const ExportOrder& order,
   camera.projection = model::Projection::orthographic;
   camera.heightMm = height;
   const VectorSettings settings{.sizeMm = {std::max(sampleMm.x, pageLimitsMm.low), height},
-                                .background = order.look.background,
-                                .light = order.look.light,
-                                .keyLight = order.look.keyLight};
+                                .environment = order.environment};
   std::vector<VectorDrawing> samples;
   const glm::vec2 corner = 0.5f * (settings.sizeMm - sampleMm);
   for (const model::NodeId id : structures) {

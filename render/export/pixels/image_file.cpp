@@ -8,7 +8,7 @@
 #include "model/base/letters.h"
 #include "model/disk/whole_file.h"
 #include "render/export/encoding/xmp_packet.h"
-#include "render/export/pixels/colour_profile.h"
+#include "render/export/encoding/colour_profile.h"
 #include "render/export/pixels/pixel_module.h"
 #include "render/export/pixels/pixel_rows.h"
 
@@ -200,18 +200,6 @@ Status writeImage(const Image& image, const fs::path& file) {
     const Result<std::unique_ptr<RowFile>> rows = rowFile(kind, layout, target);
     return rows.ok() ? addAll(**rows, image, layout) : Status(rows.error());
   });
-}
-
-Result<std::string> pngBytes(const Image& image) {
-  std::string bytes;
-  const PixelLayout layout = layoutFor(image, PixelKind::png);
-  const std::unique_ptr<RowFile> rows = pngRows(layout, [&bytes](std::string_view more) -> Status {
-    bytes += more;
-    return Unit{};
-  });
-  if (Status made = addAll(*rows, image, layout); !made.ok())
-    return made.error();
-  return bytes;
 }
 
 }  // namespace sline::render

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "model/base/result.h"
-#include "render/export/pixels/row_file.h"
+#include "render/export/pixels/pixel_kind.h"
 #include "render/raster/image.h"
 
 namespace sline::render {
@@ -19,9 +19,6 @@ Status checkImageName(const std::filesystem::path& file);
 /// wants), jpg (no alpha: on white), webp and jp2 (lossless). Where every pixel is opaque no alpha
 /// is written. The file appears whole or not at all, and carries no path, user or date.
 Status writeImage(const Image& image, const std::filesystem::path& file);
-
-/// The same as the bytes of a PNG file.
-Result<std::string> pngBytes(const Image& image);
 
 /// A file of rows at a place that is written to directly; see `model::writeBeside`.
 Result<std::unique_ptr<RowFile>> rowFile(PixelKind kind, const PixelLayout& layout,

@@ -7,8 +7,7 @@
 
 #include "render/export/pixels/page_overlay.h"
 #include "render/export/pixels/pixel_options.h"
-#include "render/gpu/headless/context.h"
-#include "render/picture/picture.h"
+#include "render/picture/headless/headless_picture.h"
 
 namespace sline::render {
 
@@ -78,9 +77,7 @@ class BandWriter {
 PictureSettings settingsOf(const ExportOrder& order, const PageBands& bands) {
   return {.width = bands.samples * bands.size.x,
           .height = bands.samples * bands.size.y,
-          .background = order.look.background,
-          .light = order.look.light,
-          .keyLight = order.look.keyLight};
+          .environment = order.environment};
 }
 
 }  // namespace
@@ -98,10 +95,7 @@ Status drawBands(const ExportOrder& order, const PageBands& bands, const BandTak
   if (!overlay.ok())
     return overlay.error();
   progress.note((*overlay)->notes());
-  const auto context = gpu::HeadlessContext::create();
-  if (!context.ok())
-    return context.error();
-  const auto picture = Picture::create({.deep = bands.deep});
+  const Result<HeadlessPicture> picture = HeadlessPicture::create({.deep = bands.deep});
   if (!picture.ok())
     return picture.error();
   (*picture)->prepare(order.scene);
@@ -130,7 +124,7 @@ int usualSamples(glm::ivec2 size, const ExportOrder& order) {
   if (pixels.samples > 0)
     return std::min(pixels.samples, most);
   const double count = double(size.x) * double(size.y);
-  const bool fine = order.look.pureInk || pixels.bits != 8;
+  const bool fine = order.pureInk || pixels.bits != 8;
   const int wanted = count <= 12.0e6 ? (fine ? 4 : 2) : (fine || count <= 40.0e6 ? 2 : 1);
   return std::min(wanted, most);
 }

@@ -18,9 +18,9 @@ PixelLayout layoutOf(const ExportOrder& order, PixelKind kind, glm::ivec2 size) 
   PixelLayout layout{
       .width = size.x, .height = size.y, .dpi = order.page.dpi, .credit = order.credit};
   const PixelTraits traits = traitsOf(kind);
-  const bool ink = traits.ink && (order.look.pureInk || pixels.bits == 1);
+  const bool ink = traits.ink && (order.pureInk || pixels.bits == 1);
   const bool alpha = traits.alpha && !(ink && pixels.bits == 1) &&
-                     order.look.background == Background::transparent;
+                     order.environment.background == Background::transparent;
   layout.channels = ((pixels.grey && traits.grey) || ink ? 1 : 3) + (alpha ? 1 : 0);
   if (kind == PixelKind::exr)
     layout.bits = 32;
@@ -63,7 +63,7 @@ Status writePixels(PixelKind kind, const ExportOrder& order, const std::filesyst
   if (Status sound = checkOrder(kind, order, size, target); !sound.ok())
     return sound;
   const PixelLayout layout = layoutOf(order, kind, size);
-  const bool ink = traitsOf(kind).ink && (order.look.pureInk || order.of<PixelOptions>().bits == 1);
+  const bool ink = traitsOf(kind).ink && (order.pureInk || order.of<PixelOptions>().bits == 1);
   progress.note(pixelNotes(order, kind));
   const PageBands bands{
       .size = size, .samples = usualSamples(size, order), .deep = layout.bits > 8};
@@ -87,7 +87,7 @@ Status writePixels(PixelKind kind, const ExportOrder& order, const std::filesyst
 ExportNotes pixelNotes(const ExportOrder& order, PixelKind kind) {
   const PixelLayout layout = layoutOf(order, kind, pixelsOf(order.page));
   ExportNotes notes;
-  if (order.look.background == Background::transparent && !layout.hasAlpha())
+  if (order.environment.background == Background::transparent && !layout.hasAlpha())
     addNote(notes, {.kind = ExportNote::Kind::standsOnWhite, .names = {}, .detail = {}});
   if (layout.bits < order.of<PixelOptions>().bits)
     addNote(notes, {.kind = ExportNote::Kind::depthNotKept,

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "render/export/order/export_order.h"
-#include "render/export/pixels/row_file.h"
+#include "render/export/pixels/pixel_kind.h"
 
 namespace sline::render {
 

@@ -13,7 +13,7 @@
 
 #include "model/base/result.h"
 #include "render/export/pixels/pixel_rows.h"
-#include "render/export/pixels/row_file.h"
+#include "render/export/pixels/pixel_kind.h"
 
 namespace sline::render {
 

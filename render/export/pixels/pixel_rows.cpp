@@ -8,7 +8,7 @@
 #include <cstring>
 
 #include "model/base/parallel.h"
-#include "render/export/pixels/colour_profile.h"
+#include "model/base/srgb.h"
 
 namespace sline::render {
 
@@ -43,7 +43,7 @@ class LightTable {
  public:
   LightTable() {
     for (std::size_t i = 0; i < m_values.size(); ++i)
-      m_values[i] = toLinearLight(float(i) / float(m_values.size() - 1));
+      m_values[i] = lightFromSrgb(float(i) / float(m_values.size() - 1));
   }
   float operator()(std::uint16_t srgb) const {
     const float at = float(srgb) / float(whole) * float(m_values.size() - 1);
@@ -66,7 +66,7 @@ std::uint16_t greyOf(const std::array<std::uint16_t, 3>& colour) {
     return colour[0];
   const float y =
       0.2126f * light()(colour[0]) + 0.7152f * light()(colour[1]) + 0.0722f * light()(colour[2]);
-  return std::uint16_t(std::lround(std::clamp(fromLinearLight(y), 0.0f, 1.0f) * float(whole)));
+  return std::uint16_t(std::lround(std::clamp(srgbFromLight(y), 0.0f, 1.0f) * float(whole)));
 }
 
 /// Packs one row.

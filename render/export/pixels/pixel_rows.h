@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "render/export/pixels/row_file.h"
+#include "render/export/encoding/row_file.h"
 #include "render/picture/picture.h"
 #include "render/raster/image.h"
 

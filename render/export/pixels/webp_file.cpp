@@ -9,7 +9,7 @@
 
 #include "model/disk/whole_file.h"
 #include "render/export/encoding/xmp_packet.h"
-#include "render/export/pixels/row_file.h"
+#include "render/export/pixels/pixel_kind.h"
 
 namespace sline::render {
 

@@ -56,7 +56,7 @@ FigurePlate figurePlate(const ExportOrder& order, model::MeshTrees& trees, const
   if (order.labels.mode == LabelMode::off)
     return plate;
   LabelStyle style = order.labels;
-  style.onDark = order.look.background == Background::dark;
+  style.onDark = order.environment.background == Background::dark;
   style.reserved = plate.marks.boxes;
   const Screen screen(order.camera, order.page.sizeMm);
   plate.labels = labelPlate(order.scene, screen, style, trees, turn);

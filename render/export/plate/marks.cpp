@@ -70,7 +70,7 @@ class MarkLayout {
   explicit MarkLayout(const ExportOrder& order)
       : m_order(order),
         m_size(order.page.sizeMm),
-        m_colours(letteringColours(order.look.background == Background::dark)),
+        m_colours(letteringColours(order.environment.background == Background::dark)),
         m_words(order.labels.language) {
     m_marks.lettering.ground = m_colours.ground;
   }

@@ -14,13 +14,9 @@ Status writeSvg(const ExportOrder& order, const std::filesystem::path& target,
   const auto tell = [&](double share, std::string_view what) {
     wanted = wanted && (!progress || progress(share, what));
   };
-  const Result<VectorDrawing> drawing =
-      drawVectors(order.scene, order.camera,
-                  {.sizeMm = order.page.sizeMm,
-                   .background = order.look.background,
-                   .light = order.look.light,
-                   .keyLight = order.look.keyLight},
-                  [&tell](double share, std::string_view what) { tell(0.9 * share, what); });
+  const Result<VectorDrawing> drawing = drawVectors(
+      order.scene, order.camera, {.sizeMm = order.page.sizeMm, .environment = order.environment},
+      [&tell](double share, std::string_view what) { tell(0.9 * share, what); });
   if (!drawing.ok())
     return drawing.error();
   tell(0.9, "writing the file");

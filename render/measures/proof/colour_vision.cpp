@@ -9,7 +9,7 @@
 #include <glm/matrix.hpp>
 
 #include "model/base/parallel.h"
-#include "render/export/pixels/colour_profile.h"
+#include "model/base/srgb.h"
 
 namespace sline::render {
 
@@ -71,13 +71,13 @@ const char* nameOf(Vision vision) {
 }
 
 glm::vec3 linearLightOf(const Colour& colour) {
-  return {toLinearLight(float(colour.red) / 255.0f), toLinearLight(float(colour.green) / 255.0f),
-          toLinearLight(float(colour.blue) / 255.0f)};
+  return {lightFromSrgb(float(colour.red) / 255.0f), lightFromSrgb(float(colour.green) / 255.0f),
+          lightFromSrgb(float(colour.blue) / 255.0f)};
 }
 
 Colour colourOf(const glm::vec3& light) {
   const auto channel = [](float value) {
-    return std::uint8_t(std::lround(255.0f * fromLinearLight(glm::clamp(value, 0.0f, 1.0f))));
+    return std::uint8_t(std::lround(255.0f * srgbFromLight(glm::clamp(value, 0.0f, 1.0f))));
   };
   return {channel(light.r), channel(light.g), channel(light.b)};
 }

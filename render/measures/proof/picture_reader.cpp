@@ -7,12 +7,11 @@
 #include <map>
 
 #include "model/base/parallel.h"
+#include "model/base/srgb.h"
 #include "model/scene/resolved_styles.h"
-#include "render/export/pixels/colour_profile.h"
-#include "render/gpu/headless/context.h"
 #include "render/labels/screen.h"
 #include "render/labels/sight.h"
-#include "render/picture/picture.h"
+#include "render/picture/headless/headless_picture.h"
 
 namespace sline::render {
 
@@ -94,7 +93,7 @@ glm::vec3 lightOfCell(const Image& image, int x, int y) {
                                   4;
       const float alpha = float(p[3]) / 255.0f;
       for (int i = 0; i < 3; ++i)
-        sum[i] += toLinearLight(alpha * float(p[i]) / 255.0f + 1.0f - alpha);
+        sum[i] += lightFromSrgb(alpha * float(p[i]) / 255.0f + 1.0f - alpha);
     }
   return sum / float(cellPixels * cellPixels);
 }
@@ -176,28 +175,19 @@ SeenPicture summedUp(const model::Scene& scene, const Grid& grid, const Image& i
 }  // namespace
 
 struct PictureReader::Data {
-  std::unique_ptr<gpu::HeadlessContext> context;
-  std::unique_ptr<Picture> picture;
+  HeadlessPicture picture;
   model::MeshTrees trees;
 };
 
-PictureReader::PictureReader() : m_data(std::make_unique<Data>()) {}
-PictureReader::~PictureReader() {
-  // It needs the context to the end.
-  m_data->picture.reset();
-}
+PictureReader::PictureReader(std::unique_ptr<Data> data) : m_data(std::move(data)) {}
+PictureReader::~PictureReader() = default;
 
 Result<std::unique_ptr<PictureReader>> PictureReader::create() {
-  std::unique_ptr<PictureReader> reader(new PictureReader);
-  auto context = gpu::HeadlessContext::create();
-  if (!context.ok())
-    return context.error();
-  reader->m_data->context = std::move(*context);
-  auto picture = Picture::create();
+  Result<HeadlessPicture> picture = HeadlessPicture::create();
   if (!picture.ok())
     return picture.error();
-  reader->m_data->picture = std::move(*picture);
-  return reader;
+  std::unique_ptr<Data> data(new Data{std::move(picture).value(), {}});
+  return std::unique_ptr<PictureReader>(new PictureReader(std::move(data)));
 }
 
 Result<SeenPicture> PictureReader::look(const ExportOrder& order, const model::Scene& scene) {
@@ -207,9 +197,7 @@ Result<SeenPicture> PictureReader::look(const ExportOrder& order, const model::S
   const Result<Image> image = m_data->picture->render(scene, order.camera,
                                                       {.width = cellPixels * grid.columns,
                                                        .height = cellPixels * grid.rows,
-                                                       .background = order.look.background,
-                                                       .light = order.look.light,
-                                                       .keyLight = order.look.keyLight});
+                                                       .environment = order.environment});
   if (!image.ok())
     return image.error();
   return summedUp(scene, grid, *image, structures);

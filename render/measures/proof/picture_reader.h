@@ -47,8 +47,8 @@ class PictureReader {
   Result<SeenPicture> look(const ExportOrder& order, const model::Scene& scene);
 
  private:
-  PictureReader();
   struct Data;
+  explicit PictureReader(std::unique_ptr<Data> data);
   std::unique_ptr<Data> m_data;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/demo/abdomen.h"
+#include "model/demo/abdomen/abdomen.h"
 
 #include <QTemporaryDir>
 #include <QtTest>

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/demo/kidney.h"
+#include "model/demo/kidney/kidney.h"
 
 #include <QtTest>
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "model/demo/implicit.h"
-#include "model/demo/polygonise.h"
 #include "model/geometry/bvh.h"
 #include "model/geometry/spatial_order.h"
 #include "model/geometry/surface.h"
 #include "model/geometry/topology.h"
+#include "model/sculpting/implicit.h"
+#include "model/sculpting/polygonise.h"
 #include "tests/model/demo/demo_measures.h"
 #include "tests/support/suite.h"
 

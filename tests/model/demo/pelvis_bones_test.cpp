@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/demo/pelvis_bones.h"
+#include "model/demo/pelvis/bones.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/demo/pelvis.h"
+#include "model/demo/pelvis/pelvis.h"
 
 #include <QtTest>
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include <set>
 
 #include "model/base/parallel.h"
-#include "model/demo/pelvis_bones.h"
+#include "model/demo/pelvis/bones.h"
 #include "model/geometry/topology.h"
 #include "tests/model/demo/demo_measures.h"
 #include "tests/support/suite.h"

@@ -6,8 +6,8 @@
 #include <glm/geometric.hpp>
 
 #include "model/demo/demo.h"
-#include "model/demo/sculpture.h"
-#include "model/demo/stopping.h"
+#include "model/sculpting/sculpture.h"
+#include "model/sculpting/stopping.h"
 #include "tests/support/suite.h"
 
 namespace sline::model {

@@ -44,8 +44,11 @@ void FillPictureTest::initTestCase() {
 
 Image FillPictureTest::picture(const model::Scene& scene, const model::Camera& camera,
                                Background background, bool keyLight) {
-  auto image = m_studio.picture->render(
-      scene, camera, {.width = 400, .height = 300, .background = background, .keyLight = keyLight});
+  auto image =
+      m_studio.picture->render(scene, camera,
+                               {.width = 400,
+                                .height = 300,
+                                .environment = {.background = background, .keyLight = keyLight}});
   if (!image)
     qFatal("%s", image.error().text().c_str());
   return std::move(*image);

@@ -74,7 +74,7 @@ class HatchingPictureTest : public QObject {
     const auto here = m_studio.picture->render(ring(), above(), hatchingOnly(960, 720));
     render::PictureSettings settings = hatchingOnly(960, 720);
     // In a mirror the light is on the other side, too.
-    settings.light = model::upperLeftLight * glm::vec3(-1.0f, 1.0f, 1.0f);
+    settings.environment.light = model::upperLeftLight * glm::vec3(-1.0f, 1.0f, 1.0f);
     const auto there = m_studio.picture->render(ring(true), above(), settings);
     QVERIFY(here.ok() && there.ok());
     QVERIFY(inkShare(*here) > 0.003);

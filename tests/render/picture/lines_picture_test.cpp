@@ -272,9 +272,9 @@ void LinesPictureTest::inkColour() {
   if (own)
     style.inkColour = Colour{180, 20, 40};
   add(scene, sphere(50.0f, 5), style);
-  const Image image =
-      picture(scene, frontal(150.0f),
-              {.width = 720, .height = 720, .background = render::Background(background)});
+  const Image image = picture(
+      scene, frontal(150.0f),
+      {.width = 720, .height = 720, .environment = {.background = render::Background(background)}});
   const auto same = [](const Pixel& p, const QList<int>& c) {
     return p.red == c[0] && p.green == c[1] && p.blue == c[2] && p.alpha == c[3];
   };
@@ -299,7 +299,7 @@ void LinesPictureTest::mirroredMeshMirrorsThePicture() {
   PictureSettings settings{.width = 640, .height = 480};
   const Image a = picture(left, tilted(35.0f, 200.0f), settings);
   // In a mirror the light is on the other side, too.
-  settings.light = model::upperLeftLight * glm::vec3(-1.0f, 1.0f, 1.0f);
+  settings.environment.light = model::upperLeftLight * glm::vec3(-1.0f, 1.0f, 1.0f);
   const Image b = picture(right, tilted(35.0f, 200.0f), settings);
   // Where an edge passes a pixel's very middle, the rasteriser's rule is not symmetric; and between
   // two strokes that are each other's image on the ring itself chance decides.

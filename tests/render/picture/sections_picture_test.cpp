@@ -206,7 +206,7 @@ void SectionsPictureTest::mirroredSceneMirroredPicture() {
   camera.eye.x = 300.0f;
   PictureSettings mirror = square;
   // In a mirror the light is on the other side, too.
-  mirror.light = model::upperLeftLight * glm::vec3(-1.0f, 1.0f, 1.0f);
+  mirror.environment.light = model::upperLeftLight * glm::vec3(-1.0f, 1.0f, 1.0f);
   const Difference d = difference(image, mirroredImage(picture(right, camera, mirror)));
   QVERIFY2(d.share < 0.002, qPrintable(QString::number(d.share)));
   QVERIFY(spot(image, reddish).count > 2000);

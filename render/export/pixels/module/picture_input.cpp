@@ -8,6 +8,7 @@
 #include <new>
 #include <optional>
 
+#include "model/base/srgb.h"
 #include "render/export/pixels/module/pixel_module_parts.h"
 
 namespace sline::render {
@@ -106,9 +107,7 @@ class Spreader {
     if (!m_linear || value == 0 || alpha == 0)
       return std::min(value, alpha);
     const float light = std::min(float(value) / float(alpha), 1.0f);
-    const float srgb =
-        light <= 0.0031308f ? 12.92f * light : 1.055f * std::pow(light, 1.0f / 2.4f) - 0.055f;
-    return std::uint16_t(std::lround(srgb * float(alpha)));
+    return std::uint16_t(std::lround(srgbFromLight(light) * float(alpha)));
   }
 
   std::size_t m_channels;

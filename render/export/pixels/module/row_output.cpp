@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/export/pixels/byte_order.h"
+#include "render/export/encoding/byte_order.h"
 #include "render/export/pixels/module/pixel_module_parts.h"
 
 namespace sline::render {

@@ -283,7 +283,7 @@ class AnkiTest : public QObject {
     QVERIFY(*render::ankiPackage(*first) == *render::ankiPackage(*second));
     // Another look keeps the notes and renames the pictures.
     render::ExportOrder dark = order();
-    dark.look.background = render::Background::dark;
+    dark.environment.background = render::Background::dark;
     const auto third = render::ankiCards(dark, {});
     for (std::size_t i = 0; i < 3; ++i) {
       QCOMPARE(third->notes[i].id, first->notes[i].id);

@@ -11,7 +11,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
 
-#include "model/demo/pelvis.h"
+#include "model/demo/pelvis/pelvis.h"
 #include "model/import/plan/import.h"
 #include "render/export/gltf/gltf_document.h"
 #include "render/export/gltf/gltf_file.h"

@@ -68,7 +68,7 @@ QImage still(const render::ExportOrder& order, const model::Camera& camera) {
   if (!context.ok() || !picture.ok())
     return {};
   const auto drawn = (*picture)->render(
-      order.scene, camera, {.width = 192, .height = 108, .background = order.look.background});
+      order.scene, camera, {.width = 192, .height = 108, .environment = order.environment});
   const render::Image image = render::averaged(*drawn, 2);
   return QImage(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888).copy();
 }
@@ -176,7 +176,7 @@ class FilmFilesTest : public QObject {
     const QTemporaryDir folder;
     const QString file = folder.filePath(name);
     render::ExportOrder order = smallOrder();
-    order.look.background = render::Background::transparent;
+    order.environment.background = render::Background::transparent;
     QVERIFY(write(order, file.toStdString(), {}).ok());
     const test::DecodedFilm film = name.endsWith("webp")  ? test::decodedWebp(file)
                                    : name.endsWith("gif") ? test::decodedGif(file)

@@ -137,7 +137,7 @@ void PageBandsTest::noSeams() {
   QFETCH(int, samples);
   QFETCH(int, background);
   render::ExportOrder order = orderedPicture();
-  order.look.background = render::Background(background);
+  order.environment.background = render::Background(background);
   const render::PixelRows whole = drawn(order, {.samples = samples, .bandSamples = 1 << 30});
   QVERIFY(whole.height > 300);
   // Bands of 23 and of a single row of samples' squares: many seams, at odd places.
@@ -213,7 +213,7 @@ void PageBandsTest::samplesStayDrawable() {
                           bool pureInk = false) {
     render::ExportOrder order;
     order.of<render::PixelOptions>() = pixels;
-    order.look.pureInk = pureInk;
+    order.pureInk = pureInk;
     return render::usualSamples(size, order);
   };
   QCOMPARE(samples({1000, 1000}, {}), 2);

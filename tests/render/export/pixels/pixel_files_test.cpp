@@ -91,7 +91,7 @@ render::ExportOrder inkOrder() {
   render::ExportOrder order = orderedPicture();
   order.scene = model::withInkAlone(order.scene).scene;
   order.page.dpi = 300.0f;
-  order.look.pureInk = true;
+  order.pureInk = true;
   return order;
 }
 
@@ -167,7 +167,8 @@ void PixelFilesTest::readBackByOthers() {
   QFETCH(QString, type);
   render::ExportOrder order = orderedPicture();
   order.of<render::PixelOptions>() = {.bits = bits, .grey = grey, .samples = 1};
-  order.look.background = clear ? render::Background::transparent : render::Background::paper;
+  order.environment.background =
+      clear ? render::Background::transparent : render::Background::paper;
   const QString file = written("picture." + extension, order);
   const Read read = readBack(file);
   QCOMPARE(read.spec.width, 472);

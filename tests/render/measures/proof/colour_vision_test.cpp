@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "render/export/pixels/colour_profile.h"
+#include "render/export/encoding/colour_profile.h"
 #include "tests/support/suite.h"
 
 namespace sline::render {

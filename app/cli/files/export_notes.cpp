@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/files/export_notes.h"
+
+#include <algorithm>
+
+namespace sline::cli {
+
+namespace {
+
+/// On one line, and what a terminal would obey left out.
+std::string plain(const std::string& text) {
+  constexpr std::size_t longest = 80;
+  std::string line = text;
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
+  if (line.size() <= longest)
+    return line;
+  std::size_t end = longest;
+  while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0u) == 0x80u)
+    --end;
+  return line.substr(0, end) + "…";
+}
+
+/// `"liver", "spleen" and 4 more`.
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 8;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+    list += (i == 0 ? "\"" : ", \"") + plain(names[i]) + "\"";
+  if (names.size() > most)
+    list += " and " + std::to_string(names.size() - most) + " more";
+  return list;
+}
+
+std::string counted(std::size_t count, const std::string& one, const std::string& several) {
+  return count == 1 ? "1 " + one : std::to_string(count) + " " + several;
+}
+
+}  // namespace
+
+std::string textOf(const render::ExportNote& note) {
+  using Kind = render::ExportNote::Kind;
+  const std::size_t count = note.names.size();
+  const std::string names = ": " + listed(note.names) + ". ";
+  switch (note.kind) {
+    case Kind::labelsWithoutRoom:
+      return counted(count, "label", "labels") + " found no room" + names +
+             "Take a larger page, smaller letters (--label-size) or numbers (--labels numbers)";
+    case Kind::labelsOfHidden:
+      return counted(count, "label is", "labels are") + " left out, as nothing is drawn there" +
+             names + "Show the structures, or leave them out of the view, too";
+    case Kind::labelsOffPage:
+      return counted(count, "label points", "labels point") + " to places beside the picture" +
+             names + "Choose a view that shows them";
+    case Kind::labelsUntranslated:
+      return counted(count, "label has", "labels have") + " no text in " + plain(note.detail) +
+             " and " + (count == 1 ? "stands" : "stand") + " in the scene's own language" + names +
+             "Add one with `sline annotate`, or choose another --language";
+    case Kind::cardsWithoutRoom:
+      return counted(count, "label", "labels") + " found no room and " +
+             (count == 1 ? "has" : "have") + " no card" + names +
+             "Take a larger page (--size-mm) or smaller letters (--label-size)";
+    case Kind::marksWithoutRoom:
+      return counted(count, "mark", "marks") + " at the picture's edge found no room" + names +
+             "Take a larger page, smaller letters (--label-size) or fewer marks (--marks)";
+    case Kind::sidesUnknown:
+      return "R and L are left out: nobody knows the directions of what is drawn. Say them with "
+             "--frame LPS or RAS where the files are read";
+    case Kind::textShortened:
+      return counted(count, "text was", "texts were") + " too long and " +
+             (count == 1 ? "is" : "are") + " shortened" + names +
+             "Write less, or take larger paper";
+    case Kind::sectionsUncut:
+      return counted(count, "section cuts", "sections cut") +
+             " nothing in the file, which holds whole surfaces" + names +
+             "Write a picture or a drawing to show the cut";
+    case Kind::standsOnWhite:
+      return "what is transparent stands on white, as files of this kind have no transparency. "
+             "Take --png, --tiff, --svg or --webp for that";
+    case Kind::depthNotKept:
+      return "a channel has fewer than " + plain(note.detail) +
+             " bits, as in all files of this kind. Take --png or --tiff for more";
+    case Kind::filmRounded:
+      return "the film is " + plain(note.detail) +
+             " pixels large, as sides of films are even numbers. Give an even --film-height";
+    case Kind::filmStretched:
+      return "the film takes " + plain(note.detail) +
+             " seconds, as it has whole frames alone. Give --seconds that --fps divides evenly";
+  }
+  return {};
+}
+
+}  // namespace sline::cli

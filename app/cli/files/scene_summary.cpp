@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/files/scene_summary.h"
+
+#include <algorithm>
+#include <array>
+#include <iomanip>
+#include <iostream>
+#include <utility>
+
+#include "app/cli/files/names.h"
+#include "model/geometry/topology.h"
+#include "model/import/plan/kept_scans.h"
+#include "model/scene/markup.h"
+
+namespace sline::cli {
+
+SceneSummary summaryOf(const model::Scene& scene) {
+  SceneSummary summary;
+  for (const model::Node& node : scene.nodes()) {
+    if (node.isGroup())
+      continue;
+    const model::Mesh& mesh = *node.mesh;
+    const model::VertexFaces faces(mesh);
+    summary.structures.push_back({node.name, scene.groupPath(node.id), node.mesh,
+                                  model::countEdges(mesh, faces).closed(),
+                                  model::connectedComponents(mesh).count});
+    summary.triangles += mesh.triangleCount();
+    summary.vertices += mesh.vertexCount();
+    summary.bounds.add(mesh.bounds());
+  }
+  summary.views = scene.views();
+  static constexpr std::array<const char*, 4> kinds{"label", "callout", "pin", "distance"};
+  for (const model::Annotation& annotation : scene.annotations()) {
+    AnnotationInfo info{kinds[std::size_t(annotation.kind)],
+                        model::plainText(annotation.kind, annotation.text),
+                        {},
+                        annotation.visible};
+    for (const model::Anchor& anchor : annotation.anchors)
+      if (const auto place = scene.placeOf(anchor))
+        info.places.push_back(*place);
+    summary.annotations.push_back(std::move(info));
+  }
+  summary.scans = scene.scans();
+  return summary;
+}
+
+namespace {
+std::pair<double, double> intensitiesOf(const model::Scan& scan) {
+  const auto [low, high] = std::minmax_element(scan.voxels->begin(), scan.voxels->end());
+  const double a = scan.intensity(*low);
+  const double b = scan.intensity(*high);
+  return {std::min(a, b), std::max(a, b)};
+}
+
+Json scanJson(const model::Scan& scan) {
+  const glm::dvec3 side = scan.spacing();
+  const auto [least, greatest] = intensitiesOf(scan);
+  return {{"name", scan.name},
+          {"file", scan.file},
+          {"size", {scan.size.x, scan.size.y, scan.size.z}},
+          {"spacing_mm", {side.x, side.y, side.z}},
+          {"intensities", {least, greatest}},
+          {"hounsfield", scan.hounsfield}};
+}
+}  // namespace
+
+Json summaryJson(const SceneSummary& summary, const std::string& frame) {
+  Json root;
+  root["triangles"] = summary.triangles;
+  root["vertices"] = summary.vertices;
+  root["bounds_mm"] = jsonBox(summary.bounds);
+  root["frame"] = frame;
+  root["structures"] = Json::array();
+  for (const StructureInfo& structure : summary.structures)
+    root["structures"].push_back({{"name", structure.name},
+                                  {"group", structure.group},
+                                  {"bounds_mm", jsonBox(structure.mesh->bounds())},
+                                  {"triangles", structure.mesh->triangleCount()},
+                                  {"vertices", structure.mesh->vertexCount()},
+                                  {"closed", structure.closed},
+                                  {"components", structure.components}});
+  root["views"] = Json::array();
+  for (const model::View& view : summary.views)
+    root["views"].push_back({{"name", view.name},
+                             {"looks", view.looks ? view.looks->size() : 0},
+                             {"sections", view.sections ? view.sections->size() : 0}});
+  root["annotations"] = Json::array();
+  for (const AnnotationInfo& annotation : summary.annotations) {
+    Json places = Json::array();
+    for (const glm::vec3& p : annotation.places)
+      places.push_back(jsonPoint(p));
+    root["annotations"].push_back({{"kind", annotation.kind},
+                                   {"text", annotation.text},
+                                   {"places_mm", std::move(places)},
+                                   {"visible", annotation.visible}});
+  }
+  root["scans"] = Json::array();
+  for (const model::Scan& scan : summary.scans)
+    root["scans"].push_back(scanJson(scan));
+  return root;
+}
+
+namespace {
+/// "scan" and what of it, a line each.
+void printScans(const SceneSummary& summary) {
+  for (const model::Scan& scan : summary.scans) {
+    const auto [least, greatest] = intensitiesOf(scan);
+    std::cout << std::defaultfloat << std::setprecision(6) << "scan "
+              << onOneLine(scan.file.empty() ? scan.name : scan.file) << ": "
+              << model::scanText(scan) << "; intensities " << least << " to " << greatest
+              << (scan.hounsfield ? " HU" : "") << '\n';
+  }
+}
+
+void printViewsAndAnnotations(const SceneSummary& summary) {
+  if (!summary.views.empty())
+    std::cout << "saved views:";
+  for (const model::View& view : summary.views)
+    std::cout << (&view == &summary.views.front() ? " " : ", ") << '"' << onOneLine(view.name)
+              << '"';
+  if (!summary.views.empty())
+    std::cout << '\n';
+  for (const AnnotationInfo& annotation : summary.annotations) {
+    std::cout << annotation.kind << " \"" << onOneLine(annotation.text) << '"';
+    for (const glm::vec3& p : annotation.places)
+      std::cout << (&p == &annotation.places.front() ? " at (" : " to (") << p.x << ", " << p.y
+                << ", " << p.z << ')';
+    std::cout << (annotation.visible ? "\n" : ", hidden\n");
+  }
+}
+}  // namespace
+
+void printSummary(const SceneSummary& summary, const std::string& frame) {
+  std::size_t widest = 9;
+  for (const StructureInfo& structure : summary.structures)
+    widest = std::max(widest, structure.name.size());
+  std::cout << std::left << std::setw(int(widest)) << "structure" << std::right << std::setw(11)
+            << "triangles" << std::setw(8) << "closed" << std::setw(7) << "parts"
+            << "  group\n";
+  for (const StructureInfo& structure : summary.structures)
+    std::cout << std::left << std::setw(int(widest)) << onOneLine(structure.name) << std::right
+              << std::setw(11) << structure.mesh->triangleCount() << std::setw(8)
+              << (structure.closed ? "yes" : "no") << std::setw(7) << structure.components << "  "
+              << onOneLine(structure.group) << '\n';
+  const glm::vec3 size = summary.bounds.empty() ? glm::vec3(0.0f) : summary.bounds.size();
+  std::cout << summary.structures.size() << " structures, " << summary.triangles << " triangles, "
+            << summary.vertices << " vertices, " << std::fixed << std::setprecision(1) << size.x
+            << " × " << size.y << " × " << size.z << " mm; frame " << frame << '\n';
+  printViewsAndAnnotations(summary);
+  printScans(summary);
+}
+
+}  // namespace sline::cli

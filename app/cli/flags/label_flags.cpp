@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/flags/label_flags.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+
+#include "app/cli/files/names.h"
+#include "app/cli/files/progress.h"
+#include "render/export/order/common_options.h"
+
+namespace sline::cli {
+
+namespace {
+
+/// The options of what stands at the picture's edges.
+std::vector<const render::ExportOption*> markOptions() {
+  std::vector<const render::ExportOption*> marks;
+  for (const render::ExportOption* option : render::pictureOptions())
+    if (option->part == render::OptionPart::marks)
+      marks.push_back(option);
+  return marks;
+}
+
+/// "on", "off" or those that are wanted, as in "sides,scale".
+Result<render::ExportMarks> parseMarks(const std::string& text) {
+  if (text == "on")
+    return render::ExportMarks();
+  render::ExportOrder order;
+  order.marks = render::ExportMarks::none();
+  if (text == "off")
+    return order.marks;
+  const std::vector<const render::ExportOption*> marks = markOptions();
+  std::string_view rest = text;
+  while (true) {
+    const std::size_t comma = rest.find(',');
+    const std::string_view name = rest.substr(0, comma);
+    const auto mark = std::find_if(marks.begin(), marks.end(),
+                                   [&](const auto* known) { return known->flag == name; });
+    if (mark == marks.end())
+      return Error{.reason = "--marks " + text + " is unknown",
+                   .remedy =
+                       "Give on, off or some of sides, view, scale and sections, as in "
+                       "sides,scale"};
+    (*mark)->field.write(order, true);
+    if (comma == std::string_view::npos)
+      return order.marks;
+    rest.remove_prefix(comma + 1);
+  }
+}
+
+}  // namespace
+
+void declareLabels(CLI::App& command, LabelFlags& flags) {
+  for (const render::ExportOption* option : render::pictureOptions())
+    if (option->part == render::OptionPart::labels)
+      flags.options.declare(command, *option);
+  command
+      .add_option("--marks", flags.marks,
+                  "What stands at the picture's edges: on, off, or some of sides (R and L, and the "
+                  "other sides of the body), view (its name), scale (a bar) and sections (what "
+                  "they have taken away), as in sides,scale")
+      ->type_name("on|off|LIST")
+      ->capture_default_str();
+}
+
+Result<LabelOrder> understood(const LabelFlags& flags) {
+  const Result<render::ExportMarks> marks = parseMarks(flags.marks);
+  if (!marks.ok())
+    return marks.error();
+  render::ExportOrder order;
+  if (const Status fine = flags.options.applyTo(order); !fine.ok())
+    return fine.error();
+  LabelOrder labels;
+  labels.marks = *marks;
+  labels.style = order.labels;
+  return labels;
+}
+
+Status prepareLabels(LabelOrder& order, const model::Scene& scene, const glm::vec2& pageMm) {
+  if (order.bare())
+    return Unit{};
+  Result<std::unique_ptr<render::Typesetting>> made = render::Typesetting::create();
+  if (!made.ok())
+    return made.error();
+  order.typesetting = std::move(*made);
+  render::ExportOrder job;
+  job.scene = scene;
+  if (const auto view = model::anatomicalViewNamed(model::normalisedName(order.viewName)))
+    job.camera = model::anatomicalCamera(*view, scene.visibleBounds(), pageMm.x / pageMm.y);
+  job.page.sizeMm = pageMm;
+  job.labels = order.style;
+  job.marks = order.marks;
+  order.sides = render::sidesOfPlate(job, *order.typesetting);
+  return Unit{};
+}
+
+void drawLabels(render::Image& image, const model::Scene& scene, const model::Camera& camera,
+                const LabelOrder& order, render::Background background) {
+  if (!order.typesetting)
+    return;
+  render::ExportOrder job;
+  job.scene = scene;
+  job.camera = camera;
+  job.viewName = order.viewName;
+  job.page.sizeMm.y = render::usualHeightMm;
+  job.environment.background = background;
+  job.labels = order.style;
+  job.marks = order.marks;
+  const render::LabelReport report = render::drawPlate(image, job, *order.typesetting);
+  for (const std::string& text : report.leftOut)
+    warn("there is no room for the label \"" + onOneLine(text) + "\"");
+  if (order.style.mode == render::LabelMode::numbers)
+    printKey(report);
+}
+
+void printKey(const render::LabelReport& report) {
+  for (const render::LabelReport::Line& line : report.key)
+    std::cout << line.number << '\t' << onOneLine(line.text) << '\n';
+}
+
+}  // namespace sline::cli

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// The flags that write labels and marks into pictures.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/cli/flags/typed_options.h"
+#include "model/base/result.h"
+#include "model/scene/scene.h"
+#include "render/export/plate/plate_image.h"
+
+namespace sline::cli {
+
+/// As typed.
+struct LabelFlags {
+  TypedOptions options;  ///< --labels, --language, --label-size
+  std::string marks = "off";
+};
+
+/// Understood; what text needs is made before anything is drawn.
+struct LabelOrder {
+  render::LabelStyle style{.mode = render::LabelMode::off, .language = {}};
+  render::ExportMarks marks = render::ExportMarks::none();
+  std::string viewName;  ///< of the camera; empty: none
+  std::shared_ptr<const render::Typesetting> typesetting;
+  model::FreeSides sides;  ///< of the picture, for views that are fitted
+
+  bool bare() const {
+    return style.mode == render::LabelMode::off && marks == render::ExportMarks::none();
+  }
+};
+
+/// Declares the flags on a sub-command.
+void declareLabels(CLI::App& command, LabelFlags& flags);
+/// An error is a wrong use.
+Result<LabelOrder> understood(const LabelFlags& flags);
+/// Makes the order ready for the scene, shown as it is drawn, on a page of that size.
+Status prepareLabels(LabelOrder& order, const model::Scene& scene, const glm::vec2& pageMm);
+/// Number and text of each label in the picture, a line each.
+void printKey(const render::LabelReport& report);
+/// Draws labels and marks, prints the key of numbers and warns of labels for which there is no
+/// room.
+void drawLabels(render::Image& image, const model::Scene& scene, const model::Camera& camera,
+                const LabelOrder& order, render::Background background);
+
+}  // namespace sline::cli

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/flags/measure_flags.h"
+
+#include <algorithm>
+
+#include "app/cli/files/camera_file.h"
+#include "app/cli/files/names.h"
+
+namespace sline::cli {
+
+namespace {
+
+Result<std::vector<model::NodeId>> chosen(const model::Scene& scene, const MeasureFlags& flags) {
+  const std::vector<model::NodeId> everything = scene.structuresBelow(model::rootId);
+  if (flags.all || (flags.structures.empty() && everything.size() == 1))
+    return everything;
+  if (flags.structures.empty())
+    return Error{.reason = "the scene has " + std::to_string(everything.size()) + " structures",
+                 .remedy = "Name one with --structure, or measure each with --all"};
+  std::vector<model::NodeId> found;
+  for (const std::string& name : flags.structures) {
+    const auto nodes = nodesNamed(scene, name);
+    if (!nodes.ok())
+      return nodes.error();
+    for (const model::NodeId node : *nodes)
+      for (const model::NodeId id : scene.structuresBelow(node))
+        if (std::find(found.begin(), found.end(), id) == found.end())
+          found.push_back(id);
+  }
+  return found;
+}
+
+Result<PictureOrder> understoodPicture(const MeasureFlags& flags) {
+  PictureOrder order;
+  order.view = flags.view;
+  const Result<Size> size = parseSize(flags.size);
+  if (!size.ok())
+    return size.error();
+  order.size = *size;
+  if (!flags.cameraFile.empty()) {
+    const Result<model::Camera> camera = readCamera(flags.cameraFile);
+    if (!camera.ok())
+      return camera.error();
+    order.camera = *camera;
+  }
+  return order;
+}
+
+}  // namespace
+
+Result<MeasureOrder> measureOrder(const MeasureFlags& flags, Progress& progress, bool& wrongUse) {
+  wrongUse = true;
+  const Result<model::ImportOptions> options = importOptions(flags.input);
+  if (!options.ok())
+    return options.error();
+  const Result<PictureOrder> picture = understoodPicture(flags);
+  if (!picture.ok())
+    return picture.error();
+  wrongUse = false;
+  Result<model::Imported> imported = readInputs(flags.input, *options, progress);
+  if (!imported.ok())
+    return imported.error();
+  wrongUse = true;
+  const auto structures = chosen(imported->scene, flags);
+  if (!structures.ok())
+    return structures.error();
+  return MeasureOrder{
+      .scene = std::move(imported->scene), .structures = *structures, .picture = *picture};
+}
+
+Result<render::Subject> subjectOf(const MeasureOrder& order, model::NodeId structure) {
+  render::Subject subject{.scene = render::alone(order.scene, structure),
+                          .width = order.picture.size.width,
+                          .height = order.picture.size.height};
+  subject.scene.setViews(order.scene.views());
+  const Result<model::Camera> camera = cameraFor(subject.scene, order.picture);
+  if (!camera.ok())
+    return camera.error();
+  subject.camera = *camera;
+  return subject;
+}
+
+}  // namespace sline::cli

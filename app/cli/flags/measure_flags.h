@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the measuring sub-commands share: which structures of which scene, seen from where.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/cli/files/progress.h"
+#include "app/cli/flags/picture_flags.h"
+#include "app/cli/flags/scene_input.h"
+#include "model/base/result.h"
+#include "render/measures/subject.h"
+
+namespace sline::cli {
+
+/// As typed.
+struct MeasureFlags {
+  InputFlags input;
+  std::vector<std::string> structures;
+  bool all = false;
+  std::string view = "anterior";
+  std::string cameraFile;
+  std::string size = "640x480";
+  bool json = false;
+  bool check = false;
+};
+
+/// What was asked for and read.
+struct MeasureOrder {
+  model::Scene scene;
+  std::vector<model::NodeId> structures;  ///< at least one
+  PictureOrder picture;                   ///< camera or view, and size
+};
+
+/// `wrongUse` tells the kinds of errors apart.
+Result<MeasureOrder> measureOrder(const MeasureFlags& flags, Progress& progress, bool& wrongUse);
+
+/// The structure alone from the order's camera; an anatomical view is fitted to it. The error is a
+/// wrong use.
+Result<render::Subject> subjectOf(const MeasureOrder& order, model::NodeId structure);
+
+}  // namespace sline::cli

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is alike in options of all sub-commands: how many values they take, and within what range.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <sstream>
+#include <string>
+
+#include "app/cli/flags/arguments.h"
+#include "model/base/units.h"
+
+namespace sline::cli {
+
+/// An option that takes several values and may be given again.
+inline CLI::Option* many(CLI::Option* option) {
+  return option->take_all()->type_size(1)->expected(1, CLI::detail::expected_max_vector_size);
+}
+
+/// How many values the sub-command's option takes as it was declared; its type's name tells
+/// assignments. One that it does not have takes one.
+inline Values valuesOf(const CLI::App& command, const std::string& option) {
+  const CLI::Option* declared = command.get_option_no_throw(option);
+  if (!declared || declared->get_items_expected_max() <= 1)
+    return Values::one;
+  return declared->get_type_name().find('=') == std::string::npos ? Values::several
+                                                                  : Values::assignments;
+}
+
+/// Checks for a number from `low` to `high`; "nan" is none.
+template <class Number>
+CLI::Validator within(Number low, Number high) {
+  std::ostringstream limits;
+  limits << low << " to " << high;
+  return {[low, high, right = limits.str()](std::string& text) {
+            Number value{};
+            if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high)
+              return std::string();
+            return text + " is no number in the range " + right;
+          },
+          CLI::Range(low, high).get_description()};
+}
+
+/// The same for numbers that are typed as plain ones, whatever the field's type.
+template <class Number>
+CLI::Validator within(const Limits<Number>& limits) {
+  return within(double(limits.low), double(limits.high));
+}
+
+}  // namespace sline::cli

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/cli/flags/picture_flags.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/trigonometric.hpp>
+
+#include "app/cli/files/camera_file.h"
+#include "app/cli/files/interruption.h"
+#include "app/cli/files/names.h"
+#include "model/edit/look.h"
+#include "model/edit/views.h"
+#include "model/edit/visibility.h"
+#include "model/scene/visible_structures.h"
+#include "render/export/pixels/image_file.h"
+#include "render/picture/headless/headless_picture.h"
+
+namespace sline::cli {
+
+namespace {
+
+/// "VALUE" or "NAME=VALUE" for each text.
+template <class T, class Parse>
+Status parseAssignments(const std::vector<std::string>& texts, const Parse& parse,
+                        std::vector<Assignment<T>>& assignments) {
+  for (const std::string& text : texts) {
+    const std::optional<NamedValue> named = splitNamed(text);
+    const Result<T> value = parse(named ? named->value : text);
+    if (!value.ok())
+      return value.error();
+    if (named && model::normalisedName(named->name).empty())
+      return Error{.reason = "\"" + text + "\" names no structure",
+                   .remedy = "Write NAME=" + named->value};
+    assignments.push_back({named ? std::optional<std::string>(named->name) : std::nullopt, *value});
+  }
+  return Unit{};
+}
+
+std::size_t depthOf(const model::Scene& scene, model::NodeId id) {
+  std::size_t depth = 0;
+  for (const model::Node* node = scene.find(id); node; node = scene.find(node->parent))
+    ++depth;
+  return depth;
+}
+
+/// One patch for one node and all below it.
+struct Patch {
+  model::NodeId node;
+  std::size_t depth = 0;  ///< 0: the root
+  model::Style style;
+};
+
+Status collect(const model::Scene& scene, const std::vector<Assignment<model::Style>>& assignments,
+               std::vector<Patch>& patches) {
+  for (const Assignment<model::Style>& assignment : assignments) {
+    if (!assignment.name) {
+      patches.push_back({model::rootId, 0, assignment.value});
+      continue;
+    }
+    const auto ids = nodesNamed(scene, *assignment.name);
+    if (!ids.ok())
+      return ids.error();
+    for (const model::NodeId id : *ids)
+      patches.push_back({id, depthOf(scene, id), assignment.value});
+  }
+  return Unit{};
+}
+
+template <class T>
+Status collect(const model::Scene& scene, const std::vector<Assignment<T>>& assignments,
+               std::optional<T> model::Style::*field, std::vector<Patch>& patches) {
+  std::vector<Assignment<model::Style>> styles;
+  for (const Assignment<T>& assignment : assignments) {
+    styles.push_back({assignment.name, {}});
+    styles.back().value.*field = assignment.value;
+  }
+  return collect(scene, styles, patches);
+}
+
+/// Flags that set one field of a style each.
+struct LookFlag {
+  std::vector<std::string> PictureFlags::*typed;
+  Result<model::Style> (*parse)(std::string_view);
+};
+constexpr std::array<LookFlag, 3> lookFlags{{{&PictureFlags::pens, parsePen},
+                                             {&PictureFlags::hatchDensities, parseHatchDensity},
+                                             {&PictureFlags::hatchTones, parseHatchTone}}};
+
+std::vector<model::NodeId> allBelow(const model::Scene& scene, model::NodeId id) {
+  std::vector<model::NodeId> ids;
+  for (const model::Node& node : scene.nodes())
+    if (scene.isBelow(node.id, id))
+      ids.push_back(node.id);
+  return ids;
+}
+
+Result<model::Scene> withOnly(const model::Scene& scene, const std::vector<std::string>& names) {
+  std::vector<model::NodeId> shown;
+  for (const std::string& name : names) {
+    const auto ids = nodesNamed(scene, name);
+    if (!ids.ok())
+      return ids.error();
+    shown.insert(shown.end(), ids->begin(), ids->end());
+  }
+  return model::withOnlyVisible(scene, shown).scene;
+}
+
+Error unknownView(const model::Scene& scene, const std::string& view) {
+  std::vector<std::string> names(model::anatomicalViewNames.begin(),
+                                 model::anatomicalViewNames.end());
+  for (const model::View& saved : scene.views())
+    names.push_back(saved.name);
+  Error error = unknownName("view", view, names);
+  std::string all;
+  for (const std::string& name : names)
+    all += (all.empty() ? "" : ", ") + name;
+  error.remedy = "There are: " + all;
+  return error;
+}
+
+}  // namespace
+
+const model::View* savedView(const model::Scene& scene, const std::string& name) {
+  const std::string wanted = model::normalisedName(name);
+  for (const model::View& saved : scene.views())
+    if (model::normalisedName(saved.name) == wanted)
+      return &saved;
+  return nullptr;
+}
+
+namespace {
+
+Result<int> understoodSamples(const std::string& text, const Size& size) {
+  const Result<std::optional<int>> samples = parseSamples(text);
+  if (!samples.ok())
+    return samples.error();
+  const int number = samples->value_or(render::samplesAtOnce({size.width, size.height}));
+  if (*samples && std::max(size.width, size.height) > render::pixelSideLimits.high / number)
+    return Error{.reason = text + " samples across a pixel are too many for so large a picture",
+                 .remedy = "Its longer side times the samples may reach " +
+                           std::to_string(render::pixelSideLimits.high) + "; take fewer"};
+  return number;
+}
+
+/// The kind of hatching, and the light that it stands for.
+Status understoodHatching(const PictureFlags& flags, PictureOrder& order) {
+  const Result<render::HatchingMethod> hatching = parseHatching(flags.hatching);
+  if (!hatching.ok())
+    return hatching.error();
+  order.hatching = *hatching;
+  order.environment.keyLight = flags.keyLight;
+  if (flags.light.empty())
+    return Unit{};
+  const Result<glm::vec3> light = parseLight(flags.light);
+  if (!light.ok())
+    return light.error();
+  order.environment.light = *light;
+  return Unit{};
+}
+
+Status understoodFill(const PictureFlags& flags, PictureOrder& order) {
+  if (flags.fill.empty())
+    return Unit{};
+  const Result<model::Fill> fill = parseFill(flags.fill);
+  if (!fill.ok())
+    return fill.error();
+  order.fill = *fill;
+  return Unit{};
+}
+
+Status understoodLabels(const PictureFlags& flags, PictureOrder& order) {
+  const Result<LabelOrder> labels = understood(flags.labels);
+  if (!labels.ok())
+    return labels.error();
+  order.labels = *labels;
+  order.labels.style.onDark = order.environment.background == render::Background::dark;
+  return Unit{};
+}
+
+}  // namespace
+
+Result<PictureOrder> understood(const PictureFlags& flags) {
+  if (Status named = render::checkImageName(flags.output); !named.ok())
+    return named.error();
+  return understoodLook(flags);
+}
+
+Result<PictureOrder> understoodLook(const PictureFlags& flags) {
+  PictureOrder order;
+  order.output = flags.output;
+  order.view = flags.view;
+  order.only = flags.only;
+  const Result<Size> size = parseSize(flags.size);
+  if (!size.ok())
+    return size.error();
+  order.size = *size;
+  const Result<int> samples = understoodSamples(flags.samples, *size);
+  if (!samples.ok())
+    return samples.error();
+  order.samples = *samples;
+  const Result<render::Background> background = parseBackground(flags.background);
+  if (!background.ok())
+    return background.error();
+  order.environment.background = *background;
+  if (const Status drawn = understoodHatching(flags, order); !drawn.ok())
+    return drawn.error();
+  order.blackAndWhite = flags.blackAndWhite;
+  if (const Status filled = understoodFill(flags, order); !filled.ok())
+    return filled.error();
+  if (Status parsed = parseAssignments(flags.gammas, parseGamma, order.gammas); !parsed.ok())
+    return parsed.error();
+  if (Status parsed = parseAssignments(flags.colours, parseColour, order.colours); !parsed.ok())
+    return parsed.error();
+  if (Status parsed = parseAssignments(flags.inkColours, parseColour, order.inkColours);
+      !parsed.ok())
+    return parsed.error();
+  for (const LookFlag& flag : lookFlags)
+    if (Status parsed = parseAssignments(flags.*flag.typed, flag.parse, order.looks); !parsed.ok())
+      return parsed.error();
+  for (const Assignment<Colour>& assignment : order.colours)
+    if (!assignment.name)
+      return Error{.reason = "a colour is given without the name of a structure or group",
+                   .remedy = "Write NAME=#rrggbb"};
+  const Result<FocusOrder> focus = understood(flags.focus);
+  if (!focus.ok())
+    return focus.error();
+  order.focus = *focus;
+  if (const Status labelled = understoodLabels(flags, order); !labelled.ok())
+    return labelled.error();
+  const Result<SectionsOrder> sections = understood(flags.sections);
+  if (!sections.ok())
+    return sections.error();
+  order.sections = *sections;
+  order.sections.hatched = order.sections.hatched || order.blackAndWhite;
+  if (!flags.cameraFile.empty()) {
+    const Result<model::Camera> camera = readCamera(flags.cameraFile);
+    if (!camera.ok())
+      return camera.error();
+    order.camera = *camera;
+  }
+  return order;
+}
+
+std::string shownViewName(const model::Scene& scene, const PictureOrder& order) {
+  if (!order.camera)
+    if (const model::View* saved = savedView(scene, order.view))
+      return saved->name;
+  const auto side = order.camera ? model::anatomicalViewOf(*order.camera)
+                                 : model::anatomicalViewNamed(model::normalisedName(order.view));
+  return side ? std::string(model::anatomicalViewNames[std::size_t(*side)]) : std::string();
+}
+
+model::Scene asSaved(const model::Scene& scene, const PictureOrder& order) {
+  const model::View* saved = order.camera ? nullptr : savedView(scene, order.view);
+  if (!saved)
+    return scene;
+  model::ShownScene shown = model::shown(scene, *saved);
+  if (!shown.absent.empty())
+    warn("of what the view \"" + saved->name + "\" shows, " + std::to_string(shown.absent.size()) +
+         (shown.absent.size() == 1 ? " structure or group is" : " structures or groups are") +
+         " no longer in the scene");
+  return std::move(shown.scene);
+}
+
+Result<model::Scene> styled(const model::Scene& scene, const PictureOrder& order) {
+  std::vector<Patch> patches;
+  if (order.fill) {
+    model::Style style;
+    style.fill = order.fill;
+    patches.push_back({model::rootId, 0, style});
+  }
+  if (Status ok = collect(scene, order.gammas, &model::Style::gamma, patches); !ok.ok())
+    return ok.error();
+  if (Status ok = collect(scene, order.colours, &model::Style::colour, patches); !ok.ok())
+    return ok.error();
+  if (Status ok = collect(scene, order.inkColours, &model::Style::inkColour, patches); !ok.ok())
+    return ok.error();
+  if (Status ok = collect(scene, order.looks, patches); !ok.ok())
+    return ok.error();
+  std::stable_sort(patches.begin(), patches.end(),
+                   [](const Patch& a, const Patch& b) { return a.depth < b.depth; });
+  model::Scene result = scene;
+  for (const Patch& patch : patches)
+    result = model::withLook(result, allBelow(scene, patch.node), patch.style).scene;
+  if (order.blackAndWhite)
+    result = model::withInkAlone(result).scene;
+  return order.only.empty() ? result : withOnly(result, order.only);
+}
+
+Result<model::Scene> inFocus(const model::Scene& scene, const PictureOrder& order) {
+  if (order.focus.names.empty())
+    return scene;
+  const Result<model::Scene> cut = cutOpen(scene, order);
+  if (!cut.ok())
+    return cut;
+  const Result<model::Camera> camera = cameraFor(*cut, order);
+  if (!camera.ok())
+    return camera.error();
+  return focused(scene, order.focus, *cut, *camera);
+}
+
+Result<model::Scene> cutOpen(const model::Scene& scene, const PictureOrder& order) {
+  if (order.sections.sections.empty())
+    return scene;
+  // Which half faces the camera does not depend on how it is fitted.
+  const Result<model::Camera> camera = cameraFor(scene, order);
+  if (!camera.ok())
+    return camera.error();
+  return sectioned(scene, order.sections, *camera);
+}
+
+Result<model::Camera> cameraFor(const model::Scene& scene, const PictureOrder& order) {
+  if (order.camera)
+    return *order.camera;
+  if (const model::View* saved = savedView(scene, order.view))
+    return saved->camera;
+  const auto view = model::anatomicalViewNamed(model::normalisedName(order.view));
+  if (!view)
+    return unknownView(scene, order.view);
+  const float aspect = order.size.aspect();
+  const model::Camera camera = model::anatomicalCamera(*view, scene.visibleBounds(), aspect);
+  return model::fittedToVisible(scene, camera, aspect, order.labels.sides);
+}
+
+Status drawToFile(const model::Scene& scene, const model::Camera& camera, const PictureOrder& order,
+                  Progress& progress) {
+  if (scene.visibleBounds().empty())
+    warn("no structure is visible: the picture is empty");
+  const auto picture = render::HeadlessPicture::create();
+  if (!picture.ok())
+    return picture.error();
+  progress.note("Drawing with " + picture->driver());
+  progress.show(0.0, "preparing surfaces");
+  (*picture)->prepare(scene);
+  progress.show(0.5, "drawing");
+  Result<render::Image> image = (*picture)->render(scene, camera,
+                                                   {.width = order.size.width,
+                                                    .height = order.size.height,
+                                                    .environment = order.environment,
+                                                    .hatching = order.hatching},
+                                                   order.samples);
+  if (!image.ok())
+    return image.error();
+  drawLabels(*image, scene, camera, order.labels, order.environment.background);
+  progress.show(0.9, "writing " + order.output);
+  const Interruption interruption;  // what is written is soon whole
+  return render::writeImage(*image, order.output);
+}
+
+}  // namespace sline::cli

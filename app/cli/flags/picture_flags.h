@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// The flags that say how a scene is drawn, shared by `render` and `demo`.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/files/progress.h"
+#include "app/cli/flags/focus_flags.h"
+#include "app/cli/flags/label_flags.h"
+#include "app/cli/flags/section_flags.h"
+#include "app/cli/flags/values.h"
+#include "model/base/result.h"
+#include "model/scene/scene.h"
+#include "render/strokes/picture_settings.h"
+
+namespace sline::cli {
+
+/// As typed.
+struct PictureFlags {
+  std::string output;
+  std::string size = "1280x720";
+  std::string samples = "auto";
+  std::string view = "anterior";
+  std::string cameraFile;
+  std::string fill;
+  std::string background = "white";
+  std::string hatching = "strokes";
+  std::string light;
+  std::optional<bool> keyLight;
+  bool blackAndWhite = false;
+  std::vector<std::string> gammas;
+  std::vector<std::string> colours;
+  std::vector<std::string> inkColours;
+  std::vector<std::string> pens;
+  std::vector<std::string> hatchDensities;
+  std::vector<std::string> hatchTones;
+  std::vector<std::string> only;
+  SectionFlags sections;
+  FocusFlags focus;
+  LabelFlags labels;
+};
+
+/// A value for all structures (no name) or for those of that name.
+template <class T>
+struct Assignment {
+  std::optional<std::string> name;
+  T value;
+};
+
+/// Understood, but not yet held against a scene.
+struct PictureOrder {
+  std::string output;
+  Size size;
+  int samples = 1;  ///< across a pixel
+  render::Environment environment;
+  render::HatchingMethod hatching = render::HatchingMethod::strokes;
+  bool blackAndWhite = false;
+  std::optional<model::Camera> camera;  ///< from a file; else `view`
+  std::string view;
+  std::optional<model::Fill> fill;
+  std::vector<Assignment<Gamma>> gammas;
+  std::vector<Assignment<Colour>> colours;
+  std::vector<Assignment<Colour>> inkColours;
+  std::vector<Assignment<model::Style>> looks;  ///< each of one field
+  std::vector<std::string> only;
+  SectionsOrder sections;
+  FocusOrder focus;
+  LabelOrder labels;
+};
+
+/// An error is a wrong use, here and below.
+Result<PictureOrder> understood(const PictureFlags& flags);
+/// The same where no picture is to be written.
+Result<PictureOrder> understoodLook(const PictureFlags& flags);
+/// The scene as the saved view that the order names shows it; unchanged where there is none. What
+/// is absent is warned of.
+model::Scene asSaved(const model::Scene& scene, const PictureOrder& order);
+/// What the picture's camera is called: as the saved view is, "anterior" and so on where it looks
+/// along an axis of the body, else nothing.
+std::string shownViewName(const model::Scene& scene, const PictureOrder& order);
+/// The scene with styles and visibility as ordered. A group's value holds for all in it; what is
+/// said of a structure or an inner group wins over what is said of a group around it, whatever the
+/// order of the flags.
+Result<model::Scene> styled(const model::Scene& scene, const PictureOrder& order);
+/// The scene with the focus of the order, where it has one; sections of the order count.
+Result<model::Scene> inFocus(const model::Scene& scene, const PictureOrder& order);
+/// The scene with the sections of the order, where it has any.
+Result<model::Scene> cutOpen(const model::Scene& scene, const PictureOrder& order);
+/// Null where no saved view has that name.
+const model::View* savedView(const model::Scene& scene, const std::string& name);
+/// The camera of the file; else the saved view of that name, else the anatomical view fitted to
+/// what sections leave of the visible structures, beside the room that labels need.
+Result<model::Camera> cameraFor(const model::Scene& scene, const PictureOrder& order);
+
+/// Draws without a display and writes the file.
+Status drawToFile(const model::Scene& scene, const model::Camera& camera, const PictureOrder& order,
+                  Progress& progress);
+
+}  // namespace sline::cli

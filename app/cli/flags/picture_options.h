@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/flags/focus_options.h"
+#include "app/cli/flags/label_flags.h"
+#include "app/cli/flags/option_kinds.h"
+#include "app/cli/flags/picture_flags.h"
+#include "app/cli/flags/section_options.h"
+
+namespace sline::cli {
+
+/// Declares those flags of `PictureFlags` that are about colours and pens; that of inks.
+inline CLI::Option* addStyleOptions(CLI::App& command, PictureFlags& flags) {
+  many(command.add_option("--color,--colour", flags.colours,
+                          "The colour of a structure, or of all in a group"))
+      ->type_name("NAME=#rrggbb");
+  CLI::Option* ink = many(
+      command.add_option("--ink-color,--ink-colour", flags.inkColours,
+                         "The colour of lines and hatching, of all (--ink-color #30405a), of a "
+                         "structure or of all in a group"));
+  ink->type_name("[NAME=]#rrggbb");
+  many(command.add_option("--pen", flags.pens,
+                          "How wide lines are, 0 to 10 times the usual, of all (--pen 1.5), of a "
+                          "structure or of all in a group"))
+      ->type_name("[NAME=]W");
+  many(command.add_option("--hatch-density", flags.hatchDensities,
+                          "How many strokes hatching has, 0 to 4 times the usual; they get thinner "
+                          "as they become more, and its tone stays"))
+      ->type_name("[NAME=]D");
+  many(command.add_option("--hatch-tone", flags.hatchTones,
+                          "How dark hatching is, 0 to 4 times the usual, by the width of strokes"))
+      ->type_name("[NAME=]T");
+  command
+      .add_option("--fill", flags.fill,
+                  "What hides behind unfilled structures: none lets it show through, paper hides "
+                  "it, tint covers it with a thin wash of colour, veil lets it show faintly")
+      ->type_name("none|paper|tint|veil");
+  return ink;
+}
+
+/// Declares those that say in what colours and manner all is drawn.
+inline void addLookOptions(CLI::App& command, PictureFlags& flags) {
+  CLI::Option* ink = addStyleOptions(command, flags);
+  CLI::Option* background =
+      command.add_option("--background", flags.background, "What lies behind the drawing");
+  background->type_name("white|paper|dark|transparent")->capture_default_str();
+  command
+      .add_option("--hatching", flags.hatching,
+                  "strokes that follow the form, or the grey hatching that Sline's paper prints, "
+                  "to compare with")
+      ->type_name("strokes|as-printed")
+      ->capture_default_str();
+  command
+      .add_option("--light", flags.light,
+                  "Where the light is that hatching's shadows turn away from; else where the "
+                  "scene has it, or upper-left")
+      ->type_name("upper-left|above|upper-right");
+  command.add_flag("--key-light,!--no-key-light", flags.keyLight,
+                   "Shades with that light, too, besides the one at the eye, or not; else as the "
+                   "scene says");
+  command
+      .add_flag("--bw", flags.blackAndWhite,
+                "For print in black and white: black ink on white paper; what is shaded is hatched "
+                "instead and hides what lies behind it")
+      ->excludes(background)
+      ->excludes(ink);
+}
+
+/// Declares those that say which structures are drawn, and how detailed each is.
+inline void addDetailOptions(CLI::App& command, PictureFlags& flags) {
+  many(command.add_option("--gamma", flags.gammas,
+                          "0 silhouette … 5 shaded surface, for all (--gamma 2) or for a structure "
+                          "or group (--gamma liver=4); may be given again"))
+      ->type_name("[NAME=]G");
+  many(command.add_option("--only", flags.only,
+                          "Draws these structures and groups alone; may be given again"))
+      ->type_name("NAME");
+  addFocusOptions(command, flags.focus);
+}
+
+/// Declares that of the camera; `view` names the same otherwise.
+inline void addCameraOption(CLI::App& command, PictureFlags& flags, CLI::Option* view) {
+  command
+      .add_option("--camera", flags.cameraFile,
+                  "A camera in millimetres, LPS: {\"projection\":\"perspective\",\"eye_mm\":"
+                  "[x,y,z],\"target_mm\":[x,y,z],\"up\":[x,y,z],\"opening_degrees\":30}, or "
+                  "\"orthographic\" with \"height_mm\"")
+      ->type_name("FILE.json")
+      ->excludes(view);
+}
+
+/// Declares the flags of `PictureFlags` on a sub-command but for where the picture goes.
+inline void addDrawingOptions(CLI::App& command, PictureFlags& flags) {
+  command.add_option("--size", flags.size, "Width and height in pixels, 16 to 20000 each")
+      ->type_name("WxH")
+      ->capture_default_str();
+  command
+      .add_option(
+          "--samples", flags.samples,
+          "Draws this many times as large both ways and averages, for smooth edges: 1 to 4; "
+          "auto takes 2, for more than 8 million pixels 1")
+      ->type_name("auto|N")
+      ->capture_default_str();
+  CLI::Option* view = command
+                          .add_option("--view", flags.view,
+                                      "A saved view of the scene, shown as it was saved; else "
+                                      "anterior, posterior, left, right, superior or inferior, "
+                                      "fitted to what is visible")
+                          ->type_name("NAME")
+                          ->capture_default_str();
+  addCameraOption(command, flags, view);
+  addDetailOptions(command, flags);
+  addLookOptions(command, flags);
+  addSectionOptions(command, flags.sections);
+}
+
+/// The same with the file, which is needed.
+inline void addPictureOptions(CLI::App& command, PictureFlags& flags) {
+  command
+      .add_option("-o,--output", flags.output,
+                  "The picture: png, tiff, exr or jpg by its extension")
+      ->required()
+      ->type_name("FILE");
+  addDrawingOptions(command, flags);
+  declareLabels(command, flags.labels);
+}
+
+}  // namespace sline::cli

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+// Liver, gallbladder and bile ducts, pancreas, spleen, adrenal glands.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "model/demo/abdomen/parts.h"
+#include "model/sculpting/swept.h"
+
+namespace sline::model {
+
+namespace {
+constexpr Colour liverColour{138, 69, 38};
+constexpr Colour bileColour{60, 130, 90};
+constexpr Colour pancreasColour{216, 180, 94};
+constexpr Colour spleenColour{125, 74, 115};
+constexpr Colour adrenalColour{224, 176, 60};
+
+struct Look {
+  const char* group;
+  Colour colour;
+  float gamma;
+};
+
+DemoStructure gland(std::string name, const Look& look, Field field, const Box& box) {
+  return {.name = std::move(name),
+          .groups = {look.group},
+          .colour = look.colour,
+          .gamma = Gamma::clamped(look.gamma),
+          .field = std::move(field),
+          .box = box};
+}
+
+DemoStructure liver() {
+  DemoStructure s = gland("liver", {"Digestive system", liverColour, 4.3f}, liverField(),
+                          {{-150, -104, -75}, {96, 88, 122}});
+  s.edge = 2.4f;
+  s.rounding = 7.0f;
+  s.gap = 1.7f;
+  s.smoothing = 3.0f;
+  return s;
+}
+
+std::shared_ptr<const Swept> gallbladderTube() {
+  return std::make_shared<Swept>(std::array<SweptPoint, 8>{{{{-63, -83, -35}, 13.2f},
+                                                            {{-61, -75, -28}, 15.3f},
+                                                            {{-58, -64, -17}, 15.2f},
+                                                            {{-53, -50, -3}, 11.8f},
+                                                            {{-48, -41, 9}, 7.5f},
+                                                            {{-44, -36, 17}, 4.6f},
+                                                            {{-42, -31, 22}, 2.8f},
+                                                            {{-38, -28, 21}, 2.3f}}},
+                                 glm::vec3(0, -1, 0));
+}
+
+DemoStructure gallbladder() {
+  const auto tube = gallbladderTube();
+  const Field field = [tube](const glm::vec3& p) {
+    const SweptPlace at = tube->place(p);
+    // The spiral fold twists the neck.
+    const float neck = std::clamp((at.along - 58.0f) / 10.0f, 0.0f, 1.0f);
+    return at.distance + neck * 0.4f * std::sin(at.along * 1.25f + at.angle);
+  };
+  DemoStructure s = gland("gallbladder", {"Biliary system", bileColour, 4.5f}, field,
+                          grown(tube->bounds(), 3.0f));
+  s.edge = 1.6f;
+  s.smoothing = 1.0f;
+  s.wall = 2.0f;
+  return s;
+}
+
+DemoStructure bileDucts() {
+  const auto common = std::make_shared<Swept>(std::array<SweptPoint, 8>{{{{-36, -27, 44}, 2.6f},
+                                                                         {{-34, -26, 34}, 3.1f},
+                                                                         {{-34, -25.5f, 20}, 3.3f},
+                                                                         {{-35, -24, 6}, 3.5f},
+                                                                         {{-37, -20, -8}, 3.4f},
+                                                                         {{-41, -15, -22}, 3.2f},
+                                                                         {{-45, -12, -31}, 3.0f},
+                                                                         {{-50, -11, -36}, 2.6f}}},
+                                              glm::vec3(0, -1, 0));
+  const auto right = std::make_shared<Swept>(
+      std::array<SweptPoint, 3>{
+          {{{-35, -26, 34}, 2.4f}, {{-44, -26, 42}, 2.3f}, {{-56, -24, 47}, 1.9f}}},
+      glm::vec3(0, -1, 0));
+  const auto left = std::make_shared<Swept>(
+      std::array<SweptPoint, 3>{
+          {{{-34, -26, 34}, 2.4f}, {{-27, -28, 43}, 2.3f}, {{-14, -31, 50}, 1.9f}}},
+      glm::vec3(0, -1, 0));
+  const auto cystic = std::make_shared<Swept>(
+      std::array<SweptPoint, 3>{
+          {{{-38, -28, 21}, 2.2f}, {{-36, -26.5f, 17}, 2.2f}, {{-34.5f, -25.5f, 10}, 2.6f}}},
+      glm::vec3(0, -1, 0));
+  const Field field = [=](const glm::vec3& p) {
+    float d = blendedUnion(common->distance(p), right->distance(p), 2.5f);
+    d = blendedUnion(d, left->distance(p), 2.5f);
+    return blendedUnion(d, cystic->distance(p), 2.0f);
+  };
+  Box box = common->bounds();
+  for (const auto& branch : {right, left, cystic})
+    box.add(branch->bounds());
+  DemoStructure s =
+      gland("bile duct", {"Biliary system", bileColour, 4.5f}, field, grown(box, 3.0f));
+  s.edge = 1.0f;
+  s.gap = 0.3f;
+  s.smoothing = 0.6f;
+  s.wall = 0.8f;
+  return s;
+}
+
+/// Lobules: hills and furrows some 7 mm wide.
+float lobules(const glm::vec3& p) {
+  const glm::vec3 q = 0.50f * p + 0.9f * glm::vec3(std::sin(0.21f * p.z + 1.0f),
+                                                   std::sin(0.19f * p.x), std::sin(0.23f * p.y));
+  return std::sin(q.x) * std::sin(q.y + 0.7f) + std::sin(q.y) * std::sin(q.z + 1.9f) +
+         std::sin(q.z) * std::sin(q.x + 0.4f);
+}
+
+DemoStructure pancreas() {
+  const auto body =
+      std::make_shared<Swept>(std::array<SweptPoint, 9>{{{{-35, -27, -40}, 15, 0.80f},
+                                                         {{-34, -29, -22}, 17, 0.75f},
+                                                         {{-25, -37, -9}, 14, 0.75f},
+                                                         {{-7, -47, -2}, 9.5f, 0.80f},
+                                                         {{12, -45, 4}, 11, 0.75f},
+                                                         {{34, -25, 10}, 12.5f, 0.70f},
+                                                         {{58, -3, 17}, 12, 0.70f},
+                                                         {{80, 12, 26}, 10.5f, 0.75f},
+                                                         {{97, 20, 34}, 7.5f, 0.85f}}},
+                              glm::vec3(0, -1, 0));
+  const auto uncinate =
+      std::make_shared<Swept>(std::array<SweptPoint, 3>{{{{-33, -26, -44}, 12, 0.8f},
+                                                         {{-20, -26, -49}, 9.5f, 0.8f},
+                                                         {{-7, -28, -50}, 5.5f, 0.8f}}},
+                              glm::vec3(0, -1, 0));
+  const Field field = [=](const glm::vec3& p) {
+    const float d = blendedUnion(body->distance(p), uncinate->distance(p), 8.0f);
+    return d > 6.0f ? d - 2.0f : d + 0.40f * lobules(p);
+  };
+  Box box = body->bounds();
+  box.add(uncinate->bounds());
+  DemoStructure s =
+      gland("pancreas", {"Digestive system", pancreasColour, 4.5f}, field, grown(box, 4.0f));
+  s.edge = 1.7f;
+  s.rounding = 2.0f;
+  s.smoothing = 1.3f;
+  return s;
+}
+
+/// Columns: where the spleen's length, width and thickness point. It lies along the tenth rib.
+glm::mat3 spleenAxes() {
+  const glm::vec3 length = glm::normalize(glm::vec3(0.30f, -0.75f, -0.45f));
+  const glm::vec3 outward = glm::normalize(glm::vec3(0.80f, 0.60f, 0.0f));
+  const glm::vec3 thickness = glm::normalize(outward - glm::dot(outward, length) * length);
+  return {length, glm::cross(thickness, length), thickness};
+}
+
+DemoStructure spleen() {
+  const glm::vec3 middle(103, 38, 69);
+  const glm::mat3 axes = spleenAxes();
+  const Field field = [=](const glm::vec3& p) {
+    // x along its length (down and forward), y across (down and back), z out towards the ribs.
+    const glm::vec3 q = (p - middle) * axes;
+    glm::vec3 bent = q;
+    bent.z += 0.0045f * q.x * q.x + 0.0060f * q.y * q.y;
+    float d = ellipsoid(bent, {58.0f, 37.0f, 19.0f});
+    // Gastric and renal faces are hollow; the hilum is a groove on the ridge between them.
+    const float gastric = glm::length(q - glm::vec3(4, -30, -74)) - 64.0f;
+    const float renal = glm::length(q - glm::vec3(-8, 36, -72)) - 60.0f;
+    d = blendedDifference(d, gastric, 9.0f);
+    d = blendedDifference(d, renal, 9.0f);
+    d = blendedDifference(d, ellipsoid(q - glm::vec3(0, 1, -17), {26.0f, 4.0f, 7.0f}), 4.0f);
+    // Notches of the upper border.
+    for (const auto& [along, size] : {std::pair{10.0f, 2.6f}, {25.0f, 4.4f}, {38.0f, 2.2f}}) {
+      const glm::vec3 n = q - glm::vec3(along, 0.011f * along * along - 41.0f, -8.0f);
+      d = blendedDifference(d, ellipsoid(n, {size * 0.7f, 2.6f * size, 22.0f}), 5.0f);
+    }
+    return d;
+  };
+  DemoStructure s = gland("spleen", {"Glands and spleen", spleenColour, 4.3f}, field,
+                          {{40, -34, 4}, {162, 112, 132}});
+  s.edge = 2.0f;
+  s.rounding = 4.0f;
+  s.smoothing = 1.8f;
+  return s;
+}
+
+/// A thin cap on the kidney's upper pole: a ridge with two or three wings.
+DemoStructure adrenal(const char* name, const glm::vec3& apex, float side, bool crescent) {
+  const auto wing = [&](std::array<glm::vec3, 3> at) {
+    std::array<SweptPoint, 3> points{};
+    constexpr std::array<float, 3> radius{2.6f, 3.4f, 2.2f};
+    constexpr std::array<float, 3> depth{2.2f, 2.6f, 1.8f};
+    for (std::size_t i = 0; i < 3; ++i)
+      points[i] = {apex + glm::vec3(side, 1, 1) * at[i], radius[i], depth[i]};
+    return std::make_shared<Swept>(points, glm::vec3(0, -0.35f, 1));
+  };
+  const float drop = crescent ? -30.0f : -20.0f;
+  const auto medial = wing({{{0, 0, 0}, {-4, -1, -10}, {-9, 2, drop}}});
+  const auto lateral = wing({{{0, 0, 0}, {9, -1, -8}, {20, 2, drop + 4.0f}}});
+  const auto crest = wing({{{1, 3, 0}, {2, -4, -7}, {3, -8, -15}}});
+  const Field field = [=](const glm::vec3& p) {
+    float d = blendedUnion(medial->distance(p), lateral->distance(p), 4.0f);
+    d = blendedUnion(d, crest->distance(p), 5.0f);
+    return d;
+  };
+  Box box = medial->bounds();
+  box.add(lateral->bounds());
+  box.add(crest->bounds());
+  DemoStructure s =
+      gland(name, {"Glands and spleen", adrenalColour, 4.0f}, field, grown(box, 3.0f));
+  s.edge = 1.3f;
+  s.smoothing = 0.9f;
+  return s;
+}
+}  // namespace
+
+std::vector<DemoStructure> abdomenGlands() {
+  return {gallbladder(), bileDucts(), adrenal("right adrenal gland", {-42, 28, 46}, -1.0f, false),
+          adrenal("left adrenal gland", {40, 24, 60}, 1.0f, true), pancreas()};
+}
+
+std::vector<DemoStructure> abdomenSpleenAndLiver() {
+  return {spleen(), liver()};
+}
+
+}  // namespace sline::model

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lumbar column with the last thoracic vertebra and its ribs, and the psoas muscles beside it.
+// One vertebra is modelled and set up six times, growing downwards and tilted along the lordosis.
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <memory>
+#include <string>
+
+#include "model/demo/abdomen/parts.h"
+#include "model/sculpting/swept.h"
+
+namespace sline::model {
+
+namespace {
+constexpr Colour boneColour{248, 234, 214};
+constexpr Colour discColour{169, 199, 214};
+constexpr Colour muscleColour{100, 42, 36};
+
+/// Where a vertebral body stands: its middle, the tilt of its upper face to the front (radians) and
+/// its size against the third lumbar vertebra's.
+struct Level {
+  const char* name;
+  glm::vec3 middle;
+  float tilt;
+  float size;
+  float transverse;  ///< length of its transverse processes, mm
+};
+constexpr std::array<Level, 6> levels{{{"T12 vertebra", {0, 24, 49}, -0.10f, 0.88f, 12},
+                                       {"L1 vertebra", {0, 20, 14}, -0.08f, 0.93f, 20},
+                                       {"L2 vertebra", {0, 17, -23}, -0.04f, 0.97f, 25},
+                                       {"L3 vertebra", {0, 15, -61}, 0.03f, 1.0f, 29},
+                                       {"L4 vertebra", {0, 17, -99}, 0.13f, 1.02f, 25},
+                                       {"L5 vertebra", {0, 24, -136}, 0.30f, 1.04f, 23}}};
+constexpr float bodyHalfHeight = 13.6f;
+
+/// Into the frame of a vertebra the size of the third lumbar: middle of its body, z up.
+glm::vec3 intoLevel(const Level& level, const glm::vec3& p) {
+  const glm::vec3 d = (p - level.middle) / level.size;
+  const float c = std::cos(level.tilt);
+  const float s = std::sin(level.tilt);
+  return {d.x, c * d.y - s * d.z, s * d.y + c * d.z};
+}
+
+glm::vec3 outOfLevel(const Level& level, const glm::vec3& q) {
+  const float c = std::cos(level.tilt);
+  const float s = std::sin(level.tilt);
+  return level.middle + level.size * glm::vec3(q.x, c * q.y + s * q.z, -s * q.y + c * q.z);
+}
+
+/// Distance to the kidney-shaped outline of body and disc in the horizontal plane.
+float outline(const glm::vec2& p, float halfWidth, float halfDepth) {
+  const glm::vec2 a(halfWidth, halfDepth);
+  const float k0 = glm::length(p / a);
+  const float k1 = glm::length(p / (a * a));
+  const float oval = k1 > 1e-6f ? k0 * (k0 - 1.0f) / k1 : -halfDepth;
+  const float canal = glm::length(p - glm::vec2(0, halfDepth + 12.0f)) - 14.5f;
+  return blendedDifference(oval, canal, 4.0f);
+}
+
+/// Processes on the right side; the left ones are their mirror.
+struct Arch {
+  explicit Arch(float transverseLength)
+      : pedicle(std::array<SweptPoint, 3>{{{{11, 10, 5}, 5.5f, 1.4f},
+                                           {{13.5f, 19, 4.5f}, 4.8f, 1.5f},
+                                           {{15, 27, 3}, 5.4f, 1.4f}}},
+                {0, 0, 1}),
+        lamina(
+            std::array<SweptPoint, 3>{
+                {{{15, 27, 2}, 4.6f, 1.7f}, {{9, 36, -2}, 4.0f, 2.3f}, {{0, 42, -4}, 3.8f, 2.1f}}},
+            {0, 0, 1}),
+        transverse(
+            std::array<SweptPoint, 3>{{{{14, 26, 4}, 5.0f, 1.2f},
+                                       {{18.0f + 0.5f * transverseLength, 29, 4.5f}, 3.3f, 1.7f},
+                                       {{17.0f + transverseLength, 34, 7}, 2.2f, 1.7f}}},
+            {0, 0, 1}),
+        superior(
+            std::array<SweptPoint, 3>{
+                {{{15, 27, 2}, 5.4f}, {{17.5f, 28, 11}, 5.6f}, {{18, 30, 18}, 5.0f}}},
+            {0, 1, 0}),
+        inferior(
+            std::array<SweptPoint, 3>{
+                {{{11, 34, -2}, 5.0f}, {{12, 36, -13}, 5.4f}, {{12.5f, 36, -21}, 5.0f}}},
+            {0, 1, 0}),
+        spinous(std::array<SweptPoint, 4>{{{{0, 40, -4}, 3.6f, 2.2f},
+                                           {{0, 52, -7}, 3.0f, 3.1f},
+                                           {{0, 64, -9}, 3.3f, 3.0f},
+                                           {{0, 72, -11}, 4.4f, 1.8f}}},
+                {0, 0, 1}) {}
+
+  float distance(const glm::vec3& q) const {
+    const glm::vec3 m(std::abs(q.x), q.y, q.z);
+    float d = blendedUnion(pedicle.distance(m), lamina.distance(m), 5.0f);
+    d = blendedUnion(d, transverse.distance(m), 5.0f);
+    d = blendedUnion(d, superior.distance(m), 5.0f);
+    d = blendedUnion(d, inferior.distance(m), 5.0f);
+    return blendedUnion(d, spinous.distance(q), 6.0f);
+  }
+
+  Swept pedicle, lamina, transverse, superior, inferior, spinous;
+};
+
+float bodyField(const glm::vec3& q) {
+  const float height = q.z / bodyHalfHeight;
+  const float waist = 2.6f * (1.0f - std::min(height * height, 1.0f));
+  const float wall = outline({q.x, q.y}, 25.0f - waist, 17.5f - waist);
+  // End plates are hollowed a little within their rims.
+  const float plate = 1.4f * std::exp(-0.5f * (q.x * q.x / 130.0f + q.y * q.y / 60.0f));
+  return blendedIntersection(wall, std::abs(q.z) - bodyHalfHeight + plate, 4.0f);
+}
+
+DemoStructure vertebra(const Level& level) {
+  const auto arch = std::make_shared<Arch>(level.transverse);
+  DemoStructure s{
+      .name = level.name, .groups = {"Bones"}, .colour = boneColour, .gamma = Gamma::clamped(1.3f)};
+  s.field = [level, arch](const glm::vec3& p) {
+    const glm::vec3 q = intoLevel(level, p);
+    return level.size * blendedUnion(bodyField(q), arch->distance(q), 5.0f);
+  };
+  for (const float x : {-54.0f, 54.0f})
+    for (const float y : {-22.0f, 84.0f})
+      for (const float z : {-34.0f, 28.0f})
+        s.box.add(outOfLevel(level, {x, y, z}));
+  s.edge = 2.0f;
+  s.gap = 0.6f;
+  s.smoothing = 1.1f;
+  return s;
+}
+
+DemoStructure disc(const Level& above, const Level& below) {
+  const glm::vec3 top = outOfLevel(above, {0, 0, -bodyHalfHeight});
+  const glm::vec3 bottom = outOfLevel(below, {0, 0, bodyHalfHeight});
+  const Level middle{.middle = 0.5f * (top + bottom),
+                     .tilt = 0.5f * (above.tilt + below.tilt),
+                     .size = 0.5f * (above.size + below.size)};
+  const std::string from(above.name, std::string_view(above.name).find(' '));
+  const std::string to(below.name, std::string_view(below.name).find(' '));
+  DemoStructure s{.name = from + "-" + to + " intervertebral disc",
+                  .groups = {"Discs and cartilage"},
+                  .colour = discColour,
+                  .gamma = Gamma::clamped(1.3f)};
+  s.field = [middle](const glm::vec3& p) {
+    const glm::vec3 q = intoLevel(middle, p);
+    const float bulge = 0.9f * (1.0f - std::min(q.z * q.z / 36.0f, 1.0f));
+    const float wall = outline({q.x, q.y}, 23.6f + bulge, 16.2f + bulge);
+    return middle.size * blendedIntersection(wall, std::abs(q.z) - 8.0f, 5.0f);
+  };
+  s.box = {middle.middle - glm::vec3(30, 25, 17), middle.middle + glm::vec3(30, 25, 17)};
+  s.edge = 2.0f;
+  s.gap = 0.5f;
+  s.rounding = 1.8f;
+  s.smoothing = 1.0f;
+  return s;
+}
+
+DemoStructure swept(std::string name, const char* group, Colour colour,
+                    const std::shared_ptr<const Swept>& shape) {
+  return {.name = std::move(name),
+          .groups = {group},
+          .colour = colour,
+          .gamma = Gamma::clamped(1.3f),
+          .field = [shape](const glm::vec3& p) { return shape->distance(p); },
+          .box = grown(shape->bounds(), 3.0f)};
+}
+
+template <std::size_t N>
+std::array<SweptPoint, N> onSide(std::array<SweptPoint, N> points, float side) {
+  for (SweptPoint& p : points)
+    p.position.x *= side;
+  return points;
+}
+
+DemoStructure rib(const char* name, float side) {
+  const auto shape = std::make_shared<Swept>(onSide<6>({{{{23, 42, 52}, 3.6f, 1.2f},
+                                                         {{36, 60, 49}, 3.4f, 1.4f},
+                                                         {{56, 77, 40}, 3.0f, 1.9f},
+                                                         {{79, 84, 26}, 2.8f, 2.2f},
+                                                         {{98, 80, 11}, 2.6f, 2.0f},
+                                                         {{111, 70, 0}, 2.2f, 1.6f}}},
+                                                       side),
+                                             glm::vec3(0, 0, 1));
+  DemoStructure s = swept(name, "Bones", boneColour, shape);
+  s.edge = 1.6f;
+  s.smoothing = 1.0f;
+  return s;
+}
+
+DemoStructure psoas(const char* name, float side) {
+  const auto shape = std::make_shared<Swept>(onSide<7>({{{{29, 22, 18}, 6.0f, 1.2f},
+                                                         {{35, 20, -20}, 12.0f, 1.2f},
+                                                         {{43, 16, -66}, 18.0f, 1.15f},
+                                                         {{54, 12, -112}, 22.0f, 1.0f},
+                                                         {{66, 2, -160}, 21.0f, 0.95f},
+                                                         {{79, -26, -222}, 16.5f, 0.95f},
+                                                         {{83, -36, -246}, 15.0f, 0.95f}}},
+                                                       side),
+                                             glm::vec3(0, -1, 0));
+  DemoStructure s = swept(name, "Muscles", muscleColour, shape);
+  s.gamma = Gamma::clamped(1.4f);
+  s.field = [shape](const glm::vec3& p) {
+    // Bundles of fibres that run its length.
+    const SweptPlace at = shape->place(p);
+    const float bundles = std::sin(7.0f * at.angle + 0.9f * std::sin(at.along / 40.0f));
+    return at.distance + 0.35f * bundles * std::min(at.radius / 12.0f, 1.0f);
+  };
+  s.edge = 2.6f;
+  s.gap = 0.8f;
+  s.rounding = 3.0f;
+  s.smoothing = 2.0f;
+  return s;
+}
+}  // namespace
+
+std::vector<DemoStructure> abdomenBones() {
+  std::vector<DemoStructure> bones;
+  bones.reserve(2 * levels.size() + 1);  // between two vertebrae a disc, and two ribs
+  for (const Level& level : levels)
+    bones.push_back(vertebra(level));
+  for (std::size_t i = 0; i + 1 < levels.size(); ++i)
+    bones.push_back(disc(levels[i], levels[i + 1]));
+  bones.push_back(rib("right twelfth rib", -1.0f));
+  bones.push_back(rib("left twelfth rib", 1.0f));
+  return bones;
+}
+
+std::vector<DemoStructure> abdomenMuscles() {
+  return {psoas("right psoas major", -1.0f), psoas("left psoas major", 1.0f)};
+}
+
+}  // namespace sline::model

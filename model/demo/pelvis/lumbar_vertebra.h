@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "model/sculpting/sculpture.h"
+
+namespace sline::model {
+
+/// A vertebral body or a disc: a bean in cross-section, flat behind, between two end plates.
+struct VertebralBody {
+  glm::vec3 centre;
+  float tilt;        ///< degrees its axis leans forward from the z axis
+  float halfWidth;   ///< mm, of its end plates
+  float halfDepth;   ///< mm, front to back
+  float halfHeight;  ///< mm, in the middle
+  float wedge;       ///< mm higher at the front than at the back, half of it above, half below
+  float waist;       ///< mm by which it is narrower half way up; negative where it bulges
+  float hollow;      ///< mm by which the end plates are hollow; negative where they bulge
+
+  float distance(const glm::vec3& p) const;
+  Box bounds() const;
+};
+
+/// The fifth lumbar vertebra of the pelvis demo and the disc below it (LPS, mm). The disc still
+/// overlaps with its neighbours a little.
+Sculpture fifthLumbarVertebra();
+Sculpture lumbosacralDisc();
+
+}  // namespace sline::model

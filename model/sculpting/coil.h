@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "model/sculpting/implicit.h"
+
+namespace sline::model {
+
+/// How a tube may lie.
+struct CoilRules {
+  float radius = 12.0f;  ///< mm; no two stretches of the tube come closer than twice that
+  float spacing = 5.0f;  ///< mm between the points of its centre line
+  Field keepOut;         ///< negative where the tube may not be
+  int rounds = 40;       ///< in each of its stages
+  int stages = 6;
+  int settling = 2;      ///< stages at the end in which it grows no more
+  float growth = 1.14f;  ///< how much longer it gets in each of the others, while there is room
+};
+
+/// Lets a tube laid roughly along `path` settle like bowel in its cavity: it grows, bends gently,
+/// pushes itself apart and gives way to its surroundings. The ends stay where they are.
+std::vector<glm::vec3> settledCoil(std::span<const glm::vec3> path, const CoilRules& rules);
+
+}  // namespace sline::model
